@@ -1,0 +1,21 @@
+// How pictures are drawn, apart from the sea itself. Plain values.
+#pragma once
+#include <string>
+
+namespace seascape {
+
+enum class FrameShape { tile, desktop };
+enum class StereoMode { automatic, single, per_eye };
+enum class DebugView { none, holes, lod, wireframe, normals, slices };
+
+struct RenderSettings {
+  int msaa = 4;  // samples a pixel: 1, 2, 4 or 8
+  FrameShape shape = FrameShape::desktop;
+  StereoMode stereo = StereoMode::automatic;
+  DebugView debug = DebugView::none;
+  double eye_distance_m = 0.064;
+  double vertical_fov_deg = 60.0;   // of one-view pictures and of headless stereo
+  double near_m = 0.1;
+};
+
+}  // namespace seascape

@@ -1,0 +1,28 @@
+// What the wind has made of the sea: the inputs of its spectrum. Plain values, in SI units.
+#pragma once
+#include <cstdint>
+
+namespace seascape {
+
+struct SeaState {
+  double wind_speed_mps = 10.0;     // at 10 m height (U10); 0 gives a flat sea
+  double wind_to_deg = 30.0;        // the direction the wind blows TO, degrees clockwise from -z seen from above
+  double fetch_m = 300e3;           // how far the wind has blown over open water
+  double peak_enhancement = 3.3;    // JONSWAP's gamma, 1 (Pierson-Moskowitz) to 7
+  double swell_height_m = 0.0;      // significant height of a swell train from elsewhere, 0 for none
+  double swell_period_s = 12.0;     // its peak period
+  double swell_to_deg = 80.0;       // the direction it travels to
+  double chop = 1.0;                // horizontal displacement, 0 none, 1 as linear theory has it, up to 2
+  double small_wave_suppression = 0.0;  // 0 none to 1: damps waves shorter than about 2 m, for comfort in a headset
+  double gravity_mps2 = 9.81;
+  std::uint32_t seed = 1;           // another seed, another sea of the same statistics; independent of quality
+};
+
+// How finely the sea is computed; it never changes a wave that it keeps.
+struct WaveQuality {
+  int resolution = 256;  // samples a side of each cascade's tile, a power of two from 16 to 512
+  int cascades = 4;      // how many cascades of the ladder are kept, longest waves first, 1 to 5
+  bool half_storage = false;  // store the tiles on the GPU as 16-bit floats
+};
+
+}  // namespace seascape

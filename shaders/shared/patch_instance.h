@@ -1,0 +1,28 @@
+// One patch of the surface as the quadtree selects it and surface.vert draws it.
+#ifndef SEASCAPE_PATCH_INSTANCE_H
+#define SEASCAPE_PATCH_INSTANCE_H
+#include "gpu_types.h"
+SEASCAPE_SHARED_BEGIN
+
+// Bits of PatchInstance::flags. An edge bit: the neighbour on that side is one level coarser, so this patch's odd
+// vertices of that edge snap to its even ones. East is +x, north is +z, as in the 16 variants of the design.
+SEASCAPE_CONST uint patch_east = 1u;
+SEASCAPE_CONST uint patch_north = 2u;
+SEASCAPE_CONST uint patch_west = 4u;
+SEASCAPE_CONST uint patch_south = 8u;
+// A strip of the horizon skirt: row 0 is the outer edge of a patch on the root's border, the rows after it go outwards
+// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south.
+SEASCAPE_CONST uint patch_skirt = 16u;
+SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
+SEASCAPE_CONST uint patch_level_shift = 8u;  // the level (0 the root) from this bit on, for the LOD tint
+
+// Coordinates are whole numbers of the tree's finest vertex spacing, relative to the viewer's grid point, so that two
+// patches that share a vertex compute it from the same numbers.
+struct PatchInstance {
+  ivec2 corner;  // the patch's vertex (0, 0): its least x and least z
+  int stride;    // spacing between its vertices, a power of two
+  uint flags;
+};
+
+SEASCAPE_SHARED_END
+#endif
