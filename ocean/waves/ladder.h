@@ -1,0 +1,29 @@
+// The fixed ladder of cascades of a sea: which tile carries which waves. It belongs to the sea, never to the quality.
+#pragma once
+#include <array>
+#include <glm/glm.hpp>
+
+#include "ocean/waves/sea_state.h"
+#include "shaders/shared/wave_bin.h"
+
+namespace seascape {
+
+// A square periodic tile of waves. Tile coordinates are u = rotate(-rotation) (x, z) / side; a bin's world wave vector is
+// k = rotate(rotation) (2 pi m / side).
+struct Cascade {
+  double side_m;
+  double rotation_rad;
+  // The share of variance of a wave number that this cascade carries: it rises from k_in[0] to k_in[1] and falls from
+  // k_out[0] to k_out[1] (rad/m); neighbours' shares add to one (band_share).
+  std::array<double, 2> k_in, k_out;
+};
+
+using Ladder = std::array<Cascade, gpu::max_cascades>;
+
+Ladder ladder(const SeaState& sea);
+
+// Share of variance, 0 to 1, that cascade `index` carries at wave number k (rad/m). Over all cascades the shares add to 1
+// below the last cascade's k_out[0].
+double band_share(const Ladder& ladder, int index, double k);
+
+}  // namespace seascape
