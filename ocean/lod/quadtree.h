@@ -1,10 +1,12 @@
 // Chooses the patches of the surface for a viewer: a quadtree over a square that follows the viewer, split by size over
 // distance, culled against the union of all eyes. Pure: viewpoint in, list out.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "engine/view.h"
+#include "ocean/lod/culling.h"
 #include "ocean/lod/lod_settings.h"
 #include "shaders/shared/patch_instance.h"
 
@@ -17,13 +19,16 @@ struct DisplacementBounds {
 };
 
 struct SurfaceSelection {
-  std::vector<gpu::PatchInstance> patches;  // tree patches first, then skirt strips
+  std::vector<gpu::PatchInstance> patches;  // tree patches first, nearest first within a node, then skirt strips
   double unit_m = 1.0;             // metres of one step of PatchInstance's coordinates
-  glm::dvec2 grid_origin_m{0.0};   // world x, z of coordinate (0, 0): the viewer's grid point
+  glm::dvec2 grid_origin_m{0.0};   // world x, z of coordinate (0, 0): the viewer's grid point, the nearest to it
   glm::ivec2 tree_centre{0, 0};    // the root's centre in the same coordinates
   int half_size = 0;               // half the root's side in the same coordinates
   double horizon_m = 0.0;          // how far the skirt reaches from the viewer, past the true horizon
-  int visited_nodes = 0, culled_nodes = 0, skirt_strips = 0;
+  float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
+  int visited_nodes = 0;  // nodes of the tree and skirt strips that were tested against the eyes
+  int culled_nodes = 0;   // those of them that no eye can see (with all that is below them)
+  int skirt_strips = 0;   // how many of the patches are strips of the skirt
 };
 
 class Quadtree {
@@ -31,18 +36,63 @@ class Quadtree {
   // Throws Error naming the key when a setting is out of range.
   explicit Quadtree(const LodSettings& settings);
 
-  // Selects for the viewpoint. With settings.freeze the last selection is kept (re-expressed relative to the new viewer).
-  // Neighbouring patches differ by at most one level. No allocation once the list has reached its size.
+  // Takes other settings. Those that only change `freeze` keep the last selection. Throws as the constructor does, and
+  // then nothing has changed.
+  void apply(const LodSettings& settings);
+
+  // Selects for the viewpoint: levels follow the viewer, culling the eyes (none: nothing is culled, for a map or a test).
+  // Neighbouring patches differ by at most one level. The result depends on nothing but the arguments: no history, so a
+  // frame drawn alone equals the same frame of a replay. What the viewer's distance decides is taken from its grid point,
+  // so a viewer that trembles about a corner of the tree by less than half a unit flips nothing. There is no hysteresis
+  // yet: a viewer that moves to and fro over a half unit may change the list each time.
+  // With settings.freeze the last selection is kept, re-expressed relative to the new viewer; the first is made as usual.
+  // drop_patch counts in the list as it is after culling; beyond its end it drops nothing.
+  // No allocation once the list has reached its size. Throws Error when the viewpoint or the bounds are not finite, the
+  // viewer is more than 2^50 units from the world's origin, or more than 2^30 from where the selection was frozen.
   const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds);
 
   int levels() const { return levels_; }  // leaf level, 0 is the root alone
   const LodSettings& settings() const { return settings_; }
 
+  // A node splits while size / distance exceeds split_ratio * threshold; distance in three dimensions, from the viewer
+  // to the node's square raised to the water's upper bound. Near the sea the balance sets the density (12 patches a
+  // level about a corner of four nodes), and this figure the detail seen from above. Must exceed 2, see find_splits.
+  static constexpr double split_ratio = 2.4;
+  static constexpr int max_levels = 12;
+
  private:
+  // The split nodes of one level, a bit each, in a window about the viewer. Splitting is local: a level's split nodes
+  // lie within size / (split_ratio * threshold) of the viewer, plus the ring that balancing adds (see quadtree.cpp).
+  struct SplitWindow {
+    static constexpr int width = 16;
+    int x0 = 0, z0 = 0;
+    std::array<std::uint16_t, width> rows{};
+    bool get(int x, int z) const {
+      const unsigned dx = static_cast<unsigned>(x - x0), dz = static_cast<unsigned>(z - z0);
+      return dx < width && dz < width && ((rows[dz] >> dx) & 1u) != 0u;
+    }
+    void set(int x, int z);
+  };
+  struct Frame;  // the select call's numbers
+
+  int centre_spacing(const Frame& frame) const;
+  void find_splits(const Frame& frame);
+  void balance();
+  void select_tree(const Frame& frame);
+  void select_skirt(const Frame& frame);
+  void select_strip(const Frame& frame, unsigned side, int level, int along);
+  bool node_may_be_seen(const Frame& frame, int level, int x, int z) const;
+  unsigned coarser_edges(int level, int x, int z) const;
+  void move_frozen(std::int64_t grid_x, std::int64_t grid_z);
+
   LodSettings settings_;
   int levels_ = 0;
+  double unit_m_ = 1.0;
+  bool selected_ = false;
+  std::int64_t grid_x_ = 0, grid_z_ = 0;  // of the last selection: its grid origin in units
+  std::array<SplitWindow, max_levels> splits_;
+  EyeFrusta frusta_;
   SurfaceSelection selection_;
-  std::vector<std::uint8_t> leaf_level_;  // see quadtree.cpp
 };
 
 }  // namespace seascape

@@ -11,9 +11,11 @@ using uint = std::uint32_t;
 #define SEASCAPE_SHARED_BEGIN namespace seascape::gpu {
 #define SEASCAPE_SHARED_END }
 #define SEASCAPE_CONST inline constexpr
+#define SEASCAPE_FUNCTION inline
 #else
 #define SEASCAPE_SHARED_BEGIN
 #define SEASCAPE_SHARED_END
 #define SEASCAPE_CONST const
+#define SEASCAPE_FUNCTION
 #endif
 #endif

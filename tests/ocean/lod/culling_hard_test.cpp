@@ -1,0 +1,171 @@
+// Culling against brute force: what any eye can see of a displaced patch is in the list. Hard cases 23, 39 and 40.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "tests/ocean/lod/lod_support.h"
+
+namespace seascape {
+namespace {
+using namespace lod_test;
+
+std::tuple<int, int, int, unsigned> identity(const gpu::PatchInstance& p) { return {p.corner.x, p.corner.y, p.stride, p.flags}; }
+
+struct Sight {
+  int views = 0, patches = 0, culled = 0, missed = 0;  // missed: culled, yet brute force saw a point of it
+};
+
+using Random = std::mt19937;
+double uniform(Random& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+
+// The patches of `all` that are not in `kept`, and whether any eye sees one of their points: 7 x 7 vertices (for strips
+// all along the rows), displaced by up to `bounds` to a random side, then lowered by the Earth's curvature.
+void look(const SurfaceSelection& all, const SurfaceSelection& kept, const Viewpoint& view, const DisplacementBounds& bounds,
+          bool curved, int quads, Random& random, Sight& sight) {
+  std::set<std::tuple<int, int, int, unsigned>> listed;
+  for (const auto& p : kept.patches) listed.insert(identity(p));
+  const glm::dvec3 origin(all.grid_origin_m.x, 0.0, all.grid_origin_m.y);
+  std::vector<glm::dmat4> clip;
+  for (const View& eye : view.eyes) clip.push_back(projection(eye.fov, 0.001) * eye_from_relative(eye.pose, origin));
+  const glm::dvec2 viewer = glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z) - all.grid_origin_m;
+  ++sight.views;
+  for (const auto& p : all.patches) {
+    ++sight.patches;
+    if (listed.contains(identity(p))) continue;
+    ++sight.culled;
+    bool seen = false;
+    for (int a = 0; a <= 6 && !seen; ++a)
+      for (int b = 0; b <= 6 && !seen; ++b) {
+        const glm::dvec2 rest = glm::dvec2(gpu::patch_vertex(p, a * quads / 6, b * quads / 6, quads, all.tree_centre, all.skirt_to_multiplier, all.skirt_to_horizon)) * all.unit_m;
+        const auto side = [&] { return (random() & 1u) != 0u ? 1.0 : -1.0; };
+        const glm::dvec2 moved = rest + glm::dvec2(side(), side()) * bounds.horizontal_m;
+        const glm::dvec2 away = ((random() & 1u) != 0u ? moved : rest) - viewer;  // whichever of the two the drawing takes
+        const double drop = curved ? glm::dot(away, away) / (2.0 * static_cast<double>(gpu::earth_radius_m)) : 0.0;
+        const glm::dvec4 point(moved.x, side() * bounds.vertical_m - drop, moved.y, 1.0);
+        for (const glm::dmat4& m : clip) {
+          const glm::dvec4 c = m * point;
+          if (c.w > 0.001 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w) seen = true;
+        }
+      }
+    sight.missed += seen ? 1 : 0;
+  }
+}
+
+glm::dquat random_orientation(Random& random, int kind) {
+  const glm::dvec3 x(1.0, 0.0, 0.0), y(0.0, 1.0, 0.0), z(0.0, 0.0, 1.0);
+  const glm::dquat yaw = glm::angleAxis(uniform(random, -3.15, 3.15), y);
+  const double quarter = glm::radians(90.0);
+  switch (kind % 6) {
+    case 0: return yaw * glm::angleAxis(-quarter, x);                                                    // straight down
+    case 1: return yaw * glm::angleAxis(quarter, x);                                                     // straight up
+    case 2: return yaw * glm::angleAxis((random() & 1u) != 0u ? quarter : -quarter, z);                  // rolled
+    case 3: return yaw * glm::angleAxis(uniform(random, -0.02, 0.02), x);                                // grazing
+    case 4: return yaw * glm::angleAxis(uniform(random, -1.5, 0.5), x);
+    default:
+      return glm::normalize(glm::dquat(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)));
+  }
+}
+
+// `shrink` multiplies the bounds that culling is told, `only_left` hides the second eye from it: the planted faults.
+Sight watch(int views, double shrink, bool only_left) {
+  Random random(23);
+  std::vector<Quadtree> trees, whole;
+  std::vector<LodSettings> used;
+  for (const Preset& preset : presets)
+    for (const double size : {256.0, 1024.0, 4096.0}) {
+      LodSettings s = settings_of(preset, size);
+      s.cull_scale = 1.0;  // the tightest
+      s.earth_curvature = trees.size() % 3 != 1;
+      used.push_back(s);
+      trees.emplace_back(s);
+      whole.emplace_back(s);
+    }
+  Sight sight;
+  for (int n = 0; n < views; ++n) {
+    const std::size_t which = static_cast<std::size_t>(n) % trees.size();
+    Viewpoint view;
+    const double height = std::pow(10.0, uniform(random, -0.7, 4.3)) * (n % 17 == 3 ? -0.01 : 1.0);
+    view.viewer = {{uniform(random, -1e4, 1e4), height, uniform(random, -1e4, 1e4)}, random_orientation(random, n)};
+    const Fov fov{-uniform(random, 0.1, 2.0), uniform(random, 0.1, 2.0), uniform(random, 0.1, 1.5), -uniform(random, 0.1, 1.5)};
+    view.eyes = stereo_views(view.viewer, fov, uniform(random, 0.0, 0.08));
+    if (n % 2 == 0) view.eyes[1].fov = {-fov.right, -fov.left, fov.up, fov.down};  // mirrored, as in a headset
+    if (n % 5 == 0) view.eyes[1].pose.orientation = view.eyes[1].pose.orientation * glm::angleAxis(-0.4, glm::dvec3(0, 1, 0));  // canted
+    const DisplacementBounds bounds{uniform(random, 0.0, 12.0), uniform(random, 0.0, 12.0)};
+    Viewpoint told = view;
+    if (only_left) told.eyes.resize(1);
+    // The levels depend on the bounds, so the whole list is made from what culling was told.
+    const DisplacementBounds told_bounds{bounds.vertical_m * shrink, bounds.horizontal_m * shrink};
+    const SurfaceSelection& kept = trees[which].select(told, told_bounds);
+    told.eyes.clear();
+    look(whole[which].select(told, told_bounds), kept, view, bounds, used[which].earth_curvature, used[which].patch_quads, random, sight);
+  }
+  return sight;
+}
+
+// Hard case 23 and the 10,000 views: straight down, straight up, rolled, grazing, any; heights 0.2 m to 20 km and under
+// water; asymmetric, mirrored and canted eyes.
+TEST(CullingHard, hard_23_down_up_rolled_never_drops_what_brute_force_sees) {
+  const Sight sight = watch(10000, 1.0, false);
+  EXPECT_EQ(sight.views, 10000);
+  EXPECT_EQ(sight.missed, 0);
+  EXPECT_GT(sight.culled, sight.patches / 3);  // and it does cull
+}
+
+// The controls: bounds half as large as the displacement, and an eye that culling does not know of.
+TEST(CullingHard, BruteForceSeesShrunkenBoundsAndAForgottenEye) {
+  EXPECT_GT(watch(2000, 0.5, false).missed, 0);
+  EXPECT_GT(watch(2000, 1.0, true).missed, 0);
+}
+
+// Hard case 40: fields of view that do not hold the straight-ahead direction, an eye each to one side.
+TEST(CullingHard, hard_40_asymmetric_fov) {
+  for (const Preset& preset : presets) {
+    LodSettings settings = settings_of(preset, 1024.0);
+    settings.cull_scale = 1.0;
+    Quadtree tree(settings), whole(settings);
+    Random random(40);
+    Sight sight, forgotten;
+    for (int n = 0; n < 200; ++n) {
+      Viewpoint view;
+      view.viewer = {{uniform(random, -99, 99), 1.7, uniform(random, -99, 99)}, random_orientation(random, 3)};
+      view.eyes = stereo_views(view.viewer, {-1.5, -0.2, 0.3, -0.9}, 0.064);
+      view.eyes[1].fov = {0.2, 1.5, 0.9, -0.3};
+      const SurfaceSelection& all = whole.select({view.viewer, {}}, {1.0, 1.0});
+      look(all, tree.select(view, {1.0, 1.0}), view, {1.0, 1.0}, true, preset.patch_quads, random, sight);
+      Viewpoint one = view;
+      one.eyes.resize(1);
+      look(all, tree.select(one, {1.0, 1.0}), view, {1.0, 1.0}, true, preset.patch_quads, random, forgotten);
+    }
+    EXPECT_EQ(sight.missed, 0) << preset.name;
+    EXPECT_GT(sight.culled, 0) << preset.name;
+    EXPECT_GT(forgotten.missed, 0) << preset.name;  // the control: the frustum of one eye alone
+  }
+}
+
+// Hard case 39, for the list: two equal eyes select what one does; and an eye added never takes a patch away.
+TEST(CullingHard, hard_39_equal_eyes_select_what_one_does) {
+  Quadtree mono{LodSettings{}}, stereo{LodSettings{}}, wide{LodSettings{}};
+  Random random(39);
+  int more = 0;
+  for (int n = 0; n < 300; ++n) {
+    const Pose head{{uniform(random, -99, 99), uniform(random, 0.2, 30.0), uniform(random, -99, 99)}, random_orientation(random, n)};
+    const std::vector<View> eyes = stereo_views(head, {-1.2, 1.0, 1.0, -1.1}, 0.0);
+    const SurfaceSelection& one = mono.select({head, {eyes[0]}}, {});
+    const SurfaceSelection& two = stereo.select({head, eyes}, {});
+    ASSERT_EQ(one.patches.size(), two.patches.size());
+    for (std::size_t p = 0; p < one.patches.size(); ++p) ASSERT_EQ(identity(one.patches[p]), identity(two.patches[p]));
+    View other = eyes[0];
+    other.pose.orientation = random_orientation(random, 5);
+    std::set<std::tuple<int, int, int, unsigned>> listed;
+    for (const auto& p : wide.select({head, {eyes[0], other}}, {}).patches) listed.insert(identity(p));
+    for (const auto& p : one.patches) ASSERT_TRUE(listed.contains(identity(p)));
+    more += listed.size() > one.patches.size() ? 1 : 0;
+  }
+  EXPECT_GT(more, 100);  // the other eye does see more
+}
+
+}  // namespace
+}  // namespace seascape

@@ -1,0 +1,113 @@
+// What the tests of the quadtree share: the four presets, viewpoints, and the whole mesh in whole numbers.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "ocean/lod/patch_mesh.h"
+#include "ocean/lod/quadtree.h"
+#include "shaders/shared/patch_vertex.h"
+
+namespace seascape::lod_test {
+
+struct Preset {
+  const char* name;
+  int patch_quads;
+  double threshold, cull_scale;
+};
+inline constexpr std::array<Preset, 4> presets{
+    {{"low", 16, 2.0, 1.2}, {"medium", 32, 1.5, 1.5}, {"high", 64, 1.2, 1.8}, {"ultra", 64, 1.0, 2.0}}};
+
+inline LodSettings settings_of(const Preset& preset, double ocean_size_m) {
+  LodSettings s;
+  s.patch_quads = preset.patch_quads;
+  s.threshold = preset.threshold;
+  s.cull_scale = preset.cull_scale;
+  s.ocean_size_m = ocean_size_m;
+  return s;
+}
+
+// A viewer without eyes: the whole selection, nothing culled.
+inline Viewpoint everything_from(const glm::dvec3& position) { return {{position, {1.0, 0.0, 0.0, 0.0}}, {}}; }
+
+inline bool is_skirt(const gpu::PatchInstance& p) { return (p.flags & gpu::patch_skirt) != 0u; }
+inline unsigned side_of(const gpu::PatchInstance& p) { return (p.flags >> gpu::patch_skirt_side_shift) & 3u; }
+inline int level_of(const gpu::PatchInstance& p) { return static_cast<int>(p.flags >> gpu::patch_level_shift); }
+
+// Identity of a vertex of the complete mesh: a tree vertex is its coordinate and row 0; a skirt vertex its border
+// coordinate and row. Row 0 of the skirt is a tree vertex.
+using VertexKey = std::array<int, 3>;
+inline VertexKey key_of(const gpu::PatchInstance& p, int i, int j, int quads) {
+  const glm::ivec2 c = gpu::patch_coordinate(p, i, j, quads);
+  return {c.x, c.y, is_skirt(p) ? j : 0};
+}
+
+// Faults of the topology of the mesh that all patches make together.
+struct Topology {
+  int open_edges = 0;     // used by one triangle only, and not on the skirt's outer border
+  int crowded_edges = 0;  // used by more than two, or twice in the same direction
+  // Triangles of the tree that are clockwise from above. Where east and north neighbours are both coarser, one triangle
+  // of the corner is flat at rest (its vertices lie on a line); it still closes the displaced surface, and is not a fold.
+  int folded = 0;
+  std::int64_t twice_area = 0;  // of the tree's triangles, in square units
+};
+
+inline Topology topology_of(const SurfaceSelection& selection, int quads) {
+  Topology result;
+  static std::map<int, std::vector<std::uint16_t>> meshes;
+  auto& indices = meshes[quads];
+  if (indices.empty()) indices = patch_indices(quads);
+  // Directed edges between numbered vertices, sorted: fast enough for half a million triangles.
+  const std::int64_t span = 4 * static_cast<std::int64_t>(selection.half_size) + 8;
+  const auto number = [&](const VertexKey& k) {
+    const std::int64_t x = k[0] - selection.tree_centre.x + 2 * selection.half_size;
+    const std::int64_t z = k[1] - selection.tree_centre.y + 2 * selection.half_size;
+    return (static_cast<std::int64_t>(k[2]) * span + z) * span + x;
+  };
+  struct Edge {
+    std::int64_t low, high;
+    int direction;
+    bool operator<(const Edge& o) const { return low != o.low ? low < o.low : high < o.high; }
+  };
+  std::vector<Edge> edges;
+  std::vector<VertexKey> keys(static_cast<std::size_t>((quads + 1) * (quads + 1)));
+  for (const gpu::PatchInstance& p : selection.patches) {
+    for (int j = 0; j <= quads; ++j)
+      for (int i = 0; i <= quads; ++i) keys[static_cast<std::size_t>(j * (quads + 1) + i)] = key_of(p, i, j, quads);
+    for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+      const std::array<const VertexKey*, 3> v{&keys[indices[t]], &keys[indices[t + 1]], &keys[indices[t + 2]]};
+      if (*v[0] == *v[1] || *v[1] == *v[2] || *v[2] == *v[0]) continue;  // empty after snapping: draws nothing
+      if (!is_skirt(p)) {
+        const auto ax = static_cast<std::int64_t>((*v[1])[0] - (*v[0])[0]), az = static_cast<std::int64_t>((*v[1])[1] - (*v[0])[1]);
+        const auto bx = static_cast<std::int64_t>((*v[2])[0] - (*v[0])[0]), bz = static_cast<std::int64_t>((*v[2])[1] - (*v[0])[1]);
+        const std::int64_t up = az * bx - ax * bz;  // y of (b - a) x (c - a)
+        if (up < 0) ++result.folded;
+        result.twice_area += up;
+      }
+      for (std::size_t e = 0; e < 3; ++e) {
+        const VertexKey &a = *v[e], &b = *v[(e + 1) % 3];
+        const std::int64_t na = number(a), nb = number(b);
+        // The outer border of the skirt is open by design.
+        if (a[2] == quads && b[2] == quads) continue;
+        edges.push_back(na < nb ? Edge{na, nb, 1} : Edge{nb, na, -1});
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t end = first;
+    int directions = 0;
+    for (; end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high; ++end)
+      directions += edges[end].direction;
+    if (end - first == 1)
+      ++result.open_edges;
+    else if (end - first > 2 || directions != 0)
+      ++result.crowded_edges;
+    first = end;
+  }
+  return result;
+}
+
+}  // namespace seascape::lod_test
