@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "ocean/waves/gaussian.h"
+#include "ocean/waves/spectrum.h"
+#include "ocean/waves/wave_field.h"
+#include "shaders/shared/phase.h"
+#include "tests/support/truth.h"
+
+namespace seascape {
+namespace {
+
+constexpr int n = gpu::wave_bins;
+
+const gpu::WaveBin& bin(const WaveBins& bins, int cascade, int mx, int mz) {
+  return bins.bins[(std::size_t(cascade) * n + mz + n / 2) * n + mx + n / 2];
+}
+
+// The spectrum's variance within the drawn bands: shares of the kept cascades, over polar coordinates.
+double drawn_variance(const SeaState& sea, int cascades) {
+  const Spectrum spectrum(sea);
+  const Ladder l = ladder(sea);
+  return truth::integral(
+      [&](double s) {
+        const double k = std::exp(s);
+        double share = 0;
+        for (int i = 0; i < cascades; ++i) share += band_share(l, i, k);
+        if (share == 0) return 0.0;
+        const double w = spectrum.frequency(k);
+        return share * (frequency_density(spectrum.wind(), sea.gravity_mps2, w) + frequency_density(spectrum.swell(), sea.gravity_mps2, w)) * w / 2;
+      },
+      std::log(1e-3), std::log(1e3), 1e-7);
+}
+
+TEST(Gaussian, pairs_are_standard_and_independent) {
+  // Control: taking both numbers from one hash correlates radius and angle; dropping the sign of mx repeats pairs.
+  double sum = 0, square = 0, product = 0, fourth = 0;
+  int count = 0;
+  for (int mz = -200; mz < 200; ++mz)
+    for (int mx = -200; mx < 200; ++mx) {
+      const glm::dvec2 g = gaussian_pair(7, 1, mx, mz);
+      sum += g.x + g.y;
+      square += g.x * g.x + g.y * g.y;
+      product += g.x * g.y;
+      fourth += std::pow(g.x, 4) + std::pow(g.y, 4);
+      count += 2;
+    }
+  const double error = 4 / std::sqrt(double(count));
+  EXPECT_NEAR(sum / count, 0, error);
+  EXPECT_NEAR(square / count, 1, error * std::sqrt(2.0));
+  EXPECT_NEAR(product / (count / 2), 0, error * std::sqrt(2.0));
+  EXPECT_NEAR(fourth / count, 3, error * std::sqrt(96.0));
+  EXPECT_NE(gaussian_pair(7, 1, 3, 4), gaussian_pair(7, 1, -3, 4));
+  EXPECT_NE(gaussian_pair(7, 1, 3, 4), gaussian_pair(7, 1, 4, 3));
+  EXPECT_NE(gaussian_pair(7, 1, 3, 4), gaussian_pair(7, 2, 3, 4));
+  EXPECT_NE(gaussian_pair(7, 1, 3, 4), gaussian_pair(8, 1, 3, 4));
+  EXPECT_EQ(gaussian_pair(7, 1, 3, 4), gaussian_pair(7, 1, 3, 4));
+}
+
+TEST(Phase, cosine_and_sine_of_turns) {
+  // Control: a quadrant table with the signs of quarters 1 and 2 swapped fails at once.
+  double worst = 0;
+  for (std::uint64_t t = 0; t < 0x100000000u; t += 40503 * 3) {
+    const glm::vec2 cs = gpu::cos_sin_turns(gpu::uint(t));
+    const double angle = double(t) * 0x1p-32 * 2 * truth::pi;
+    worst = std::max({worst, std::abs(cs.x - std::cos(angle)), std::abs(cs.y - std::sin(angle))});
+  }
+  EXPECT_LE(worst, 1e-7);
+}
+
+TEST(WaveBins, expected_variance_is_the_spectrums) {
+  // Mean of 50 seeds against the integral over the drawn bands, within 3 standard errors. Control: amplitude
+  // sqrt(S dk^2 / 2) halves it; sampling bins at their centres misses narrow swell (see the next test).
+  for (const double swell : {0.0, 2.0}) {
+    SeaState sea;
+    sea.swell_height_m = swell;
+    sea.fetch_m = 100e3;
+    double sum = 0, square = 0;
+    constexpr int seeds = 50;
+    for (int i = 0; i < seeds; ++i) {
+      sea.seed = 100 + i;
+      const double v = sea_statistics(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 4})).height_variance;
+      sum += v;
+      square += v * v;
+    }
+    const double mean = sum / seeds, error = std::sqrt((square / seeds - mean * mean) / (seeds - 1));
+    EXPECT_NEAR(mean, drawn_variance(sea, 4), 3 * error);
+    EXPECT_LT(error / mean, 0.02);
+  }
+}
+
+TEST(WaveBins, quality_never_changes_a_wave_that_it_keeps) {
+  // Control: a hash over the table's index instead of (mx, mz) fails.
+  SeaState sea;
+  sea.swell_height_m = 1;
+  const WaveBins full = make_wave_bins(sea, {.resolution = 512, .cascades = 5});
+  for (const int resolution : {16, 32, 64, 128, 256})
+    for (const int cascades : {1, 3, 5}) {
+      const WaveBins some = make_wave_bins(sea, {.resolution = resolution, .cascades = cascades});
+      ASSERT_EQ(some.bins.size(), std::size_t(cascades) * n * n);
+      int kept = 0;
+      for (int c = 0; c < cascades; ++c)
+        for (int mz = -n / 2; mz < n / 2; ++mz)
+          for (int mx = -n / 2; mx < n / 2; ++mx) {
+            const gpu::WaveBin& a = bin(some, c, mx, mz);
+            if (mx * mx + mz * mz >= resolution * resolution / 4) {
+              EXPECT_EQ(a.amplitude, glm::vec2(0));
+              continue;
+            }
+            EXPECT_EQ(std::memcmp(&a, &bin(full, c, mx, mz), sizeof a), 0);
+            kept += a.amplitude != glm::vec2(0);
+          }
+      EXPECT_GT(kept, 10 * cascades);
+    }
+}
+
+TEST(WaveBins, origin_and_edge_rows_are_zero) {
+  // Hard cases 8 and 9. Control: starting the loops at -32 and keeping |m| = 32 fails.
+  const WaveBins bins = make_wave_bins({}, {.resolution = 512, .cascades = 5});
+  for (int c = 0; c < 5; ++c) {
+    EXPECT_EQ(bin(bins, c, 0, 0).amplitude, glm::vec2(0));
+    for (int m = -32; m < 32; ++m) {
+      EXPECT_EQ(bin(bins, c, -32, m).amplitude, glm::vec2(0));
+      EXPECT_EQ(bin(bins, c, m, -32).amplitude, glm::vec2(0));
+    }
+  }
+}
+
+TEST(WaveBins, no_wind_or_no_fetch_is_flat) {
+  // Hard cases 1 and 4. Control: flooring the wind at 0.1 m/s leaves millimetre waves.
+  for (const auto& [wind, fetch] : {std::pair{0.0, 300e3}, std::pair{10.0, 0.0}, std::pair{0.0, 0.0}}) {
+    SeaState sea;
+    sea.wind_speed_mps = wind;
+    sea.fetch_m = fetch;
+    const WaveBins bins = make_wave_bins(sea, {});
+    for (const gpu::WaveBin& b : bins.bins) ASSERT_EQ(b.amplitude, glm::vec2(0));
+    const SeaStatistics s = sea_statistics(sea, bins);
+    EXPECT_EQ(s.height_variance, 0);
+    EXPECT_EQ(s.largest_height_m, 0);
+    if (wind == 0) {
+      EXPECT_EQ(s.tail_slope_moments, glm::dvec3(0));
+    }
+  }
+}
+
+TEST(WaveBins, drawn_and_tail_slopes_come_to_cox_and_munk) {
+  // Control: forgetting to turn the wind's axes into x and z swaps up- and crosswind.
+  SeaState sea;
+  sea.wind_to_deg = 90;  // along x
+  sea.wind_speed_mps = 8;
+  const SeaStatistics s = sea_statistics(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 3}));
+  EXPECT_NEAR(s.slope_moments.x + s.tail_slope_moments.x, 0.00316 * 8, 0.004);
+  EXPECT_NEAR(s.slope_moments.y + s.tail_slope_moments.y, 0.003 + 0.00192 * 8, 0.004);
+  EXPECT_GT(s.tail_slope_moments.x, 0);
+  EXPECT_GT(s.tail_slope_moments.y, 0);
+  EXPECT_GT(s.slope_moments.x, s.slope_moments.y);
+  EXPECT_NEAR(s.largest_height_m, 5.26 * std::sqrt(s.height_variance), 1e-9);
+}
+
+}  // namespace
+}  // namespace seascape
