@@ -120,6 +120,45 @@ TEST(CullingHard, BruteForceSeesShrunkenBoundsAndAForgottenEye) {
   EXPECT_GT(watch(2000, 1.0, true).missed, 0);
 }
 
+// An eye that looks through a keyhole at one vertex of the curved, still sea has that vertex's patch in its list. Near
+// the horizon the sea has fallen away by many times the keyhole. Controls seen: no curvature in the bounds of nodes, or
+// of strips; and in the test, culling told that the Earth is flat.
+TEST(CullingHard, AKeyholeSeesTheCurvedSeaBehindIt) {
+  const auto missed = [](bool told_curved, bool strips) {
+    Random random(11);
+    int count = 0;
+    for (const Preset& preset : presets) {
+      LodSettings settings = settings_of(preset, 8192.0);
+      settings.cull_scale = 1.0;
+      settings.earth_curvature = told_curved;
+      Quadtree tree(settings), whole(settings);
+      for (int n = 0; n < 1000; ++n) {
+        Viewpoint view{{{uniform(random, -99, 99), std::pow(10.0, uniform(random, 0.0, 4.0)), uniform(random, -99, 99)}, {1, 0, 0, 0}}, {}};
+        const SurfaceSelection& all = whole.select(view, {0.0, 0.0});
+        const gpu::PatchInstance p = all.patches[random() % all.patches.size()];
+        if (is_skirt(p) != strips) continue;
+        const int quads = preset.patch_quads, i = static_cast<int>(random() % static_cast<unsigned>(quads));
+        const int j = static_cast<int>(random() % static_cast<unsigned>(quads));
+        const glm::dvec2 at = glm::dvec2(gpu::patch_vertex(p, i, j, quads, all.tree_centre, all.skirt_to_multiplier, all.skirt_to_horizon)) * all.unit_m +
+                              all.grid_origin_m - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z);
+        const double drop = glm::dot(at, at) / (2.0 * static_cast<double>(gpu::earth_radius_m));
+        const glm::dvec3 to = glm::normalize(glm::dvec3(at.x, -drop - view.viewer.position_m.y, at.y));
+        view.viewer.orientation = glm::quatLookAt(to, std::abs(to.y) < 0.7 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0));
+        view.eyes = {{view.viewer, {-1e-6, 1e-6, 1e-6, -1e-6}}};
+        const SurfaceSelection& kept = tree.select(view, {0.0, 0.0});
+        bool listed = false;
+        for (const auto& k : kept.patches) listed = listed || identity(k) == identity(p);
+        count += listed ? 0 : 1;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(missed(true, false), 0);
+  EXPECT_EQ(missed(true, true), 0);
+  EXPECT_GT(missed(false, false), 0);
+  EXPECT_GT(missed(false, true), 0);
+}
+
 // Hard case 40: fields of view that do not hold the straight-ahead direction, an eye each to one side.
 TEST(CullingHard, hard_40_asymmetric_fov) {
   for (const Preset& preset : presets) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/error.h"
+#include "shaders/shared/patch_vertex.h"
 
 namespace seascape {
 namespace {
@@ -25,7 +26,7 @@ double transforms_per_triangle(const std::vector<std::uint16_t>& indices, std::s
   return 3.0 * misses / static_cast<double>(indices.size());
 }
 
-// Control seen: the last triangle of a quad wound the other way fails `up`, one quad left out fails the count.
+// Controls seen: one triangle of a quad wound the other way, and the last column left out.
 TEST(PatchMesh, CoversEveryQuadWithTwoTrianglesThatFaceUp) {
   for (const int n : {16, 32, 64}) {
     const std::vector<std::uint16_t> indices = patch_indices(n);
@@ -48,6 +49,21 @@ TEST(PatchMesh, CoversEveryQuadWithTwoTrianglesThatFaceUp) {
 // Row by row without bands a 64-quad patch measures 1.0 and fails; the bound is 0.5 for an endless grid and cache.
 TEST(PatchMesh, KeepsVerticesInASmallCache) {
   for (const int n : {16, 32, 64}) EXPECT_LT(transforms_per_triangle(patch_indices(n), 32), 0.6) << n;
+}
+
+// The 16 variants: only the odd vertices of a marked edge move, each onto the even one below it on that edge.
+// Control seen: j + (j & 1) in patch_coordinate.
+TEST(PatchVertex, SnapsOddVerticesOfMarkedEdgesDown) {
+  constexpr int n = 16, stride = 4;
+  for (unsigned mask = 0; mask < 16; ++mask)
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) {
+        glm::ivec2 want(i, j);
+        if ((i == n && (mask & gpu::patch_east) != 0u) || (i == 0 && (mask & gpu::patch_west) != 0u)) want.y = j / 2 * 2;
+        if ((j == n && (mask & gpu::patch_north) != 0u) || (j == 0 && (mask & gpu::patch_south) != 0u)) want.x = i / 2 * 2;
+        const gpu::PatchInstance p{{-100, 36}, stride, mask | (3u << gpu::patch_level_shift)};
+        EXPECT_EQ(gpu::patch_coordinate(p, i, j, n), glm::ivec2(-100, 36) + stride * want) << mask;
+      }
 }
 
 TEST(PatchMesh, RefusesWhatUint16CannotIndex) {

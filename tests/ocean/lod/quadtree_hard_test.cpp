@@ -72,8 +72,8 @@ void expect_watertight(const SurfaceSelection& s, int quads, const std::string& 
 constexpr std::array<double, 6> sizes{256.0, 777.7, 1024.0, 2000.0, 4096.0, 8192.0};
 
 // Hard case 21 and the 2:1 balance, over presets, sizes and 60 viewpoints each (24 cases, 1,440 selections).
-// Controls seen: balance() left out (unbalanced and wrong edges), coarser_edges() returning 0 (wrong edges), a split set
-// at one cell too few (unbalanced); and below a dropped patch is a hole.
+// Controls seen: balance() left out or blind to +x (unbalanced), coarser_edges() returning 0 (wrong edges); and below, a
+// dropped patch is a hole.
 TEST(QuadtreeHard, hard_21_ocean_sizes_tile_the_root_once_and_balanced) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -106,6 +106,28 @@ TEST(QuadtreeHard, EveryDepthAndThresholdIsBalanced) {
     }
 }
 
+// No leaf is coarser than the threshold asks for. Control seen: find_splits looking one cell too few to one side.
+TEST(QuadtreeHard, EveryLeafIsAsFineAsTheThresholdAsks) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const Preset& preset : presets)
+    for (const double size : {256.0, 4096.0}) {
+      Quadtree tree(settings_of(preset, size));
+      for (int n = 0; n < 100; ++n) {
+        const glm::dvec3 eye(unit(random) * 900.0, std::pow(10.0, 1.8 + 2.5 * unit(random)), unit(random) * 900.0);
+        const SurfaceSelection& s = tree.select(everything_from(eye), {0.5, 0.5});
+        const double gap_y = std::max(eye.y - 0.5, 0.0);
+        for (const auto& p : s.patches) {
+          if (is_skirt(p) || level_of(p) == tree.levels()) continue;
+          const int side = p.stride * preset.patch_quads;
+          const glm::dvec2 gap(glm::max(glm::max(p.corner, -(p.corner + side)), glm::ivec2(0)));
+          const double distance = std::hypot(gap.x * s.unit_m, gap.y * s.unit_m, gap_y);
+          ASSERT_LE(side * s.unit_m, Quadtree::split_ratio * preset.threshold * distance * 1.000001) << preset.name << ' ' << size;
+        }
+      }
+    }
+}
+
 TEST(QuadtreeHard, TheRasterSeesADroppedPatch) {
   LodSettings settings;
   settings.drop_patch = 3;
@@ -114,7 +136,7 @@ TEST(QuadtreeHard, TheRasterSeesADroppedPatch) {
 
 // The complete mesh, skirt included: every edge belongs to exactly two triangles that run along it in opposite
 // directions, or is on the skirt's outer border. Controls seen: coarser_edges() returning 0 (open edges), the strips of
-// one side wound the other way (crowded edges), and a dropped patch, next test.
+// one side run the other way (crowded edges), and a dropped patch, next test.
 TEST(QuadtreeHard, TheWholeMeshIsWatertight) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -216,7 +238,7 @@ TEST(QuadtreeHard, hard_19_quadtree_corner) {
 }
 
 // Hard case 20: a viewer that trembles by 1e-6 m about a corner or halfway between two snapped centres of the tree.
-// Control seen: splitting by the viewer's position instead of its grid point (here: a tremble of 0.6 units) flips.
+// Control seen: floor instead of the nearest grid point; and in the test, a tremble of 0.3 m.
 TEST(QuadtreeHard, hard_20_jitter) {
   const auto flips = [](const Preset& preset, double amplitude_m) {
     Quadtree tree(settings_of(preset, 4096.0));
@@ -239,7 +261,7 @@ TEST(QuadtreeHard, hard_20_jitter) {
   };
   for (const Preset& preset : presets) {
     EXPECT_EQ(flips(preset, 1e-6), 0) << preset.name;
-    EXPECT_GT(flips(preset, 0.6 * 0.5), 0) << preset.name;
+    EXPECT_GT(flips(preset, 0.3), 0) << preset.name;
   }
 }
 
@@ -274,7 +296,7 @@ TEST(QuadtreeHard, AltitudeAndUnderWater) {
 // Hard case 22: along every bearing the highest point of the mesh, curved as the drawing curves it, lies within a pixel
 // of the analytic dip acos(R / (R + h)): 0.06 degrees a pixel for low and medium (a headset's), 0.01 for high and ultra.
 // Highest: among vertices, between which edges are straight; azimuths in steps of 1/16 of a quad. Waves off.
-// Control seen: a skirt that ends at 0.9 of the horizon (multiplier 1, horizon_distance without its 1.3 and halved).
+// Control seen: horizon_distance halved.
 TEST(QuadtreeHard, hard_22_horizon_reach) {
   const double radius = static_cast<double>(gpu::earth_radius_m);
   for (const Preset& preset : presets)

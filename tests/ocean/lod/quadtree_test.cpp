@@ -38,7 +38,7 @@ std::string fault_of(const LodSettings& s) {
   return "";
 }
 
-// Control seen: with one range left out of check(), its two lines here fail.
+// Control seen: the threshold's range left out of check().
 TEST(QuadtreeSettings, NamesTheKeyTheValueAndTheRange) {
   const auto with = [](auto member, auto value) {
     LodSettings s;
@@ -90,7 +90,7 @@ TEST(Quadtree, RefusesViewersAndBoundsThatAreNotFinite) {
 }
 
 // A lower threshold gives more detail; and more levels than the viewer's height needs stay unused from above.
-// Control seen: with the comparison in find_splits turned round, both fail.
+// Control seen: with split_ratio / threshold in place of split_ratio * threshold.
 TEST(Quadtree, DetailFollowsThresholdAndHeight) {
   const auto deepest = [](double threshold, double height) {
     LodSettings s;
@@ -129,8 +129,7 @@ TEST(Quadtree, PresetsStayInTheirVertexBudget) {
 
 // Vertices keep to one lattice of the world, so the mesh does not swim: every patch lies at a whole multiple of its own
 // spacing. And a viewer that moves by whole spacings of the root sees the same list.
-// Control seen: with centre_spacing returning half its value, the first fails; with the grid taken from another
-// unit than the tree's, the second.
+// Control seen: centre_spacing returning a quarter of its value.
 TEST(Quadtree, StaysOnTheWorldsLattice) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -208,7 +207,7 @@ TEST(Quadtree, DoesNotAllocateOnceTheListHasItsSize) {
     ASSERT_EQ(tree.select(everything_from({n * 3.7, 1.7 + n % 50, n * 1.3}), {}).patches.data(), first);
 }
 
-// The patches are ordered so that nearer water is drawn first (what it hides costs nothing).
+// Nearer water is drawn first (what it hides costs nothing), the skirt last. Control seen: find_splits turned round.
 TEST(Quadtree, ListsTreePatchesBeforeTheSkirt) {
   const SurfaceSelection s = Quadtree{LodSettings{}}.select(everything_from({0.0, 1.7, 0.0}), {});
   int strips = 0;
@@ -230,8 +229,7 @@ TEST(Horizon, IsTheTangentsLengthWithRoomToSpare) {
   EXPECT_LT(std::atan(1.7 / horizon_distance(1.7, 0.0, false)), 0.01 * 3.14159265 / 180.0);
 }
 
-// Controls seen: > turned to >= in the row's comparison changes nothing here, a share of 1 for the near rows fails the
-// strict growth (division by zero), and swapping the two lengths fails the reach.
+// Control seen: a share of 1 for the near rows (no rows are left for the horizon).
 TEST(Skirt, RowsGrowFromOneToTheReach) {
   for (const int rows : {16, 32, 64})
     for (const float multiplier : {1.0f, 1.5f, 10.0f, 20.0f})
