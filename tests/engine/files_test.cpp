@@ -1,0 +1,193 @@
+#include "engine/files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/support/expect_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace seascape {
+namespace {
+
+using test::error_of;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Files may not grow past `bytes` while this lives: what a full disk looks like to a writer.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : old_signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &old_);
+    rlimit small = old_;
+    small.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, old_signal_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*old_signal_)(int);
+};
+
+// Root may write anywhere; the checks of permission run as nobody.
+class AsNobody {
+ public:
+  AsNobody() : root_(geteuid() == 0) {
+    if (root_ && seteuid(65534) != 0) root_ = false;
+  }
+  ~AsNobody() {
+    if (root_ && seteuid(0) != 0) ADD_FAILURE() << "still nobody";
+  }
+
+ private:
+  bool root_;
+};
+
+// Control: with the rename left out of write_atomically the text read back is missing.
+TEST(Files, WritesAndReadsBack) {
+  const TemporaryFolder folder;
+  const std::string text("zero \0 byte and \xff", 17);
+  write_atomically(folder / "a.bin", text);
+  EXPECT_EQ(read_text(folder / "a.bin"), text);
+  write_atomically(folder / "a.bin", std::string_view());
+  EXPECT_EQ(read_text(folder / "a.bin"), "");
+  EXPECT_THAT(folder.names(), ElementsAre("a.bin"));
+}
+
+// Control: without fs::remove after a failed write, a.txt.tmp-PID-N stays behind.
+TEST(Files, FullDiskLeavesTheOldFileAndNoOther) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", std::string_view("old"));
+  {
+    const SmallDisk disk(4096);
+    const std::string message = error_of([&] { write_atomically(folder / "a.txt", std::string(100000, 'x')); });
+    EXPECT_THAT(message, HasSubstr((folder / "a.txt").string()));
+    EXPECT_THAT(message, HasSubstr("larger than this system allows"));
+  }
+  EXPECT_EQ(read_text(folder / "a.txt"), "old");
+  EXPECT_THAT(folder.names(), ElementsAre("a.txt"));
+}
+
+// Control: a writer that ignores fflush's answer is silent on /dev/full.
+TEST(Files, DevicesAreWrittenToAndStay) {
+  EXPECT_THAT(error_of([] { write_atomically("/dev/full", std::string_view("x")); }), HasSubstr("the disk is full"));
+  write_atomically("/dev/null", std::string_view("x"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+// Control: renaming over the link itself turns link.txt into a plain file.
+TEST(Files, LinksStayLinks) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "real.txt", std::string_view("old"));
+  std::filesystem::create_symlink("real.txt", folder / "link.txt");
+  write_atomically(folder / "link.txt", std::string_view("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(read_text(folder / "real.txt"), "new");
+  EXPECT_THAT(folder.names(), ElementsAre("link.txt", "real.txt"));
+}
+
+// Control: without fs::permissions the new file has the mode of any new file.
+TEST(Files, KeepsTheModeOfTheFileItReplaces) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.sh", std::string_view("old"));
+  chmod((folder / "a.sh").c_str(), 0751);
+  write_atomically(folder / "a.sh", std::string_view("new"));
+  struct stat status {};
+  stat((folder / "a.sh").c_str(), &status);
+  EXPECT_EQ(status.st_mode & 07777, 0751u);
+}
+
+// Control: each case of advice_for taken out in turn changes the words asked for here.
+TEST(Files, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "plain", std::string_view("x"));
+  EXPECT_THAT(error_of([&] { read_text(folder / "none"); }), HasSubstr("there is no such file"));
+  EXPECT_THAT(error_of([&] { read_text(folder.path()); }), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of([&] { read_text(folder / "plain/below"); }), HasSubstr("is a file, not a folder"));
+  EXPECT_THAT(error_of([&] { read_text(folder / "plain", 0); }), HasSubstr("is larger than"));
+  EXPECT_THAT(error_of([&] { write_atomically(folder / "none/a", std::string_view("x")); }), HasSubstr("folder does not exist"));
+  EXPECT_THAT(error_of([&] { write_atomically(folder.path(), std::string_view("x")); }), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain"); }), HasSubstr("is a file"));
+  EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain/below"); }), HasSubstr("is a file"));
+  EXPECT_THAT(error_of([&] { read_text("/dev/zero", 1 << 20); }), HasSubstr("is larger than 1 MiB"));
+  EXPECT_THAT(folder.names(), ElementsAre("plain"));
+}
+
+// Control: without access() in write_atomically the protected file is replaced.
+TEST(Files, RespectsPermissions) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "secret", std::string_view("x"));
+  write_atomically(folder / "fixed", std::string_view("x"));
+  std::filesystem::create_directory(folder / "closed");
+  chmod((folder / "secret").c_str(), 0);
+  chmod((folder / "fixed").c_str(), 0444);
+  chmod((folder / "closed").c_str(), 0555);
+  if (geteuid() == 0) {
+    ASSERT_EQ(chown(folder.path().c_str(), 65534, 65534), 0);
+  }
+  {
+    const AsNobody nobody;
+    EXPECT_THAT(error_of([&] { read_text(folder / "secret"); }), HasSubstr("no permission to read"));
+    EXPECT_THAT(error_of([&] { write_atomically(folder / "fixed", std::string_view("y")); }), HasSubstr("no permission to write"));
+    EXPECT_THAT(error_of([&] { write_atomically(folder / "closed/a", std::string_view("y")); }), HasSubstr("no permission to write"));
+    EXPECT_THAT(error_of([&] { make_output_directory(folder / "closed"); }), HasSubstr("no permission to write"));
+    EXPECT_THAT(error_of([&] { make_output_directory(folder / "closed/below"); }), HasSubstr("no permission to write"));
+  }
+  EXPECT_EQ(read_text(folder / "fixed"), "x");
+}
+
+// Control: with one temporary name for all threads, some writers fail and mixed contents appear.
+TEST(Files, ThreadsMayWriteTheSameFile) {
+  const TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  for (char letter = 'a'; letter < 'e'; ++letter)
+    threads.emplace_back([&, letter] {
+      for (int i = 0; i < 50; ++i) write_atomically(folder / "shared", std::string(50000, letter));
+    });
+  for (std::thread& thread : threads) thread.join();
+  const std::string text = read_text(folder / "shared");
+  EXPECT_EQ(text, std::string(50000, text.at(0)));
+  EXPECT_THAT(folder.names(), ElementsAre("shared"));
+}
+
+// Control: a probe that is not removed is found in the folder.
+TEST(Files, MakesOutputDirectories) {
+  const TemporaryFolder folder;
+  make_output_directory(folder / "a b/c");
+  make_output_directory(folder / "a b/c");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "a b/c"));
+  const SmallDisk disk(0);
+  error_of([&] { make_output_directory(folder / "a b/c"); });
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "a b/c"));
+}
+
+// Control: without the check of the magic number, text of the right size passes.
+TEST(Files, ReadsSpirv) {
+  const TemporaryFolder folder;
+  const std::vector<std::uint32_t> words{0x07230203, 0x00010300, 0, 1, 0};
+  std::string bytes(reinterpret_cast<const char*>(words.data()), 20);
+  write_atomically(folder / "a.spv", bytes);
+  EXPECT_EQ(read_spirv(folder / "a.spv"), words);
+  for (const std::string& wrong : {bytes.substr(0, 16), bytes + "x", std::string(20, 'x'), std::string()}) {
+    write_atomically(folder / "b.spv", wrong);
+    EXPECT_THAT(error_of([&] { read_spirv(folder / "b.spv"); }), HasSubstr("not a SPIR-V module"));
+  }
+}
+
+// Control: the current folder given instead (the test runs elsewhere) lacks the program.
+TEST(Files, KnowsWhereTheProgramLies) { EXPECT_TRUE(std::filesystem::exists(executable_directory() / "tests_unit")); }
+
+}  // namespace
+}  // namespace seascape
