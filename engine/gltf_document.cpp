@@ -69,23 +69,52 @@ Chunks split(std::span<const std::uint8_t> bytes, const std::string& where) {
   return chunks;
 }
 
-// Parses with limits on nesting and count, so that a small file cannot become a huge tree.
-json parse_json(std::string_view text, const std::string& where) {
-  std::size_t values = 0;
-  const auto limits = [&](int depth, json::parse_event_t, json&) {
-    if (depth > deepest_json) fail(where, fmt::format("is nested deeper than {} levels", deepest_json));
-    if (++values > most_json_values) fail(where, fmt::format("has more than {} JSON values", most_json_values));
+// Counts while the text is read, before any tree is made, so that a small file cannot become a huge one. (nlohmann's parser
+// with a callback would do, but takes quadratic time on a long list of objects.)
+class Limits : public nlohmann::json_sax<json> {
+ public:
+  explicit Limits(const std::string& where) : where_(where) {}
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool key(string_t&) override { return value(); }
+  bool start_object(std::size_t) override { return deeper(); }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_object() override { return --depth_, true; }
+  bool end_array() override { return --depth_, true; }
+  bool parse_error(std::size_t at, const std::string&, const json::exception&) override {
+    fault_at_ = at;
+    return false;
+  }
+  std::size_t fault_at() const { return fault_at_; }
+
+ private:
+  bool value() {
+    if (++values_ > most_json_values) fail(where_, fmt::format("has more than {} JSON values", most_json_values));
     return true;
-  };
-  try {
-    return json::parse(text.begin(), text.end(), limits);
-  } catch (const json::parse_error& fault) {
-    const std::size_t at = std::min(fault.byte, text.size());
+  }
+  bool deeper() {
+    if (++depth_ > deepest_json) fail(where_, fmt::format("is nested deeper than {} levels", deepest_json));
+    return value();
+  }
+
+  const std::string& where_;
+  int depth_ = 0;
+  std::size_t values_ = 0, fault_at_ = 0;
+};
+
+json parse_json(std::string_view text, const std::string& where) {
+  Limits limits(where);
+  if (!json::sax_parse(text.begin(), text.end(), &limits)) {
+    const std::size_t at = std::min(limits.fault_at(), text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     throw Error(fmt::format("{}:{}", where, line), "is not valid JSON", "a .gltf file starts with {; mend it or export it again");
-  } catch (const json::exception& fault) {
-    fail(where, fmt::format("is not valid JSON ({})", fault.what()));
   }
+  return json::parse(text.begin(), text.end());
 }
 
 void check_asset(const json& root, const std::string& where) {
