@@ -1,0 +1,158 @@
+// The house's include rule: shaders/shared includes nothing else, engine only shared, platform and ocean only engine and
+// shared, app and tests anything; so ocean and platform never meet. Quoted includes count; system headers do not, except
+// FFTW, whose licence must not reach the program.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+namespace fs = std::filesystem;
+
+// Which rooms a file of a room may include from.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"shaders/shared", {"shaders/shared"}},
+    {"shaders", {"shaders/shared", "shaders"}},
+    {"engine", {"shaders/shared", "engine"}},
+    {"platform", {"shaders/shared", "engine", "platform"}},
+    {"ocean", {"shaders/shared", "engine", "ocean"}},
+    {"app", {"shaders/shared", "engine", "platform", "ocean", "app"}},
+    {"tests", {"shaders/shared", "shaders", "engine", "platform", "ocean", "app", "tests"}},
+};
+
+// The room of a path relative to the project; empty for a file that is in none.
+std::string room_of(const std::string& path) {
+  if (path.starts_with("shaders/shared/")) return "shaders/shared";
+  const std::string first = path.substr(0, path.find('/'));
+  return first != path && kMayInclude.contains(first) ? first : "";
+}
+
+// The name inside an #include line, with its opening character, `"name` or `<name`; empty for any other line.
+std::string included_name(const std::string& line) {
+  std::size_t at = line.find_first_not_of(" \t");
+  if (at == std::string::npos || line[at] != '#') return "";
+  at = line.find_first_not_of(" \t", at + 1);
+  if (at == std::string::npos || line.compare(at, 7, "include") != 0) return "";
+  at = line.find_first_of("\"<", at + 7);
+  if (at == std::string::npos) return "";
+  const std::size_t end = line.find(line[at] == '"' ? '"' : '>', at + 1);
+  return end == std::string::npos ? "" : line.substr(at, end - at);
+}
+
+// An include is looked for as the compilers do: beside the file, from the project's folder, from shaders/ (GLSL).
+std::string resolve(const fs::path& root, const fs::path& file, const std::string& name) {
+  for (const fs::path& base : {file.parent_path(), root, root / "shaders"}) {
+    const fs::path candidate = (base / name).lexically_normal();
+    if (fs::is_regular_file(candidate)) return candidate.lexically_relative(root).generic_string();
+  }
+  return "";
+}
+
+struct Survey {
+  std::size_t files = 0, includes = 0;
+  std::vector<std::string> faults;
+};
+
+Survey survey(const fs::path& root) {
+  const std::set<std::string> kinds = {".h", ".cpp", ".glsl", ".vert", ".frag", ".comp"};
+  Survey result;
+  for (const char* top : {"shaders", "engine", "platform", "ocean", "app", "tests"}) {
+    if (!fs::is_directory(root / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
+      const std::string path = entry.path().lexically_relative(root).generic_string();
+      const std::string room = room_of(path);
+      ++result.files;
+      std::ifstream text(entry.path());
+      std::string line;
+      for (int number = 1; std::getline(text, line); ++number) {
+        const std::string name = included_name(line);
+        if (name.empty()) continue;
+        const std::string place = path + ":" + std::to_string(number) + ": ";
+        if (name.find("fftw") != std::string::npos && room != "tests") result.faults.push_back(place + "FFTW outside tests");
+        if (name[0] != '"') continue;
+        ++result.includes;
+        const std::string target = resolve(root, entry.path(), name.substr(1));
+        const std::string target_room = room_of(target);
+        // A quoted name that is no file of ours is a library's or a generated header.
+        if (!target.empty() && !kMayInclude.at(room).contains(target_room))
+          result.faults.push_back(place + room + " may not include " + target);
+      }
+    }
+  }
+  return result;
+}
+
+// A tree of its own for the planted faults, removed at the end.
+class PlantedTree : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::temp_directory_path() / ("seascape_house_" + std::to_string(::getpid()));
+    fs::remove_all(root_);
+    for (const char* file : {"shaders/shared/types.h", "shaders/lib/noise.glsl", "engine/device.h", "platform/window.h",
+                             "ocean/waves/sea.h", "app/scene.h"})
+      write(file, "");
+  }
+  void TearDown() override { fs::remove_all(root_); }
+  void write(const std::string& file, const std::string& text) {
+    fs::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+  }
+  fs::path root_;
+};
+
+TEST(House, NobodyIncludesWhatTheRuleForbids) {
+  const Survey result = survey(fs::path(SEASCAPE_TEST_DIR).parent_path());
+  EXPECT_GT(result.files, 20u);
+  EXPECT_GT(result.includes, 20u);
+  for (const std::string& fault : result.faults) ADD_FAILURE() << fault;
+}
+
+// The control of the test above: every forbidden pair, planted, is found, with its place; the allowed ones are not.
+TEST_F(PlantedTree, EveryForbiddenIncludeIsFound) {
+  const std::map<std::string, std::string> files = {{"shaders/shared", "shaders/shared/types.h"},
+                                                    {"shaders", "shaders/lib/noise.glsl"},
+                                                    {"engine", "engine/device.h"},
+                                                    {"platform", "platform/window.h"},
+                                                    {"ocean", "ocean/waves/sea.h"},
+                                                    {"app", "app/scene.h"}};
+  int forbidden = 0;
+  for (const auto& [from, path] : files) {
+    for (const auto& [to, target] : files) {
+      const std::string planted = from + "/planted.h";
+      write(planted, "// a comment\n#include \"" + target + "\"\n");
+      const Survey result = survey(root_);
+      fs::remove(root_ / planted);
+      if (kMayInclude.at(from).contains(to)) {
+        EXPECT_TRUE(result.faults.empty()) << from << " to " << to << ": " << result.faults.front();
+      } else {
+        ++forbidden;
+        ASSERT_EQ(result.faults.size(), 1u) << from << " to " << to;
+        EXPECT_EQ(result.faults[0], planted + ":2: " + from + " may not include " + target);
+      }
+    }
+  }
+  EXPECT_EQ(forbidden, 17);
+}
+
+// Other ways to write the same include are found too: relative, from shaders/, indented, after other text.
+TEST_F(PlantedTree, RelativeAndIndentedIncludesAreFound) {
+  write("ocean/waves/planted.cpp", "  #  include \"../../platform/window.h\"\n");
+  write("engine/planted.cpp", "#include \"lib/noise.glsl\"\n");
+  write("engine/other.cpp", "#include <fftw3.h>\n");
+  write("tests/bench/planted.cpp", "#include <fftw3.h>\n#include \"app/scene.h\"\n");
+  const Survey result = survey(root_);
+  const std::set<std::string> faults(result.faults.begin(), result.faults.end());
+  const std::set<std::string> expected = {"ocean/waves/planted.cpp:1: ocean may not include platform/window.h",
+                                          "engine/planted.cpp:1: engine may not include shaders/lib/noise.glsl",
+                                          "engine/other.cpp:1: FFTW outside tests"};
+  EXPECT_EQ(faults, expected);
+}
+
+}  // namespace

@@ -1,0 +1,292 @@
+#!/bin/bash
+# Tests of ./run, ./check and scripts/, one case a call: scripts_test.sh CASE. Each case makes a project tree of its own, in
+# a path with a space, a quote and a backslash, with stand-ins first in PATH that write down how they were called. Each
+# case ends with its control: a fault is planted in the copied script or tree and the same question must then answer no.
+set -u
+source_root=$(dirname -- "$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")")
+work=$(mktemp -d) || exit 1
+trap 'rm -rf -- "$work"' EXIT
+tree="$work/a \"sea\" \\ of it"
+calls="$work/calls"
+fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
+
+# stand_in NAME TEXT: a bash program in front of the real one.
+stand_in() {
+  printf '#!/bin/bash\n%s\n' "$2" > "$work/bin/$1" && chmod +x "$work/bin/$1"
+}
+
+# A project tree that was built in its place, a driver in the cache, and no help from outside.
+make_tree() {
+  mkdir -p "$tree/scripts" "$tree/engine" "$tree/build/release" "$work/bin" "$work/home" "$work/caller" "$work/cache/seascape/driver"
+  cp "$source_root/run" "$source_root/check" "$tree/"
+  cp "$source_root"/scripts/*.sh "$source_root/scripts/packages.txt" "$tree/scripts/"
+  printf 'int a;\n' > "$tree/engine/a.cpp"
+  cat > "$tree/build/release/seascape" << 'EOF'
+#!/bin/bash
+printf '%s\n' "cwd=$PWD" "driver=${VK_DRIVER_FILES:-}" "older=${VK_ICD_FILENAMES:-}" "count=$#"
+printf 'arg=[%s]\n' "$@"
+case "${1:-}" in
+  replay) while [ "$1" != --out ]; do shift; done; printf left > "$2/frame_0000_left.png"; printf right > "$2/frame_0000_right.png" ;;
+  capture) if [ -e "$0.fault" ]; then exit 9; fi; while [ "$1" != --out ]; do shift; done; printf page > "$2/report.html" ;;
+  *) exit 7 ;;
+esac
+EOF
+  chmod +x "$tree/build/release/seascape"
+  printf 'lib' > "$work/cache/seascape/driver/libvulkan_lvp.so"
+  printf '3 libvulkan_lvp.so\n' > "$work/cache/seascape/driver/verified"
+  for name in apt-get sudo dpkg-deb cmake; do stand_in "$name" "echo \"$name \$*\" >> '$calls'; exit 1"; done
+  stand_in vulkaninfo 'echo "deviceType = PHYSICAL_DEVICE_TYPE_CPU"; echo "driverInfo = Mesa 25.0.7 (LLVM 15)"'
+  stand_in id 'if [ "$*" = -u ]; then echo 1000; else exec /usr/bin/id "$@"; fi'
+  stand_in dpkg-query "[ \"\$1\" = -W ] && shift 2; for name; do case \" \${LACKING:-} \" in *\" \$name \"*) ;; *) case \"\$name\" in mesa-vulkan-drivers) [ \$# -eq 1 ] && echo 22.3.6 || echo \"ii  \$name\" ;; *) echo \"ii  \$name\" ;; esac ;; esac; done"
+  : > "$calls"
+  mark_built
+}
+mark_built() {
+  touch -d '2020-01-01' "$tree/engine" "$tree/engine/a.cpp" "$tree/scripts/packages.txt"
+  printf '%s' "$tree" > "$tree/build/release/.seascape_built"
+  # dpkg's own record on the machine at hand may be newer than any stamp made before this minute.
+  touch -d '+1 minute' "$tree/build/release/.seascape_built"
+}
+
+# start ARGS: ./run from the caller's folder with the stand-ins; leaves status, and the texts in $work/out and $work/err.
+start() {
+  (cd "$work/caller" && env -u DISPLAY -u WAYLAND_DISPLAY -u VK_DRIVER_FILES -u VK_ICD_FILENAMES -u XDG_RUNTIME_DIR \
+    PATH="$work/bin:$PATH" HOME="$work/home" XDG_CACHE_HOME="$work/cache" CI=true "${extra[@]}" "$tree/run" "$@" \
+    > "$work/out" 2> "$work/err" < /dev/null)
+  status=$?
+}
+extra=()
+says() { grep -qF -- "$2" "$work/$1"; }
+show() { cat "$work/out" "$work/err" "$calls" >&2; }
+
+case "${1:-}" in
+  icd_json)
+    driver_text() { bash -c '. "$1/scripts/driver.sh"; icd_json "$2"' bash "$tree" "$1"; }
+    make_tree
+    frame='{"file_format_version": "1.0.0", "ICD": {"api_version": "1.3.0", "library_path": "%s"}}'
+    same() { [ "$(driver_text "$1")" = "$(printf "${frame/\%s/%b}" "$2")" ]; }
+    same '/plain/lib.so' '/plain/lib.so' || fail "a plain path"
+    same '/with space/ü.so' '/with space/ü.so' || fail "a space and UTF-8"
+    same '/a"b.so' '/a\\"b.so' || fail "a quote"
+    same '/a\b.so' '/a\\\\b.so' || fail "a backslash"
+    same $'/a\tb\nc.so' '/a\\u0009b\\u000ac.so' || fail "control characters"
+    # Control: without escaping the quote is caught.
+    sed -i "s/'\"' | '.')/'no' | 'such')/" "$tree/scripts/driver.sh"
+    same '/a"b.so' '/a\\"b.so' && fail "control: the missing escape was not seen"
+    ;;
+  no_op)
+    make_tree
+    start anything
+    [ "$status" -eq 7 ] || { show; fail "status $status"; }
+    [ ! -s "$calls" ] || { show; fail "a set-up tool was called"; }
+    [ ! -s "$work/err" ] || { show; fail "set-up said something"; }
+    # Control: the same question where a package list is newer than the build finds the calls.
+    touch -d '+5 minutes' "$tree/scripts/packages.txt"
+    extra=(LACKING=g++)
+    stand_in sudo "echo \"sudo \$*\" >> '$calls'; exit 1"
+    start anything
+    [ -s "$calls" ] || fail "control: sudo was not asked"
+    ;;
+  args_and_status)
+    make_tree
+    extra=(LC_ALL=de_DE.UTF-8)
+    start query '' 'two words' '*' '--set=a="b"'
+    [ "$status" -eq 7 ] || fail "status $status"
+    cat > "$work/expected" << EOF
+cwd=$work/caller
+driver=$work/cache/seascape/driver/lvp_icd.json
+older=$work/cache/seascape/driver/lvp_icd.json
+count=5
+arg=[query]
+arg=[]
+arg=[two words]
+arg=[*]
+arg=[--set=a="b"]
+EOF
+    cmp "$work/expected" "$work/out" || { show; fail "arguments, folder or driver"; }
+    ln -s "$tree/run" "$work/bin/sea"
+    (cd "$work/caller" && PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" sea x > "$work/out" 2> "$work/err")
+    [ $? -eq 7 ] && says out "cwd=$work/caller" || fail "through a symbolic link"
+    # Control: a run that passes its arguments unquoted is caught.
+    sed -i 's/exec "$program" "$@"/exec "$program" $*/' "$tree/run"
+    start query '' 'two words' '*' '--set=a="b"'
+    cmp -s "$work/expected" "$work/out" && fail "control: unquoted arguments were not seen"
+    ;;
+  user_driver)
+    make_tree
+    extra=(VK_DRIVER_FILES=/my/own.json)
+    start x
+    says out 'driver=/my/own.json' || { show; fail "VK_DRIVER_FILES was replaced"; }
+    extra=(VK_ICD_FILENAMES=/my/older.json)
+    start x
+    says out 'older=/my/older.json' && ! says out 'lvp_icd' || { show; fail "VK_ICD_FILENAMES was replaced"; }
+    # Control: a use_driver that does not look is caught.
+    sed -i 's/^  if \[ -n "${VK_DRIVER_FILES:-}.*$//' "$tree/scripts/driver.sh"
+    start x
+    says out 'lvp_icd' || fail "control: the replaced driver was not seen"
+    ;;
+  stale_build)
+    # Every kind of change must end the short way: here the tree cannot be built, so the program must not start.
+    make_tree
+    fresh() { start x; [ "$status" -eq 7 ]; }
+    fresh || fail "the built tree itself"
+    touch -d '+5 minutes' "$tree/engine/a.cpp"
+    fresh && fail "an edited source was not seen"
+    mark_built
+    fresh || fail "marked again"
+    touch -d '2020-01-01' "$tree/engine/b.cpp"; touch -d '+5 minutes' "$tree/engine"  # as a removed file leaves its folder
+    fresh && fail "a removed source was not seen"
+    mark_built
+    rm "$tree/build/release/.seascape_built"
+    fresh && fail "an unfinished build was not seen"
+    # Control: without the comparison of times the edit is missed.
+    mark_built
+    touch -d '+5 minutes' "$tree/engine/a.cpp"
+    sed -i 's/^newer_than() {/newer_than() { return 1;/' "$tree/scripts/setup.sh"
+    fresh || fail "control: the comparison is not what found it"
+    ;;
+  moved_tree)
+    make_tree
+    mv "$tree" "$work/elsewhere" && tree="$work/elsewhere"
+    start x
+    [ "$status" -eq 1 ] && says err 'seascape: ' || { show; fail "a moved tree was taken for built"; }
+    # Control: with the note of its new place it starts.
+    mark_built
+    start x
+    [ "$status" -eq 7 ] || fail "control: it is not the place that was seen"
+    ;;
+  missing_without_sudo)
+    make_tree
+    rm "$tree/build/release/.seascape_built"
+    extra=(LACKING='libpng-dev libhwy-dev')
+    start x
+    line='run: apt-get update && apt-get install -y --no-install-recommends libhwy-dev libpng-dev'
+    other='run: apt-get update && apt-get install -y --no-install-recommends libpng-dev libhwy-dev'
+    [ "$status" -eq 1 ] || { show; fail "status $status"; }
+    says err "$line" || says err "$other" || { show; fail "not the exact line"; }
+    grep -v '^sudo -n true$' "$calls" && fail "something was called"
+    [ "$(wc -l < "$work/err")" -eq 1 ] && [ ! -s "$work/out" ] || { show; fail "more than one line"; }
+    # Control: with nothing lacking the line is not there (it then fails to build the empty tree).
+    extra=()
+    start x
+    says err 'apt-get install' && fail "control: the line appears always"
+    ;;
+  missing_with_sudo)
+    make_tree
+    rm "$tree/build/release/.seascape_built"
+    stand_in sudo '[ "$1" = -n ] && shift; exec "$@"'
+    stand_in apt-get "echo \"\$* [\$DEBIAN_FRONTEND] [\$(cat | wc -c)]\" >> '$calls'; exit 1"
+    extra=(LACKING='libpng-dev')
+    start x
+    grep -qE -- '-o DPkg::Lock::Timeout=[0-9]+ .*install -y --no-install-recommends --no-remove libpng-dev \[noninteractive\] \[0\]$' "$calls" ||
+      { show; fail "apt-get was called otherwise"; }
+    [ "$status" -eq 1 ] && says err 'could not install' || { show; fail "apt-get's fault was lost"; }
+    # Control: without its DEBIAN_FRONTEND the call is caught.
+    : > "$calls"
+    sed -i 's/DEBIAN_FRONTEND=noninteractive//' "$tree/scripts/setup.sh"
+    extra=(LACKING='libpng-dev' DEBIAN_FRONTEND=)
+    start x
+    grep -q '\[noninteractive\]' "$calls" && fail "control: the missing setting was not seen"
+    ;;
+  full_disk)
+    make_tree
+    rm "$tree/build/release/.seascape_built"
+    stand_in df 'printf "Filesystem 1048576-blocks Used Available Capacity Mounted\nfull 1000 990 10 99%% /\n"'
+    stand_in sudo '[ "$1" = -n ] && shift; exec "$@"'
+    extra=(LACKING='libpng-dev')
+    start x
+    [ "$status" -eq 1 ] && says err '10 MiB are free' || { show; fail "packages: the full disk was not seen"; }
+    [ ! -s "$calls" ] || { show; fail "apt-get was called on a full disk"; }
+    extra=()
+    start x
+    [ "$status" -eq 1 ] && says err '10 MiB are free and the build' || { show; fail "build: the full disk was not seen"; }
+    # Control: with room it is not said.
+    stand_in df 'printf "Filesystem 1048576-blocks Used Available Capacity Mounted\nroomy 100000 10 99990 1%% /\n"'
+    start x
+    says err 'MiB are free' && fail "control: it is said always"
+    ;;
+  no_backports)
+    make_tree
+    rm -r "$work/cache/seascape"
+    start x
+    [ "$status" -eq 7 ] && says err 'notice: Mesa 25 could not be fetched' && says out 'driver=' && ! says out 'lvp_icd' ||
+      { show; fail "without backports it does not start with a notice"; }
+    [ -z "$(find "$work/cache" -name '*.tmp')" ] || fail "a partial download was left"
+    extra=(XDG_CACHE_HOME="$work/with:colon")
+    start x
+    [ "$status" -eq 7 ] && says err 'set XDG_CACHE_HOME' || { show; fail "a colon in the cache's path"; }
+    # Control: with the driver in the cache there is no notice (the case no_op holds the rest).
+    make_tree
+    extra=()
+    start x
+    says err 'notice' && fail "control: the notice appears always"
+    ;;
+  broken_driver)
+    make_tree
+    # A download that was cut short: the stand-ins for apt-get and dpkg-deb bring a whole one.
+    printf 'l' > "$work/cache/seascape/driver/libvulkan_lvp.so"
+    touch "$work/cache/seascape/driver.abc.tmp"
+    stand_in apt-get 'case "$*" in *indextargets*) echo http://mirror.example/debian ;; *download*) touch mesa-vulkan-drivers_25_amd64.deb ;; *update*) cat parts/*.sources >> "'"$calls"'" ;; esac'
+    stand_in dpkg-deb 'mkdir -p "$3/usr/lib/x" "$3/usr/share/doc/mesa-vulkan-drivers"; echo whole > "$3/usr/lib/x/libvulkan_lvp.so"; echo c > "$3/usr/share/doc/mesa-vulkan-drivers/copyright"'
+    start x
+    [ "$status" -eq 7 ] && says out 'lvp_icd.json' || { show; fail "not repaired"; }
+    [ "$(cat "$work/cache/seascape/driver/libvulkan_lvp.so")" = whole ] || fail "the broken library is still there"
+    grep -qF "\"library_path\": \"$work/cache/seascape/driver/libvulkan_lvp.so\"" "$work/cache/seascape/driver/lvp_icd.json" || fail "the path"
+    grep -qF 'URIs: http://mirror.example/debian' "$calls" || { show; fail "the system's mirror was not asked"; }
+    [ -z "$(find "$work/cache" -name '*.tmp')" ] || fail "something was left beside it"
+    # Control: a driver that reports 22 is not taken, and what was there is gone from use.
+    rm -r "$work/cache/seascape/driver"
+    stand_in vulkaninfo 'echo "driverInfo = Mesa 22.3.6 (LLVM 15)"'
+    start x
+    [ "$status" -eq 7 ] && says err "reports Mesa '22'" && ! says out lvp_icd || { show; fail "control: Mesa 22 was taken for 25"; }
+    ;;
+  pictures)
+    make_tree
+    start
+    [ "$status" -eq 0 ] || { show; fail "status $status"; }
+    (cd "$work/caller/out" && [ "$(cat left.png)" = left ] && [ "$(cat right.png)" = right ] && [ "$(cat report.html)" = page ]) || fail "the files"
+    [ "$(ls "$work/caller/out" | wc -l)" -eq 3 ] || fail "something else was left in out/"
+    [ "$(cat "$work/out")" = $'out/left.png\nout/right.png\nout/report.html' ] || { show; fail "standard output"; }
+    # Control and the other branch: with a display the program explores instead.
+    extra=(DISPLAY=:7)
+    start
+    [ "$status" -eq 7 ] && says out 'arg=[explore]' && says out 'arg=[auto]' || { show; fail "control: a display makes no difference"; }
+    ;;
+  picture_fault)
+    make_tree
+    touch "$tree/build/release/seascape.fault"
+    start
+    [ "$status" -eq 9 ] || { show; fail "the program's status was lost: $status"; }
+    [ -z "$(find "$work/caller/out" -name '*.tmp')" ] || fail "a partial folder was left"
+    [ ! -s "$work/out" ] || fail "files were named that are not there"
+    # Control: without the fault the status is 0.
+    rm "$tree/build/release/seascape.fault"
+    start
+    [ "$status" -eq 0 ] || fail "control: it fails always"
+    ;;
+  house_rules)
+    # No python in the scripts, and each is valid bash. Control: a planted line is found by the same search.
+    make_tree
+    scripts=("$source_root/run" "$source_root/check" "$source_root/.ci/run" "$source_root"/scripts/*.sh)
+    for script in "${scripts[@]}"; do bash -n "$script" || fail "$script"; done
+    grep -nE '\bpython3?\b' "${scripts[@]}" && fail "python in a script"
+    printf 'python3 -c 1\n' > "$work/planted"
+    grep -qE '\bpython3?\b' "$work/planted" || fail "control"
+    # Debian 12's package names only: each line is `run NAME` or `check NAME`, none twice.
+    grep -vE '^(#.*|(run|check) [a-z0-9][a-z0-9+.-]+)$' "$source_root/scripts/packages.txt" && fail "packages.txt"
+    [ -z "$(grep -v '^#' "$source_root/scripts/packages.txt" | cut -d' ' -f2 | sort | uniq -d)" ] || fail "a package twice"
+    ;;
+  check_usage)
+    make_tree
+    usage_of() { "$tree/check" "$@" > "$work/out" 2> "$work/err" < /dev/null; status=$?; }
+    for wrong in --bogus '--fuzz' '--fuzz -1' '--fuzz 1,5' '--fuzz 12345678901234567890' extra; do
+      usage_of $wrong
+      [ "$status" -eq 2 ] && [ "$(grep -c '^seascape: ' "$work/err")" -eq 1 ] || { show; fail "check $wrong: $status"; }
+    done
+    # Control: a right use is not refused.
+    usage_of --long --help
+    [ "$status" -eq 0 ] && says out '--fuzz MINUTES' || { show; fail "control: --help"; }
+    ;;
+  *) fail "no such case: ${1:-}" ;;
+esac
+exit 0
