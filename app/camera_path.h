@@ -2,11 +2,22 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/faults.h"
 #include "engine/view.h"
 
 namespace seascape {
+
+// A direction of view in degrees: yaw clockwise from -z seen from above, pitch upwards, roll of the head to its right.
+struct ViewAngles {
+  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+};
+
+glm::dquat orientation_from_angles(const ViewAngles& angles);
+// Yaw and roll in [-180, 180], pitch in [-90, 90]; looking straight up or down has roll 0.
+ViewAngles angles_from_orientation(const glm::dquat& orientation);
 
 struct PathKey {
   double time_s = 0.0;        // along the path, strictly increasing
@@ -23,12 +34,19 @@ struct CameraPath {
   std::string name;
   std::vector<PathKey> keys;  // one or more
   double duration_s() const { return keys.empty() ? 0.0 : keys.back().time_s; }
-  // Cubic (centripetal Catmull-Rom) in position, spherical (squad) in orientation, monotone in scene time; held at both
-  // ends. Passes through every key exactly.
+  // Cubic in time through every key exactly: Hermite in position, its counterpart on unit quaternions in orientation, both
+  // with continuous velocities that come to rest at both ends; monotone between keys in scene time. Held before the first
+  // key and after the last. A key as slow as a hold makes its neighbours slow too, so a hold stays still.
   PathSample at(double time_s) const;
 };
 
-CameraPath load_camera_path(const std::string& name_or_file);            // throws Error
+// `name_or_file` is a path, or the name of one in content/paths. Throws Error with file and line.
+CameraPath load_camera_path(const std::string& name_or_file);
+CameraPath parse_camera_path(std::string_view text, const std::string& where);
+CameraPath parse_camera_path(std::string_view text, const std::string& where, Faults& faults);  // may collect
+
+// The text of a path file: every number reads back as the same double.
+std::string camera_path_text(const CameraPath& path);
 void save_camera_path(const CameraPath& path, const std::filesystem::path& file);  // atomic; throws Error
 
 }  // namespace seascape

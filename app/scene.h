@@ -2,9 +2,11 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/faults.h"
 #include "app/settings.h"
 #include "engine/view.h"
 
@@ -19,11 +21,19 @@ struct Scene {
   Pose start;                         // where explore begins
 };
 
-// Reads a scene. `name_or_file` is a path, or the name of one in content/scenes. The preset is applied before the
-// scene's own values. Throws Error with file and line, key, value, range and remedy; unknown keys are errors.
+// Reads a scene. `name_or_file` is a path, or the name of one in content/scenes. The preset (a name of quality.h) is
+// applied before the scene's own values. Throws Error with file and line, key, value, range and remedy; unknown keys are
+// errors.
 Scene load_scene(const std::string& name_or_file, std::string_view preset);
+
+// The same from text; `where` is what messages call the file. With `faults` it collects instead of throwing.
+Scene parse_scene(std::string_view text, const std::string& where, std::string_view preset);
+Scene parse_scene(std::string_view text, const std::string& where, std::string_view preset, Faults& faults);
 
 // content/ of this checkout or installation; SEASCAPE_CONTENT names another.
 std::filesystem::path content_directory();
+
+// The file of a name in content/KIND ("scenes", "paths"); whatever has a slash or ends in .json is a file already.
+std::filesystem::path content_file(const std::string& name_or_file, std::string_view kind);
 
 }  // namespace seascape

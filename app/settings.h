@@ -1,7 +1,7 @@
 // Every setting of the program in one table: its key, unit, default, range and one sentence. The same rows serve scene
 // files, --set, the panel of explore and the generated docs.
 #pragma once
-#include <functional>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,40 +16,56 @@
 
 namespace seascape {
 
-enum class WavesWhere { automatic, gpu, cpu };
-
 struct Settings {
   SeaState sea;          // keys waves.*
   WaveQuality waves;     // keys waves.resolution, waves.cascades, waves.half_storage
-  LodSettings lod;       // keys lod.*, debug.drop_patch
+  LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*
   SkySettings sky;       // keys sky.*
-  RenderSettings render; // keys msaa, frame.*, stereo.*, camera.*
+  RenderSettings render; // keys msaa, frame.*, stereo.*, camera.*, debug.view
   double time_scale = 1.0;   // key time.scale
   double time_start_s = 0.0; // key time.start_s
 };
 
-// One row. `member` finds the value inside a Settings; an enum or choice row reads and writes its name.
+// Where a row's value lies inside a Settings. An enum is read and written by the number of its name in Setting::choices.
+using RealMember = double& (*)(Settings&);
+using IntegerMember = int& (*)(Settings&);
+using SeedMember = std::uint32_t& (*)(Settings&);
+using FlagMember = bool& (*)(Settings&);
+struct ChoiceMember {
+  int (*get)(const Settings&);
+  void (*set)(Settings&, int);
+};
+
 struct Setting {
-  std::string_view key;
+  std::string_view key;       // "waves.wind_speed_mps": group, point, name; "msaa" has no group
   std::string_view unit;      // "m", "m/s", "deg", "" ...
   std::string_view sentence;  // what it does
-  std::variant<std::function<double&(Settings&)>, std::function<int&(Settings&)>, std::function<bool&(Settings&)>,
-               std::function<std::uint32_t&(Settings&)>, std::function<std::string(Settings&, const std::string*)>> member;
-  double least = 0.0, most = 0.0;           // range of a number, both allowed
-  std::vector<std::string_view> choices{};  // of a name, or the only numbers allowed ("16", "32", "64")
-  bool quality = false;                     // set by presets
-  bool rebuild = false;                     // a change makes GPU objects anew
+  std::variant<RealMember, IntegerMember, SeedMember, FlagMember, ChoiceMember> member;
+  double least = 0.0, most = 0.0;               // range of a number, both allowed
+  std::vector<std::string_view> choices{};      // names of an enum, or the only numbers allowed ("16", "32", "64")
+  bool quality = false;                         // set by presets
+  bool rebuild = false;                         // a change makes GPU objects anew
 };
 
 std::span<const Setting> settings_table();
 const Setting* find_setting(std::string_view key);
 
-// Sets one value from text ("--set key=value") or throws Error naming `where`, key, value and range; `settings` is
-// unchanged then.
-void set_from_text(Settings& settings, std::string_view key, std::string_view value, const std::string& where);
+using SettingValue = std::variant<bool, double, std::string>;
 
-// "low", "medium", "high", "ultra"; "auto" picks by device class (see quality.h). Applies the preset's rows.
-void apply_preset(Settings& settings, std::string_view preset);
+// The value as it is now: bool of a flag, double of a number, name of a choice.
+SettingValue value_of(const Settings& settings, const Setting& setting);
+std::string value_text(const Settings& settings, const Setting& setting);
+// "0 to 64 m/s", "16, 32 or 64", "true or false".
+std::string range_text(const Setting& setting);
+
+// Sets one value or throws Error naming `where`, key, value and range; `settings` is unchanged then.
+void set_value(Settings& settings, const Setting& setting, const SettingValue& value, const std::string& where,
+               int exit_code = 1);
+// The same from text ("--set key=value"); an unknown key is an Error that names the nearest known one.
+void set_from_text(Settings& settings, std::string_view key, std::string_view value, const std::string& where,
+                   int exit_code = 1);
+
+[[noreturn]] void throw_unknown_key(std::string_view key, const std::string& where, int exit_code = 1);
 
 }  // namespace seascape

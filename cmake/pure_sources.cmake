@@ -4,5 +4,5 @@ string(CONCAT PURE_SOURCES_REGEX "^("
   "ocean/waves/(sea_state|spectrum|ladder|gaussian|phase|fft|wave_field|wave_bins|sea_statistics|wave_tile|query|tile_sampler)[a-z_]*|"
   "ocean/lod/(quadtree|patch_mesh|culling|horizon)[a-z_]*|"
   "ocean/effects|"
-  "app/(settings|scene|camera_path|quality|arguments|validate|query_command|report|trace|statistics|content|csv|doc)[a-z_]*"
+  "app/(settings|scene|camera_path|quality|arguments|validate|query_command|report|trace|statistics|content|csv|located_json|progress)[a-z_]*"
   ")\\.cpp$")

@@ -1,0 +1,356 @@
+#include "app/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "app/quality.h"
+#include "engine/error.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> command_names{"explore", "replay", "capture", "plan", "query", "validate", "doctor"};
+
+constexpr std::string_view overview = R"(Seascape: an ocean for virtual reality
+
+Usage: seascape [COMMAND] [OPTIONS]
+
+Commands:
+  explore    Fly, walk and ride over the sea, in a window or without a display (the default)
+  replay     Draw a camera path to numbered pictures, the same bits every time
+  capture    Measure frame times along a camera path: capture.csv, trace.json, report.html
+  plan       Say what a scene would build and run, why, its memory and its cost
+  query      The surface's height, normal and velocity at points of a CSV file; needs no GPU
+  validate   Check scenes, paths, models and images: every fault with file and place
+  doctor     Say which devices there are, what is missing and how to get it
+
+Options of every command: --help, --seed, --set key=value, --log-level. Settings: docs/settings.md
+Exit status: 0 done, 1 a fault, 2 wrong usage.
+
+Examples:
+  seascape
+  seascape --scene storm --preset low
+  seascape replay --scene open_sea --frames 60 --out out
+  seascape replay --help
+)";
+
+[[noreturn]] void refuse(const std::string& option, const std::string& what, const std::string& remedy) {
+  throw Error(option, what, remedy, 2);
+}
+
+// One command's options. Values are read by our own parsers, so that numbers do not depend on the locale and every fault
+// names option, value and range.
+class Options {
+ public:
+  Options(std::string_view command, const std::string& sentence, const std::string& examples)
+      : app_(sentence, "seascape " + std::string(command)) {
+    app_.footer("Examples:\n" + examples);
+    app_.get_formatter()->column_width(36);
+    app_.allow_extras();
+  }
+
+  template <class Take>
+  CLI::Option* option(const std::string& name, const std::string& type, const std::string& fallback,
+                      const std::string& sentence, Take take) {
+    names_.push_back(name);
+    return app_.add_option_function<std::string>(name, [take](const std::string& text) { take(text); }, sentence)
+        ->type_name(type)
+        ->default_str(fallback);
+  }
+
+  void text(const std::string& name, const std::string& type, std::string& value, const std::string& sentence) {
+    option(name, type, value, sentence, [name, &value](const std::string& given) {
+      if (given.empty()) refuse(name, "the value is empty", "leave " + name + " out or give it one");
+      value = given;
+    });
+  }
+
+  void number(const std::string& name, const std::string& unit, double& value, double least, double most,
+              const std::string& sentence) {
+    const std::string range = text_from(least) + " to " + text_from(most) + (unit.empty() ? "" : " " + unit);
+    option(name, "NUMBER", text_from(value), sentence + " (" + range + ")", [=, &value](const std::string& given) {
+      const auto number = real_from(given);
+      if (!number || *number < least || *number > most)
+        refuse(name, in_quotes(given) + (number ? " is out of range" : " is not a number"), "give a number from " + range);
+      value = *number;
+    });
+  }
+
+  void whole(const std::string& name, int& value, int least, int most, const std::string& sentence) {
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    option(name, "N", std::to_string(value), sentence + " (" + range + ")", [=, &value](const std::string& given) {
+      const auto number = integer_from(given);
+      if (!number || *number < least || *number > most)
+        refuse(name, in_quotes(given) + (number ? " is out of range" : " is not a whole number"),
+               "give a whole number from " + range);
+      value = static_cast<int>(*number);
+    });
+  }
+
+  // One of `names`; `take` gets its index.
+  template <class Take>
+  void choice(const std::string& name, std::vector<std::string_view> names, const std::string& fallback,
+              const std::string& sentence, Take take) {
+    std::string type;
+    for (const std::string_view one : names) type += (type.empty() ? "" : "|") + std::string(one);
+    option(name, type, fallback, sentence, [=](const std::string& given) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == given) return take(static_cast<int>(i));
+      refuse(name, "unknown value " + in_quotes(given) + did_you_mean(given, names), "take " + listed(names));
+    });
+  }
+
+  void flag(const std::string& name, bool& value, const std::string& sentence) {
+    names_.push_back(name);
+    app_.add_flag_callback(name, [&value] { value = true; }, sentence);
+  }
+
+  CLI::App& app() { return app_; }
+
+  // Returns the help text where it was asked for, else "".
+  std::string parse(std::span<const std::string> words) {
+    try {
+      app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    } catch (const CLI::CallForHelp&) {
+      return app_.help();
+    } catch (const CLI::ParseError& fault) {
+      refuse("", in_quotes(fault.what(), 200), "see " + app_.get_name() + " --help");
+    }
+    for (const std::string& word : app_.remaining()) {
+      const bool is_option = word.size() > 1 && word[0] == '-';
+      const std::vector<std::string_view> known(names_.begin(), names_.end());
+      refuse("", (is_option ? "unknown option " : "unexpected word ") + in_quotes(word) +
+                     (is_option ? did_you_mean(word.substr(0, word.find('=')), known) : ""),
+             "see " + app_.get_name() + " --help");
+    }
+    return {};
+  }
+
+ private:
+  CLI::App app_;
+  std::vector<std::string> names_{"--help"};
+};
+
+void add_common(Options& options, Arguments& arguments) {
+  options.option("--seed", "N", "the scene's", "Which sea of the same statistics (0 to 4294967295)",
+                 [&](const std::string& text) { arguments.overrides.push_back({"--seed", "waves.seed", text}); });
+  std::vector<std::string_view> levels{"trace", "debug", "info", "warn", "error", "off"};
+  options.choice("--log-level", levels, "info", "What is told on stderr",
+                 [&arguments, levels](int i) { arguments.log_level = levels[static_cast<std::size_t>(i)]; });
+  options.app()
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
+              const std::size_t equals = pair.find('=');
+              if (equals == std::string::npos || equals == 0)
+                refuse("--set", in_quotes(pair) + " has no key and value", "write --set key=value");
+              arguments.overrides.push_back({"--set", pair.substr(0, equals), pair.substr(equals + 1)});
+            }
+          },
+          "Any setting of docs/settings.md; may be repeated")
+      ->type_name("key=value")
+      ->allow_extra_args(false);
+}
+
+void add_scene(Options& options, Arguments& arguments, bool all_presets = false) {
+  options.text("--scene", "S", arguments.scene, "A scene file, or the name of one in content/scenes");
+  std::vector<std::string_view> presets(preset_names().begin(), preset_names().end());
+  presets.push_back("auto");
+  if (all_presets) presets.push_back("all");
+  options.choice("--preset", presets, "auto", "Quality; auto suits the device",
+                 [&arguments, presets](int i) { arguments.preset = presets[static_cast<std::size_t>(i)]; });
+}
+
+void add_display(Options& options, Arguments& arguments) {
+  options.choice("--display", {"auto", "window", "headset", "headless"}, "auto", "Where frames go",
+                 [&](int i) { arguments.display = static_cast<DisplayKind>(i); });
+}
+
+void add_size(Options& options, Arguments& arguments, const std::string& fallback) {
+  options.option("--size", "WxH", fallback, "Pixels of one eye, 1x1 to 16384x16384", [&](const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto width = integer_from(std::string_view(text).substr(0, cross));
+    const auto height = cross == std::string::npos ? std::nullopt : integer_from(std::string_view(text).substr(cross + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
+      refuse("--size", in_quotes(text) + (width && height ? " is out of range" : " is not WIDTHxHEIGHT"),
+             "give two whole numbers from 1 to 16384, as 1280x720");
+    arguments.width = static_cast<int>(*width);
+    arguments.height = static_cast<int>(*height);
+  });
+}
+
+// --stereo and --debug stand for settings.
+void add_stereo(Options& options, Arguments& arguments) {
+  std::vector<std::string_view> modes{"auto", "single", "per-eye"};
+  options.choice("--stereo", modes, "auto", "One pass for both eyes, or a pass per eye", [&arguments, modes](int i) {
+    arguments.overrides.push_back({"--stereo", "stereo.mode", std::string(modes[static_cast<std::size_t>(i)])});
+  });
+}
+
+void add_debug(Options& options, Arguments& arguments) {
+  const std::vector<std::string_view> views = find_setting("debug.view")->choices;
+  options.choice("--debug", views, "none", "Paints holes in magenta, levels, wires, normals or slices",
+                 [&arguments, views](int i) {
+                   arguments.overrides.push_back({"--debug", "debug.view", std::string(views[static_cast<std::size_t>(i)])});
+                 });
+}
+
+void add_views(Options& options, Arguments& arguments) {
+  options.whole("--views", arguments.views, 1, 2, "One picture, or left and right");
+  options.choice("--eye", {"left", "right", "centre"}, "centre", "Which eye the one picture of --views 1 is",
+                 [&](int i) { arguments.eye = static_cast<Eye>(i); });
+}
+
+void add_path(Options& options, Arguments& arguments) {
+  options.option("--path", "P", "the scene's name", "A camera path file, or the name of one in content/paths",
+                 [&](const std::string& text) {
+                   if (text.empty()) refuse("--path", "the value is empty", "leave --path out or give it one");
+                   arguments.path = text;
+                 });
+}
+
+void add_explore(Options& options, Arguments& arguments) {
+  arguments.out = "out";
+  add_scene(options, arguments);
+  add_display(options, arguments);
+  add_size(options, arguments, "1280x720");
+  add_stereo(options, arguments);
+  add_debug(options, arguments);
+  options.whole("--frames", arguments.frames, 0, 1'000'000, "Closes after so many frames; 0 runs until it is closed");
+  options.text("--out", "DIR", arguments.out, "Folder of screenshots, recorded paths and headless pictures");
+}
+
+void add_replay(Options& options, Arguments& arguments) {
+  arguments.out = "out";
+  add_scene(options, arguments);
+  add_path(options, arguments);
+  add_size(options, arguments, "1280x720");
+  add_views(options, arguments);
+  add_stereo(options, arguments);
+  add_debug(options, arguments);
+  options.number("--fps", "1/s", arguments.fps, 0.1, 1000.0, "Frames a second of the path's time");
+  options.whole("--frames", arguments.frames, 0, 1'000'000, "How many frames; 0 goes to the path's end");
+  options.whole("--start", arguments.start, 0, 100'000'000, "Number of the first frame");
+  options.text("--out", "DIR", arguments.out, "Folder of the pictures and replay.json");
+  options.choice("--format", {"png", "exr"}, "png", "png as seen, exr in linear light",
+                 [&](int i) { arguments.format = static_cast<PictureFormat>(i); });
+}
+
+void add_capture(Options& options, Arguments& arguments) {
+  arguments.out = "out";
+  add_scene(options, arguments, true);
+  add_path(options, arguments);
+  add_size(options, arguments, "1280x720");
+  add_views(options, arguments);
+  add_display(options, arguments);
+  add_stereo(options, arguments);
+  options.number("--fps", "1/s", arguments.fps, 0.1, 1000.0, "Frames a second of the path's time");
+  options.whole("--warmup", arguments.warmup, 0, 100'000, "Frames drawn before measuring");
+  options.whole("--frames", arguments.frames, 0, 1'000'000, "Frames measured; 0 goes to the path's end");
+  options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
+}
+
+void add_plan(Options& options, Arguments& arguments) {
+  add_scene(options, arguments);
+  add_size(options, arguments, "1280x720");
+  add_views(options, arguments);
+  options.flag("--json", arguments.json, "Prints JSON");
+  options.text("--matrix", "DIR", arguments.matrix, "Writes the plan of every preset into this folder");
+}
+
+void add_query(Options& options, Arguments& arguments) {
+  add_scene(options, arguments);
+  options.number("--time", "s", arguments.time_s, -1e9, 1e9, "The sea's time");
+  options.text("--points", "IN.csv", arguments.points, "Points, with the header x,z in metres");
+  options.text("--out", "OUT.csv", arguments.out,
+               "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged");
+}
+
+void add_validate(Options& options, Arguments& arguments) {
+  options.app()
+      .add_option("FILE", arguments.files, "Scenes and paths (.json), models (.gltf, .glb), images (.png, .exr)")
+      ->type_name("");
+}
+
+void add_doctor(Options& options, Arguments& arguments) { options.flag("--json", arguments.json, "Prints JSON"); }
+
+struct CommandRow {
+  Command command;
+  const char* sentence;
+  const char* examples;
+  void (*add)(Options&, Arguments&);
+};
+
+constexpr CommandRow commands[] = {
+    {Command::explore, "Fly, walk and ride over the sea, in a window or without a display.",
+     "  seascape\n  seascape explore --scene storm --preset low\n  seascape --display headless --size 960x540 --out out",
+     add_explore},
+    {Command::replay, "Draw a camera path to numbered pictures: the same scene, path, preset and seed give the same bits.",
+     "  seascape replay --scene open_sea --frames 60 --out out\n"
+     "  seascape replay --scene storm --views 1 --eye left --format exr --out out", add_replay},
+    {Command::capture, "Measure frame times along a camera path.",
+     "  seascape capture --preset all --views 2 --frames 300 --out out\n"
+     "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1", add_capture},
+    {Command::plan, "Say what a scene would build and run, why, its memory and its cost.",
+     "  seascape plan --scene storm --preset high\n  seascape plan --json", add_plan},
+    {Command::query, "The surface at points of a CSV file, without a GPU.",
+     "  seascape query --scene swell --time 12.5 --points points.csv --out surface.csv", add_query},
+    {Command::validate, "Check files and tell every fault with file and place; exit status 1 if there is any.",
+     "  seascape validate content/scenes/*.json content/paths/*.json\n  seascape validate boat.glb sky.exr", add_validate},
+    {Command::doctor, "Say which devices there are, what is missing and how to get it.",
+     "  seascape doctor\n  seascape doctor --json", add_doctor},
+};
+
+}  // namespace
+
+Arguments parse_arguments(std::span<const std::string> words) {
+  Arguments arguments;
+  std::size_t row = 0;  // explore
+  if (!words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help" || words[0] == "--version")) {
+    arguments.command = Command::text;
+    arguments.text = words[0] == "--version" ? "seascape " SEASCAPE_VERSION "\n" : std::string(overview);
+    return arguments;
+  }
+  if (!words.empty() && (words[0].empty() || words[0][0] != '-')) {
+    row = static_cast<std::size_t>(std::find(command_names.begin(), command_names.end(), words[0]) - command_names.begin());
+    if (row == command_names.size())
+      refuse("", "unknown command " + in_quotes(words[0]) + did_you_mean(words[0], command_names),
+             "take " + listed(command_names) + "; see seascape --help");
+    words = words.subspan(1);
+  }
+  const CommandRow& command = commands[row];
+  arguments.command = command.command;
+  Options options(command_names[row], command.sentence, command.examples);
+  command.add(options, arguments);
+  add_common(options, arguments);
+  if (std::string help = options.parse(words); !help.empty()) {
+    arguments.command = Command::text;
+    arguments.text = std::move(help);
+    return arguments;
+  }
+  if (arguments.command == Command::query && (arguments.points.empty() || arguments.out.empty()))
+    refuse(arguments.points.empty() ? "--points" : "--out", "a file is needed",
+           "give both, as seascape query --points points.csv --out surface.csv");
+  if (arguments.command == Command::validate && arguments.files.empty())
+    refuse("", "no file to validate", "give one or more, as seascape validate scene.json");
+  if (arguments.views == 2 && arguments.eye != Eye::centre)
+    refuse("--eye", "one eye needs one view", "add --views 1");
+  Settings scratch;  // a wrong override is wrong usage, told before anything is opened
+  for (const Override& one : arguments.overrides) set_from_text(scratch, one.key, one.value, one.option, 2);
+  return arguments;
+}
+
+Scene scene_from(const Arguments& arguments, std::string_view preset) {
+  Scene scene = load_scene(arguments.scene, preset);
+  for (const Override& one : arguments.overrides) set_from_text(scene.settings, one.key, one.value, one.option, 2);
+  return scene;
+}
+
+CameraPath path_from(const Arguments& arguments, const Scene& scene) {
+  return load_camera_path(arguments.path.empty() ? scene.name : arguments.path);
+}
+
+}  // namespace seascape

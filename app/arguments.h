@@ -1,0 +1,59 @@
+// The command line: what was asked for, checked, before anything is opened or made.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/camera_path.h"
+#include "app/scene.h"
+
+namespace seascape {
+
+enum class Command { text, explore, replay, capture, plan, query, validate, doctor };
+enum class DisplayKind { automatic, window, headset, headless };
+enum class Eye { left, right, centre };
+enum class PictureFormat { png, exr };
+
+// --set key=value, or an option that stands for one (--seed, --stereo, --debug).
+struct Override {
+  std::string option, key, value;
+};
+
+struct Arguments {
+  Command command = Command::explore;
+  std::string text;                 // of Command::text: help or version, to print and exit 0
+
+  std::string scene = "open_sea";   // a file, or a name in content/scenes
+  std::string preset = "auto";      // of quality.h; "auto"; "all" for capture
+  std::string path;                 // a file or a name in content/paths; empty: named like the scene
+  DisplayKind display = DisplayKind::automatic;
+  int width = 0, height = 0;        // pixels an eye; 0: the display's own choice
+  int views = 2;                    // 1: one picture from `eye`; 2: left and right
+  Eye eye = Eye::centre;
+  double fps = 30.0;                // frames a second of simulated time
+  int frames = 0;                   // how many; 0: to the path's end (replay, capture), until closed (explore)
+  int start = 0;                    // replay: the path's first frame to draw
+  int warmup = 10;                  // capture: frames drawn before measuring
+  std::string out;                  // folder of results; query: the file
+  PictureFormat format = PictureFormat::png;
+  bool json = false;                // plan, doctor: machine-readable
+  std::string matrix;               // plan: a folder for the plans of every preset; empty: none
+  double time_s = 0.0;              // query
+  std::string points;               // query: CSV of x,z
+  std::vector<std::string> files;   // validate
+  std::vector<Override> overrides;  // in the order they take effect
+  std::string log_level = "info";   // trace debug info warn error off
+};
+
+// `words` without the program's name. No command means explore. Throws Error with exit code 2 for wrong usage, naming the
+// nearest known option.
+Arguments parse_arguments(std::span<const std::string> words);
+
+// The scene with the preset (resolved, see resolve_preset) and then the overrides applied.
+Scene scene_from(const Arguments& arguments, std::string_view preset);
+
+// The path of --path, or the one in content/paths that is named like the scene.
+CameraPath path_from(const Arguments& arguments, const Scene& scene);
+
+}  // namespace seascape

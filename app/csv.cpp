@@ -1,0 +1,97 @@
+#include "app/csv.h"
+
+#include <array>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double farthest_m = 1e7;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// Takes the next line off `rest`, without its end.
+std::string_view next_line(std::string_view& rest) {
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return trimmed(line);
+}
+
+// Splits a line into exactly two cells; false where it has another number of them.
+bool two_cells(std::string_view line, std::array<std::string_view, 2>& cells) {
+  const std::size_t comma = line.find(',');
+  if (comma == std::string_view::npos || line.find(',', comma + 1) != std::string_view::npos) return false;
+  cells = {trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1))};
+  return true;
+}
+
+double coordinate(std::string_view cell, std::string_view column, const std::string& place) {
+  const auto number = real_from(cell);
+  if (!number || std::abs(*number) > farthest_m)
+    throw Error(place, std::string(column) + ": " + in_quotes(cell) + (number ? " is out of range" : " is not a number"),
+                "give a number from -10000000 to 10000000 m");
+  return *number;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> parse_points(std::string_view text, const std::string& where) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  std::size_t line_number = 1;
+  const auto place = [&] { return where + ":" + std::to_string(line_number); };
+  std::array<std::string_view, 2> cells;
+  const std::string_view header = next_line(text);
+  if (!two_cells(header, cells) || cells[0] != "x" || cells[1] != "z")
+    throw Error(place(), "the header is " + in_quotes(header), "begin the file with the line x,z");
+  std::vector<glm::dvec2> points;
+  std::size_t empty_line = 0;  // the first of the empty lines just before this one
+  while (!text.empty()) {
+    const std::string_view line = next_line(text);
+    ++line_number;
+    if (line.empty()) {
+      if (empty_line == 0) empty_line = line_number;
+      continue;
+    }
+    if (empty_line != 0)
+      throw Error(where + ":" + std::to_string(empty_line), "an empty line among the points", "remove it");
+    if (!two_cells(line, cells))
+      throw Error(place(), in_quotes(line) + " does not have two columns", "write x,z: two numbers and one comma");
+    if (points.size() == most_csv_rows)
+      throw Error(place(), "more than " + std::to_string(most_csv_rows) + " points", "split the file");
+    const std::string here = place();
+    const double x = coordinate(cells[0], "x", here);
+    points.emplace_back(x, coordinate(cells[1], "z", here));
+  }
+  if (points.empty()) throw Error(place(), "no points after the header", "add a line with x,z for each point");
+  return points;
+}
+
+void append_csv_row(std::string& text, std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) text += ',';
+    text += text_from(values[i]);
+  }
+  text += '\n';
+}
+
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) {
+    if (c == '"') cell += '"';
+    cell += c;
+  }
+  return cell + "\"";
+}
+
+}  // namespace seascape

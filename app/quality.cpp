@@ -1,0 +1,59 @@
+#include "app/quality.h"
+
+#include <array>
+
+#include "engine/error.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+// Low and medium are profiles of a standalone headset: tile shape, tiles of waves in half floats, few cascades. High and
+// ultra are for PC VR. Resolution adds oversampling and whole short bands; it never changes a wave that is kept.
+constexpr PresetRow rows[] = {
+    // key                   low      medium   high       ultra
+    {"waves.resolution",     "128",   "256",   "256",     "512"},
+    {"waves.cascades",       "4",     "4",     "5",       "5"},
+    {"waves.half_storage",   "true",  "true",  "false",   "false"},
+    {"lod.patch_quads",      "16",    "32",    "64",      "64"},
+    {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},
+    {"lod.cull_scale",       "1.2",   "1.5",   "1.8",     "2.0"},
+    {"water.anisotropy",     "2",     "4",     "8",       "16"},
+    {"frame.shape",          "tile",  "tile",  "desktop", "desktop"},
+    {"msaa",                 "4",     "4",     "4",       "4"},
+};
+
+constexpr std::array<std::string_view, 4> names{"low", "medium", "high", "ultra"};
+
+}  // namespace
+
+std::span<const PresetRow> preset_rows() { return rows; }
+
+std::span<const std::string_view> preset_names() { return names; }
+
+std::string_view resolve_preset(std::string_view preset, DeviceClass device) {
+  if (preset != "auto") return preset;
+  switch (device) {
+    case DeviceClass::software: return "medium";
+    case DeviceClass::integrated: return "high";
+    case DeviceClass::discrete: return "ultra";
+  }
+  return "high";
+}
+
+void apply_preset(Settings& settings, std::string_view preset) {
+  std::string_view PresetRow::*column = nullptr;
+  if (preset == "low") column = &PresetRow::low;
+  if (preset == "medium") column = &PresetRow::medium;
+  if (preset == "high" || preset == "auto") column = &PresetRow::high;
+  if (preset == "ultra") column = &PresetRow::ultra;
+  if (column == nullptr)
+    throw Error("--preset", "unknown preset " + in_quotes(preset) + did_you_mean(preset, names),
+                "take " + listed(names) + ", or auto", 2);
+  Settings changed = settings;
+  for (const PresetRow& row : rows) set_from_text(changed, row.key, row.*column, "preset " + std::string(preset));
+  settings = changed;
+}
+
+}  // namespace seascape

@@ -1,0 +1,28 @@
+// The quality presets as rows of values, and the one that suits a device.
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "app/settings.h"
+
+namespace seascape {
+
+// One quality setting and its value in each preset, from low to ultra, as --set takes it.
+struct PresetRow {
+  std::string_view key, low, medium, high, ultra;
+};
+
+std::span<const PresetRow> preset_rows();
+// "low", "medium", "high", "ultra".
+std::span<const std::string_view> preset_names();
+
+enum class DeviceClass { software, integrated, discrete };
+
+// What `auto` means on such a device; any other name is returned as it is.
+std::string_view resolve_preset(std::string_view preset, DeviceClass device);
+
+// Sets every quality setting from the preset's column. "auto" where no device is known (query, validate) is "high".
+// Throws Error (exit code 2) for another name.
+void apply_preset(Settings& settings, std::string_view preset);
+
+}  // namespace seascape

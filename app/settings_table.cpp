@@ -1,0 +1,132 @@
+#include "app/settings.h"
+
+namespace seascape {
+
+namespace {
+
+// The member that a chain of pointers to members leads to: at<&Settings::sea, &SeaState::chop>(settings).
+template <auto... path>
+auto& at(Settings& settings) {
+  return (settings .* ... .* path);
+}
+
+template <auto... path>
+int choice_of(const Settings& settings) {
+  return static_cast<int>((settings .* ... .* path));
+}
+
+template <auto... path>
+void set_choice(Settings& settings, int index) {
+  auto& value = at<path...>(settings);
+  value = static_cast<std::remove_reference_t<decltype(value)>>(index);
+}
+
+template <auto member> constexpr RealMember real = &at<member>;
+template <auto member> constexpr auto sea = &at<&Settings::sea, member>;
+template <auto member> constexpr auto waves = &at<&Settings::waves, member>;
+template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
+template <auto member> constexpr auto water = &at<&Settings::water, member>;
+template <auto member> constexpr auto sky = &at<&Settings::sky, member>;
+template <auto member> constexpr auto render = &at<&Settings::render, member>;
+template <auto member>
+constexpr ChoiceMember render_choice{&choice_of<&Settings::render, member>, &set_choice<&Settings::render, member>};
+
+constexpr bool quality = true, rebuild = true;
+
+// The order is that of the panel and of docs/settings.md: groups stay together.
+const std::vector<Setting>& table() {
+  static const std::vector<Setting> rows{
+      {"waves.wind_speed_mps", "m/s", "Wind speed at 10 m height; 0 gives a sea without wind waves.",
+       sea<&SeaState::wind_speed_mps>, 0.0, 64.0},
+      {"waves.wind_to_deg", "deg", "Direction the wind blows to, clockwise from -z seen from above.",
+       sea<&SeaState::wind_to_deg>, 0.0, 360.0},
+      {"waves.fetch_m", "m", "How far the wind has blown over open water; short fetches give short, steep waves.",
+       sea<&SeaState::fetch_m>, 0.0, 1e9},
+      {"waves.peak_enhancement", "", "JONSWAP's gamma: 1 is a fully developed sea with a broad peak, 7 a sharp young one.",
+       sea<&SeaState::peak_enhancement>, 1.0, 7.0},
+      {"waves.swell_height_m", "m", "Significant height of a swell train from a far storm; 0 for none.",
+       sea<&SeaState::swell_height_m>, 0.0, 15.0},
+      {"waves.swell_period_s", "s", "Peak period of the swell.", sea<&SeaState::swell_period_s>, 4.0, 22.0},
+      {"waves.swell_to_deg", "deg", "Direction the swell travels to, clockwise from -z seen from above.",
+       sea<&SeaState::swell_to_deg>, 0.0, 360.0},
+      {"waves.chop", "", "Horizontal displacement that sharpens crests: 0 none, 1 as linear theory has it.",
+       sea<&SeaState::chop>, 0.0, 2.0},
+      {"waves.small_wave_suppression", "", "Damps waves shorter than about 2 m for comfort in a headset, 0 none to 1 most.",
+       sea<&SeaState::small_wave_suppression>, 0.0, 1.0},
+      {"waves.gravity_mps2", "m/s2", "Acceleration of gravity.", sea<&SeaState::gravity_mps2>, 1.0, 30.0},
+      {"waves.seed", "", "Which sea of the same statistics; independent of quality.", sea<&SeaState::seed>, 0.0,
+       4294967295.0},
+      {"waves.resolution", "", "Samples a side of each cascade's tile.", waves<&WaveQuality::resolution>, 16.0, 512.0,
+       {"16", "32", "64", "128", "256", "512"}, quality, rebuild},
+      {"waves.cascades", "", "How many cascades of waves are kept, the longest first.", waves<&WaveQuality::cascades>, 1.0,
+       5.0, {}, quality, rebuild},
+      {"waves.half_storage", "", "Stores the tiles of waves on the GPU as 16-bit floats.",
+       waves<&WaveQuality::half_storage>, 0.0, 1.0, {}, quality, rebuild},
+
+      {"lod.ocean_size_m", "m", "Side of the square that is divided into patches; a skirt goes on to the horizon.",
+       lod<&LodSettings::ocean_size_m>, 256.0, 8192.0, {}, false, rebuild},
+      {"lod.patch_quads", "", "Quads along a patch's side.", lod<&LodSettings::patch_quads>, 16.0, 64.0,
+       {"16", "32", "64"}, quality, rebuild},
+      {"lod.threshold", "", "A patch splits when its size over its distance exceeds this; lower gives more detail.",
+       lod<&LodSettings::threshold>, 0.5, 4.0, {}, quality, rebuild},
+      {"lod.cull_scale", "", "How much a patch's bounds grow before it is culled.", lod<&LodSettings::cull_scale>, 1.0, 4.0,
+       {}, quality, false},
+      {"lod.levels", "", "Depth of the quadtree; 0 takes as many levels as the quality needs.",
+       lod<&LodSettings::levels>, 0.0, 12.0, {}, false, rebuild},
+      {"lod.max_height_m", "m", "Largest displacement that culling expects; 0 takes it from the waves.",
+       lod<&LodSettings::max_height_m>, 0.0, 200.0},
+      {"lod.skirt_multiplier", "", "The skirt keeps the density of the outermost patches for this many ocean sizes.",
+       lod<&LodSettings::skirt_multiplier>, 1.0, 20.0, {}, false, rebuild},
+      {"lod.earth_curvature", "", "The sea falls away with the curve of the Earth, so that it has a true horizon.",
+       lod<&LodSettings::earth_curvature>, 0.0, 1.0},
+
+      {"water.chlorophyll_mg_m3", "mg/m3", "Chlorophyll in the water: 0.01 the bluest ocean, 10 a green coast.",
+       water<&WaterSettings::chlorophyll_mg_m3>, 0.01, 10.0},
+      {"water.crest_light", "", "Strength of sunlight seen through thin crests: 1 as derived, 0 none.",
+       water<&WaterSettings::crest_light>, 0.0, 4.0},
+      {"water.whitecaps", "", "Strength of whitecaps where the scene has the foam effect: 1 as derived, 0 none.",
+       water<&WaterSettings::whitecaps>, 0.0, 4.0},
+      {"water.glitter", "", "Strength of the sun's reflection: 1 as derived, 0 none.", water<&WaterSettings::glitter>, 0.0,
+       4.0},
+      {"water.anisotropy", "", "Largest anisotropy of the slopes' samplers, where the device has it.",
+       water<&WaterSettings::anisotropy>, 1.0, 16.0, {}, quality, rebuild},
+
+      {"sky.sun_elevation_deg", "deg", "Height of the sun above the horizon.", sky<&SkySettings::sun_elevation_deg>, -5.0,
+       90.0},
+      {"sky.sun_to_deg", "deg", "Where the sun stands, clockwise from -z seen from above.", sky<&SkySettings::sun_to_deg>,
+       0.0, 360.0},
+      {"sky.haze", "", "Aerosol in the air: 0 pure air, 1 a clear day at sea, 8 milky.", sky<&SkySettings::haze>, 0.0, 8.0},
+      {"sky.visibility_m", "m", "Distance at which haze leaves 2 % of the contrast.", sky<&SkySettings::visibility_m>, 100.0,
+       1e6},
+      {"sky.exposure_ev", "EV", "Stops added to the automatic exposure.", sky<&SkySettings::exposure_ev>, -10.0, 10.0},
+
+      {"msaa", "", "Samples a pixel.", render<&RenderSettings::msaa>, 1.0, 8.0, {"1", "2", "4", "8"}, quality, rebuild},
+      {"frame.shape", "", "How a frame is drawn: tile for standalone headsets, desktop for PC VR.",
+       render_choice<&RenderSettings::shape>, 0.0, 0.0, {"tile", "desktop"}, quality, rebuild},
+      {"stereo.mode", "", "One pass for both eyes or a pass per eye; auto takes one where the driver draws it rightly.",
+       render_choice<&RenderSettings::stereo>, 0.0, 0.0, {"auto", "single", "per-eye"}, false, rebuild},
+      {"stereo.eye_distance_m", "m", "Distance between the eyes where no headset gives it.",
+       render<&RenderSettings::eye_distance_m>, 0.0, 0.2},
+      {"camera.vertical_fov_deg", "deg", "Vertical field of view of a window and of headless pictures.",
+       render<&RenderSettings::vertical_fov_deg>, 1.0, 170.0},
+      {"camera.near_m", "m", "Distance of the near plane.", render<&RenderSettings::near_m>, 0.001, 10.0},
+
+      {"time.scale", "", "Speed of the sea's time; 0 stands still.", real<&Settings::time_scale>, 0.0, 8.0},
+      {"time.start_s", "s", "The sea's time at the start.", real<&Settings::time_start_s>, -1e9, 1e9},
+
+      {"debug.view", "", "Paints something else than light: holes in magenta, levels, wires, normals, slices.",
+       render_choice<&RenderSettings::debug>, 0.0, 0.0, {"none", "holes", "lod", "wireframe", "normals", "slices"}, false,
+       rebuild},
+      {"debug.freeze", "", "Keeps the patches of the last frame, to look at them from elsewhere.",
+       lod<&LodSettings::freeze>, 0.0, 1.0},
+      {"debug.drop_patch", "", "Leaves out the patch of this number, the control of tests for holes; -1 none.",
+       lod<&LodSettings::drop_patch>, -1.0, 1e6},
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const Setting> settings_table() { return table(); }
+
+}  // namespace seascape

@@ -1,0 +1,82 @@
+#include "app/validate.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/camera_path.h"
+#include "app/commands.h"
+#include "app/located_json.h"
+#include "app/scene.h"
+#include "engine/files.h"
+#include "engine/gltf.h"
+#include "engine/image_file.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string picture_summary(const char* kind, int width, int height) {
+  return std::string(kind) + " of " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
+}
+
+std::string json_summary(const std::string& text, const std::string& where, Faults& faults) {
+  const LocatedJson json = parse_located_json(text, where);
+  if (json.member("keys") != nullptr) {
+    const CameraPath path = parse_camera_path(text, where, faults);
+    return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s";
+  }
+  const Scene scene = parse_scene(text, where, "auto", faults);
+  return "a scene with " + counted(scene.effects.size(), "effect");
+}
+
+std::string model_summary(const std::filesystem::path& file) {
+  const Model model = load_gltf(file);
+  std::size_t triangles = 0;
+  for (const MeshPart& part : model.parts) triangles += part.indices.size() / 3;
+  return "a model of " + counted(model.parts.size(), "part") + " and " + counted(triangles, "triangle");
+}
+
+}  // namespace
+
+FileVerdict validate_file(const std::filesystem::path& file) {
+  std::string kind = file.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  FileVerdict verdict;
+  Faults faults(true);
+  faults.attempt([&] {
+    if (kind == ".json") {
+      verdict.summary = json_summary(read_text(file, largest_json_bytes), file.string(), faults);
+    } else if (kind == ".gltf" || kind == ".glb") {
+      verdict.summary = model_summary(file);
+    } else if (kind == ".png") {
+      const Image8 image = read_png(file);
+      verdict.summary = picture_summary("a PNG image", image.width, image.height);
+    } else if (kind == ".exr") {
+      const ImageF image = read_exr(file);
+      verdict.summary = picture_summary("an EXR image", image.width, image.height);
+    } else {
+      throw Error(file.string(), "the kind " + in_quotes(kind) + " is not known",
+                  "give .json scenes and paths, .gltf or .glb models, .png or .exr images");
+    }
+  });
+  verdict.faults = faults.list();
+  return verdict;
+}
+
+int run_validate(const Arguments& arguments) {
+  int exit_code = 0;
+  for (const std::string& file : arguments.files) {
+    const FileVerdict verdict = validate_file(file);
+    for (const Error& fault : verdict.faults) std::fprintf(stderr, "seascape: %s\n", fault.what());
+    if (verdict.faults.empty()) std::printf("%s: %s\n", file.c_str(), verdict.summary.c_str());
+    if (!verdict.faults.empty()) exit_code = 1;
+  }
+  return exit_code;
+}
+
+}  // namespace seascape
