@@ -5,14 +5,19 @@ find_program(SPIRV_VAL spirv-val REQUIRED)
 file(GLOB SHADER_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.frag
   ${CMAKE_SOURCE_DIR}/shaders/*.comp)
 set(SHADER_OUTPUTS)
+# Paths are relative to the build folder: a dependency file does not survive a space in the path of the project.
+file(RELATIVE_PATH SHADER_FOLDER ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/shaders)
 foreach(source ${SHADER_SOURCES})
   get_filename_component(name ${source} NAME)
   set(output ${CMAKE_BINARY_DIR}/shaders/${name}.spv)
+  set(relative shaders/${name}.spv)
   add_custom_command(OUTPUT ${output}
-    COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -g0 -I${CMAKE_SOURCE_DIR}/shaders --depfile ${output}.d -o ${output}.tmp ${source}
-    COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${output}.tmp
-    COMMAND ${CMAKE_COMMAND} -E rename ${output}.tmp ${output}
-    COMMAND sed -i "s|^[^:]*:|${output}:|" ${output}.d
+    COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -g0 -I${SHADER_FOLDER} --depfile ${relative}.d
+      -o ${relative}.tmp ${SHADER_FOLDER}/${name}
+    COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${relative}.tmp
+    COMMAND ${CMAKE_COMMAND} -E rename ${relative}.tmp ${relative}
+    COMMAND sed -i "s|^[^:]*:|${relative}:|" ${relative}.d
+    WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
     DEPENDS ${source} DEPFILE ${output}.d COMMENT "Shader ${name}" VERBATIM)
   list(APPEND SHADER_OUTPUTS ${output})
 endforeach()
