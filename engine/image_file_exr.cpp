@@ -27,7 +27,8 @@ namespace {
 
 constexpr int slab_lines = 64;                                     // read at a time
 constexpr std::uint64_t most_chunk_bytes = std::uint64_t{256} << 20;  // of one tile or block of lines, all channels
-constexpr std::uint64_t most_padding_pixels = std::uint64_t{1} << 24;
+// Pixels outside the data window cost the file nothing: so many are always allowed, and so many for each byte of the file.
+constexpr std::uint64_t padding_pixels = std::uint64_t{1} << 22, padding_pixels_a_byte = 256;
 
 class ReadMemory : public Imf::IStream {
  public:
@@ -107,11 +108,11 @@ Window window_of(const Imath::Box2i& box) {
 }
 
 // Refuses what would need more memory than the picture is worth.
-void check_sizes(const Imf::Header& header, const Window& shown, const Window& data, const std::string& where) {
+void check_sizes(const Imf::Header& header, const Window& shown, const Window& data, std::size_t file_bytes, const std::string& where) {
   const std::int64_t common_width = std::min(shown.left + shown.width, data.left + data.width) - std::max(shown.left, data.left);
   const std::int64_t common_height = std::min(shown.top + shown.height, data.top + data.height) - std::max(shown.top, data.top);
   const std::int64_t held = std::max<std::int64_t>(common_width, 0) * std::max<std::int64_t>(common_height, 0);
-  if (static_cast<std::uint64_t>(shown.width * shown.height - held) > most_padding_pixels)
+  if (static_cast<std::uint64_t>(shown.width * shown.height - held) > std::max(padding_pixels, padding_pixels_a_byte * file_bytes))
     throw Error(where, "is almost all empty: its data window covers too little of its display window", "crop it to what it shows");
   // DWAB packs the most lines into a block: 256.
   std::uint64_t block = static_cast<std::uint64_t>(data.width) * 256;
@@ -139,7 +140,7 @@ ImageF read_part(Imf::MultiPartInputFile& file, int part, std::size_t file_bytes
   const Imf::Header& header = file.header(part);
   const Imf::ChannelList& channels = header.channels();
   const Window shown = window_of(header.displayWindow()), data = window_of(header.dataWindow());
-  check_sizes(header, shown, data, where);
+  check_sizes(header, shown, data, file_bytes, where);
   check_channels(channels, where);
   const bool grey = !channels.findChannel("R") && !channels.findChannel("G") && !channels.findChannel("B");
   const bool alpha = channels.findChannel("A") != nullptr;

@@ -128,7 +128,8 @@ TEST(ExrFile, ThePictureIsTheDisplayWindow) {
   const ImageF apart = read_exr(folder / "b.exr");
   EXPECT_EQ(at(apart, 2, 2, 0), 0.0f);
   EXPECT_EQ(at(apart, 2, 2, 3), 1.0f);
-  write_channels(folder / "c.exr", header_of(box(0, 0, 16383, 16383), box(0, 0, 3, 3)), {"R"});
+  // Found by the fuzzer: 322 bytes that asked for 256 MiB of padding.
+  write_channels(folder / "c.exr", header_of(box(0, 0, 2999, 2999), box(0, 0, 3, 3)), {"R"});
   EXPECT_THAT(error_of([&] { read_exr(folder / "c.exr"); }), HasSubstr("almost all empty"));
 }
 

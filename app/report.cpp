@@ -1,0 +1,263 @@
+#include "app/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "app/report_plots.h"
+#include "app/statistics.h"
+#include "engine/files.h"
+
+namespace seascape {
+
+namespace {
+
+// RFC 4180: a field with a comma, quote or line end goes into quotes, quotes inside are doubled.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+// In the order in which they are first met.
+std::vector<std::string> all_passes(const std::vector<CaptureRun>& runs) {
+  std::vector<std::string> names;
+  for (const CaptureRun& run : runs)
+    for (const std::string& name : run.pass_names)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+double percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+// "0 %", "0.3 %", "97.5 %", "100 %": never a 0 or a 100 that is only rounded.
+std::string percent_text(std::size_t part, std::size_t whole) {
+  const double value = percent(part, whole);
+  if (part == 0 || part == whole) return fmt::format("{:.0f} %", value);
+  return fmt::format("{:.1f} %", std::clamp(value, 0.1, 99.9));
+}
+
+std::uint64_t median_of(const CaptureRun& run, std::uint64_t CaptureFrame::*member) {
+  std::vector<double> values;
+  for (const CaptureFrame& frame : run.frames) values.push_back(static_cast<double>(frame.*member));
+  return static_cast<std::uint64_t>(summarise(values).median + 0.5);
+}
+
+std::uint64_t bytes_of(const CaptureRun& run) {
+  std::uint64_t bytes = 0;
+  for (const MemoryUse& use : run.memory) bytes += use.bytes;
+  return bytes;
+}
+
+std::string mebibytes(std::uint64_t bytes) { return fmt::format("{:.1f}", static_cast<double>(bytes) / 1048576.0); }
+
+// 1234567 as 1 234 567, with spaces that do not break.
+std::string grouped(std::uint64_t value) {
+  std::string text = std::to_string(value);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, "\u202f");
+  return text;
+}
+
+bool software(const Machine& machine) {
+  for (const char* name : {"llvmpipe", "lavapipe", "SwiftShader"})
+    if (machine.device.find(name) != std::string::npos || machine.driver.find(name) != std::string::npos) return true;
+  return false;
+}
+
+std::string summary_table(const std::vector<CaptureRun>& runs) {
+  std::string text =
+      "<div class=\"wide\"><table>\n<thead><tr><th rowspan=\"2\">Run</th><th rowspan=\"2\">Frames</th><th colspan=\"5\">Frame time, ms</th><th colspan=\"2\">Median, ms</th>"
+      "<th colspan=\"4\">Frames missed at</th><th rowspan=\"2\">Memory<br>MiB</th><th rowspan=\"2\">Draws</th>"
+      "<th rowspan=\"2\">Triangles</th></tr>\n<tr><th>median</th><th>p5</th><th>p95</th><th>p99</th><th>max</th>"
+      "<th>CPU</th><th>GPU</th>";
+  for (const int rate : display_rates_hz) text += fmt::format("<th>{} Hz</th>", rate);
+  text += "</tr></thead>\n<tbody>\n";
+  for (const CaptureRun& run : runs) {
+    const std::vector<double> times = frame_times_ms(run);
+    const Summary all = summarise(times);
+    std::vector<double> cpu, gpu;
+    for (const CaptureFrame& frame : run.frames) {
+      cpu.push_back(frame.cpu_ms);
+      gpu.push_back(frame.gpu_ms);
+    }
+    text += fmt::format("<tr><th>{}</th><td>{}</td>", html_escaped(run_label(run, runs)), run.frames.size());
+    for (const double value : {all.median, all.p5, all.p95, all.p99, all.max, summarise(cpu).median, summarise(gpu).median})
+      text += fmt::format("<td>{:.2f}</td>", value);
+    for (const int rate : display_rates_hz) {
+      const std::size_t missed = count_missed(times, rate);
+      const char* mark = missed == 0 ? "good" : missed * 100 <= times.size() ? "fair" : "bad";
+      text += fmt::format("<td class=\"{}\">{}</td>", mark, percent_text(missed, times.size()));
+    }
+    text += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", mebibytes(bytes_of(run)), median_of(run, &CaptureFrame::draws),
+                        grouped(median_of(run, &CaptureFrame::triangles)));
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+std::string memory_table(const std::vector<CaptureRun>& runs) {
+  std::vector<std::string> tags;
+  for (const CaptureRun& run : runs)
+    for (const MemoryUse& use : run.memory)
+      if (std::find(tags.begin(), tags.end(), use.tag) == tags.end()) tags.push_back(use.tag);
+  if (tags.empty()) return "";
+  std::string text = "<h2>Memory</h2>\n<p>MiB of device memory, by what it is for.</p>\n<div class=\"wide\"><table><thead><tr><th>For</th>";
+  for (const CaptureRun& run : runs) text += "<th>" + html_escaped(run_label(run, runs)) + "</th>";
+  text += "</tr></thead><tbody>\n";
+  for (const std::string& tag : tags) {
+    text += "<tr><th>" + html_escaped(tag) + "</th>";
+    for (const CaptureRun& run : runs) {
+      std::uint64_t bytes = 0;
+      for (const MemoryUse& use : run.memory)
+        if (use.tag == tag) bytes += use.bytes;
+      text += "<td>" + mebibytes(bytes) + "</td>";
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+std::string machine_list(const Machine& machine, const std::vector<CaptureRun>& runs) {
+  std::string text = "<dl>";
+  const auto row = [&](const char* name, const std::string& value) {
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>", name, value.empty() ? "not known" : html_escaped(value));
+  };
+  row("Device", machine.device);
+  row("Driver", machine.driver);
+  row("Processor", fmt::format("{}, {} cores", machine.cpu.empty() ? "not known" : machine.cpu, machine.cores));
+  row("Build", machine.build);
+  row("Date", machine.date);
+  row("Seed", std::to_string(machine.seed));
+  std::string scenes;
+  for (const CaptureRun& run : runs) {
+    const std::string scene = run.path.empty() || run.path == run.scene ? run.scene : run.scene + " along " + run.path;
+    if (scenes.find(scene) == std::string::npos) scenes += (scenes.empty() ? "" : ", ") + scene;
+  }
+  row("Scene", scenes);
+  std::string pictures;  // once where all runs have the same
+  for (const CaptureRun& run : runs) {
+    const std::string picture = fmt::format("{} × {}, {}, {} × MSAA", run.width, run.height,
+                                            run.views == 1 ? "1 view" : fmt::format("{} views", run.views), run.msaa);
+    if (pictures.find(picture) == std::string::npos) pictures += (pictures.empty() ? "" : "; ") + picture;
+  }
+  row("Picture", pictures);
+  if (!runs.empty()) row("Warm-up", fmt::format("{} frames, not counted", runs.front().warmup));
+  return text + "</dl>\n";
+}
+
+constexpr const char* style = R"(
+:root{--page:#fbfcfd;--ink:#1b2530;--quiet:#5a6875;--line:#d5dce2;--good:#0b6e4f;--fair:#8a5a00;--bad:#b3261e;
+--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#9c4f96;--c4:#b07d00;--c5:#3a9bd1;--c6:#7a5230;--c7:#5f6b76}
+@media (prefers-color-scheme:dark){:root{--page:#11171c;--ink:#e3e9ee;--quiet:#9aa8b4;--line:#33404b;--good:#5fd3a5;--fair:#e8b64c;
+--bad:#ff8a7d;--c0:#5cb3ec;--c1:#ff9155;--c2:#3fd0a0;--c3:#d78fd0;--c4:#e2b23f;--c5:#9bd4f5;--c6:#c79a70;--c7:#a3afba}}
+body{background:var(--page);color:var(--ink);font:16px/1.5 system-ui,sans-serif;max-width:1080px;margin:2rem auto;padding:0 1.2rem}
+h1{font-size:1.7rem;margin:0 0 .6rem}h2{font-size:1.15rem;margin:2.2rem 0 .4rem}p{margin:.4rem 0;max-width:75ch}
+.verdict{font-size:1.08rem}.note,figcaption{color:var(--quiet);font-size:.9rem}
+table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}
+th,td{padding:.3rem .5rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
+thead th{font-weight:600;color:var(--quiet);text-align:center}tbody th{text-align:left}
+.good{color:var(--good)}.fair{color:var(--fair)}.bad{color:var(--bad)}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;font-size:.92rem}dt{color:var(--quiet)}dd{margin:0}
+figure{margin:.6rem 0}svg{width:100%;height:auto;display:block}svg text{fill:var(--ink);font:13px system-ui,sans-serif}
+svg .quiet{fill:var(--quiet)}svg .axis{stroke:var(--line)}svg .budget{stroke:var(--quiet);stroke-dasharray:5 4}
+)";
+
+}  // namespace
+
+double frame_ms(const CaptureFrame& frame) {
+  if (std::isnan(frame.cpu_ms) || std::isnan(frame.gpu_ms)) return std::numeric_limits<double>::quiet_NaN();
+  return std::max(frame.cpu_ms, frame.gpu_ms);
+}
+
+std::vector<double> frame_times_ms(const CaptureRun& run) {
+  std::vector<double> times;
+  times.reserve(run.frames.size());
+  for (const CaptureFrame& frame : run.frames) times.push_back(frame_ms(frame));
+  return times;
+}
+
+std::string capture_csv(const std::vector<CaptureRun>& runs) {
+  const std::vector<std::string> passes = all_passes(runs);
+  std::string text = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
+  for (const std::string& name : passes) text += "," + csv_field("gpu_" + name + "_ms");
+  text += "\n";
+  for (const CaptureRun& run : runs) {
+    std::vector<std::size_t> column(passes.size());  // of the run's own passes; past their end: none
+    for (std::size_t i = 0; i < passes.size(); ++i)
+      column[i] = static_cast<std::size_t>(std::find(run.pass_names.begin(), run.pass_names.end(), passes[i]) - run.pass_names.begin());
+    const std::string start = csv_field(run.scene) + "," + csv_field(run.preset);
+    for (const CaptureFrame& frame : run.frames) {
+      const double ms = frame_ms(frame);
+      fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.4f},{:.4f},{},{},{},{:d},{:d},{:d}", start, frame.frame,
+                     frame.time_s, frame.cpu_ms, frame.gpu_ms, frame.draws, frame.triangles, frame.dispatches, is_missed(ms, 72),
+                     is_missed(ms, 90), is_missed(ms, 120));
+      for (const std::size_t place : column)
+        fmt::format_to(std::back_inserter(text), ",{:.4f}", place < frame.pass_ms.size() ? frame.pass_ms[place] : 0.0);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string conclusion(const CaptureRun& run) {
+  const std::vector<double> times = frame_times_ms(run);
+  if (times.empty()) return fmt::format("{} has no frames.", run.preset);
+  const double median = summarise(times).median;
+  int held = 0, missed = 0;  // the fastest rate held, the slowest missed
+  for (const int rate : display_rates_hz) {
+    if (count_missed(times, rate) * 100 <= times.size()) held = rate;
+    else if (missed == 0) missed = rate;
+  }
+  const auto against = [&](int rate) { return fmt::format("median {:.1f} ms against {:.1f} ms", median, budget_ms(rate)); };
+  std::string text = run.preset;
+  if (held) text += fmt::format(" holds {} Hz ({} of frames missed)", held, percent_text(count_missed(times, held), times.size()));
+  if (held && missed) text += " and";
+  if (missed) text += fmt::format(" misses {} Hz in {} of frames", missed, percent_text(count_missed(times, missed), times.size()));
+  return text + ": " + against(missed ? missed : held) + ".";
+}
+
+std::string report_html(const Machine& machine, const std::vector<CaptureRun>& runs) {
+  std::string title = "Seascape capture";
+  if (!runs.empty()) title += ": " + runs.front().scene;
+  std::string text = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
+      "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n", html_escaped(title), style);
+  std::size_t fewest = runs.empty() ? 0 : runs.front().frames.size();
+  for (const CaptureRun& run : runs) {
+    text += "<p class=\"verdict\">" + html_escaped(conclusion(run)) + "</p>\n";
+    fewest = std::min(fewest, run.frames.size());
+  }
+  if (runs.empty()) text += "<p class=\"verdict\">Nothing was captured.</p>\n";
+  if (software(machine))
+    text += "<p class=\"note\">The device draws in software on the processor, so these times say nothing about a graphics card; "
+            "they compare one build with another on this machine.</p>\n";
+  if (!runs.empty() && fewest < 100)
+    text += fmt::format("<p class=\"note\">With only {} frames in a run, p99 is little more than its slowest frame.</p>\n", fewest);
+  text += machine_list(machine, runs);
+  if (!runs.empty()) {
+    text += "<h2>Summary</h2>\n" + summary_table(runs) +
+            "<p class=\"note\">A frame's time is the longer of its CPU and its GPU time, since the two work side by side. A frame is "
+            "missed when that is over the display's interval. Draws and triangles are medians.</p>\n";
+    text += "<h2>Frame time along the path</h2>\n" + frame_time_plot(runs);
+    text += "<h2>Where the GPU's time goes</h2>\n" + pass_time_plot(runs);
+    text += "<h2>Spread of frame times</h2>\n" + histogram_plot(runs);
+    text += memory_table(runs);
+  }
+  return text + "</body>\n</html>\n";
+}
+
+void write_capture_csv(const std::filesystem::path& file, const std::vector<CaptureRun>& runs) {
+  write_atomically(file, capture_csv(runs));
+}
+
+void write_report(const std::filesystem::path& file, const Machine& machine, const std::vector<CaptureRun>& runs) {
+  write_atomically(file, report_html(machine, runs));
+}
+
+}  // namespace seascape

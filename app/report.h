@@ -1,0 +1,60 @@
+// What `seascape capture` measured, and the files it leaves: capture.csv and report.html (trace.json: trace.h).
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace seascape {
+
+struct CaptureFrame {
+  int frame = 0;        // of the path
+  double time_s = 0.0;  // along the path
+  double cpu_ms = 0.0, gpu_ms = 0.0;
+  std::uint64_t draws = 0, triangles = 0, dispatches = 0;
+  std::vector<double> pass_ms;  // GPU time, one for each of CaptureRun::pass_names
+};
+
+struct MemoryUse {
+  std::string tag;  // what the memory is for
+  std::uint64_t bytes = 0;
+};
+
+// One scene at one preset.
+struct CaptureRun {
+  std::string scene, path, preset;
+  int width = 0, height = 0;  // per view
+  int views = 1, msaa = 1;
+  int warmup = 0;             // frames drawn before the first that counts
+  std::vector<std::string> pass_names;
+  std::vector<CaptureFrame> frames;
+  std::vector<MemoryUse> memory;
+};
+
+struct Machine {
+  std::string device, driver, cpu;
+  int cores = 0;
+  std::string build, date;  // build: version and configuration
+  std::uint64_t seed = 0;
+};
+
+// What a display waits for: the longer of CPU and GPU, which work on different frames at the same time. Milliseconds; NaN if
+// either is.
+double frame_ms(const CaptureFrame& frame);
+std::vector<double> frame_times_ms(const CaptureRun& run);
+
+// One row a frame; columns as DESIGN.md fixes them, then gpu_NAME_ms for each pass of any run, 0 where a run has no such pass.
+// Numbers are locale-independent; a NaN is written as nan.
+std::string capture_csv(const std::vector<CaptureRun>& runs);
+
+// One sentence for a run: which display rates it holds (1 % of frames missed at most) and which it misses, in figures.
+std::string conclusion(const CaptureRun& run);
+
+// One self-contained page: no script, no network, light and dark.
+std::string report_html(const Machine& machine, const std::vector<CaptureRun>& runs);
+
+// Atomic; throw Error.
+void write_capture_csv(const std::filesystem::path& file, const std::vector<CaptureRun>& runs);
+void write_report(const std::filesystem::path& file, const Machine& machine, const std::vector<CaptureRun>& runs);
+
+}  // namespace seascape

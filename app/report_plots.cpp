@@ -1,0 +1,291 @@
+#include "app/report_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "app/statistics.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double plot_width = 1000.0, left_edge = 64.0, right_edge = 112.0;  // of the whole picture; units are SVG's
+constexpr int colours = 8;
+
+std::string colour(std::size_t index) { return fmt::format("var(--c{})", index % colours); }
+
+std::string open_svg(double height, const std::string& description) {
+  return fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", plot_width, height,
+                     html_escaped(description));
+}
+
+std::string text_at(double x, double y, const std::string& text, const char* anchor = "start", bool quiet = true,
+                    const std::string& fill = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}{}>{}</text>\n", x, y, anchor,
+                     quiet ? " class=\"quiet\"" : "", fill.empty() ? "" : fmt::format(" style=\"fill:{}\"", fill),
+                     html_escaped(text));
+}
+
+std::string line(double x0, double y0, double x1, double y1, const char* kind) {
+  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1, kind);
+}
+
+// A round step (1, 2 or 5 times a power of ten) that divides `span` into at most `most` parts.
+double round_step(double span, int most) {
+  const double least = span / most;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least * (1.0 - 1e-12)) return factor * power;
+  return 10.0 * power;
+}
+
+std::string tick_text(double value, double step) {
+  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+// The top of the scale of frame times: what holds 99 % of every run and the slowest budget; a few outliers go past it.
+double top_ms(const std::vector<CaptureRun>& runs) {
+  double top = budget_ms(72) * 1.15;
+  for (const CaptureRun& run : runs) {
+    const Summary summary = summarise(frame_times_ms(run));
+    top = std::max(top, std::min(summary.max, 1.3 * summary.p99) * 1.08);
+  }
+  return top;
+}
+
+struct Legend {
+  std::string name, fill;
+};
+
+std::string legend(const std::vector<Legend>& entries, double y) {
+  std::string text;
+  double x = left_edge;
+  for (const Legend& entry : entries) {
+    const double width = 28.0 + 8.0 * static_cast<double>(entry.name.size());
+    if (x + width > plot_width) {
+      x = left_edge;
+      y += 20.0;
+    }
+    text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" rx=\"2\" style=\"fill:{}\"/>\n", x, y - 11.0,
+                        entry.fill);
+    text += text_at(x + 18.0, y, entry.name, "start", false);
+    x += width + 8.0;
+  }
+  return text;
+}
+
+double legend_height(const std::vector<Legend>& entries) {
+  double x = left_edge, height = 24.0;
+  for (const Legend& entry : entries) {
+    const double width = 28.0 + 8.0 * static_cast<double>(entry.name.size());
+    if (x + width > plot_width) {
+      x = left_edge;
+      height += 20.0;
+    }
+    x += width + 8.0;
+  }
+  return height;
+}
+
+// Points of a line, at most two for each step across the picture: the least and the greatest there, so that no spike is lost.
+std::vector<std::pair<double, double>> thinned(const std::vector<std::pair<double, double>>& points, std::size_t most) {
+  if (points.size() <= 2 * most) return points;
+  std::vector<std::pair<double, double>> kept;
+  for (std::size_t step = 0; step < most; ++step) {
+    const auto from = points.begin() + static_cast<std::ptrdiff_t>(step * points.size() / most);
+    const auto to = points.begin() + static_cast<std::ptrdiff_t>((step + 1) * points.size() / most);
+    auto [low, high] = std::minmax_element(from, to, [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (high < low) std::swap(low, high);
+    kept.push_back(*low);
+    if (high != low) kept.push_back(*high);
+  }
+  return kept;
+}
+
+double mean_pass_ms(const CaptureRun& run, std::size_t pass) {
+  std::vector<double> values;
+  for (const CaptureFrame& frame : run.frames) values.push_back(pass < frame.pass_ms.size() ? frame.pass_ms[pass] : 0.0);
+  return summarise(values).mean;
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&#39;"; break;
+      default: escaped += (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') ? '?' : c;
+    }
+  }
+  return escaped;
+}
+
+std::string run_label(const CaptureRun& run, const std::vector<CaptureRun>& runs) {
+  const bool plain = std::all_of(runs.begin(), runs.end(), [&](const CaptureRun& other) {
+    return other.scene == run.scene && (&other == &run || other.preset != run.preset);
+  });
+  return plain ? run.preset : run.scene + " / " + run.preset;
+}
+
+std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
+  constexpr double top = 14.0, bottom = 330.0;
+  double first = 0.0, last = 0.0;
+  bool any = false;
+  for (const CaptureRun& run : runs)
+    for (const CaptureFrame& frame : run.frames) {
+      if (!std::isfinite(frame.time_s)) continue;
+      first = any ? std::min(first, frame.time_s) : frame.time_s;
+      last = any ? std::max(last, frame.time_s) : frame.time_s;
+      any = true;
+    }
+  if (!any) return "<p>No frames.</p>\n";
+  if (last - first < 1e-9) last = first + 1.0;
+  const double most = top_ms(runs);
+  const auto x_of = [&](double s) { return left_edge + (s - first) / (last - first) * (plot_width - left_edge - right_edge); };
+  const auto y_of = [&](double ms) { return bottom - std::min(ms, most) / most * (bottom - top); };
+
+  std::vector<Legend> entries;
+  for (std::size_t i = 0; i < runs.size(); ++i) entries.push_back({run_label(runs[i], runs), colour(i)});
+  std::string text = "<figure>" + open_svg(bottom + 44.0 + legend_height(entries), "Frame time of each run along the path");
+  for (double ms = 0.0, step = round_step(most, 7); ms <= most; ms += step) {
+    text += line(left_edge, y_of(ms), plot_width - right_edge, y_of(ms), "axis");
+    text += text_at(left_edge - 8.0, y_of(ms) + 4.0, tick_text(ms, step), "end");
+  }
+  text += text_at(16.0, top + 4.0, "ms", "start");
+  const double step_s = round_step(last - first, 10);
+  for (double s = std::ceil(first / step_s) * step_s; s <= last + 1e-9; s += step_s)
+    text += text_at(x_of(s), bottom + 18.0, tick_text(s, step_s) + " s", "middle");
+  for (const int rate : display_rates_hz) {
+    const double y = y_of(budget_ms(rate));
+    text += line(left_edge, y, plot_width - right_edge, y, "budget");
+  }
+  // Labels of lines that lie close are spread out around their middle.
+  constexpr double apart = 14.0;
+  constexpr int count = static_cast<int>(std::size(display_rates_hz));
+  const double middle = (y_of(budget_ms(72)) + y_of(budget_ms(120))) / 2.0;
+  const bool crowded = y_of(budget_ms(80)) - y_of(budget_ms(72)) < apart;
+  for (int i = 0; i < count; ++i) {
+    const int rate = display_rates_hz[i];
+    const double y = crowded ? std::min(middle + apart * (i - 0.5 * (count - 1)), bottom - apart * (count - 1 - i)) : y_of(budget_ms(rate));
+    text += text_at(plot_width - right_edge + 6.0, y + 4.0, fmt::format("{} Hz {:.1f} ms", rate, budget_ms(rate)));
+  }
+  std::size_t past = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<std::pair<double, double>> points;
+    for (const CaptureFrame& frame : runs[i].frames) {
+      const double ms = frame_ms(frame);
+      if (!std::isfinite(ms) || !std::isfinite(frame.time_s)) continue;
+      points.emplace_back(x_of(frame.time_s), y_of(ms));
+      if (ms <= most) continue;
+      if (++past <= 200)
+        text += fmt::format("<path d=\"M{:.1f} {:.1f}l5 -9h-10z\" style=\"fill:{}\" transform=\"rotate(180 {:.1f} {:.1f})\"><title>{:.1f} ms</title></path>\n",
+                            x_of(frame.time_s), top - 9.0, colour(i), x_of(frame.time_s), top - 9.0, ms);
+    }
+    if (points.size() == 1) {
+      text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" style=\"fill:{}\"/>\n", points[0].first, points[0].second, colour(i));
+      continue;
+    }
+    text += "<polyline fill=\"none\" stroke-width=\"1.6\" stroke-linejoin=\"round\" style=\"stroke:" + colour(i) + "\" points=\"";
+    for (const auto& [x, y] : thinned(points, 800)) fmt::format_to(std::back_inserter(text), "{:.1f},{:.1f} ", x, y);
+    text += "\"/>\n";
+  }
+  text += legend(entries, bottom + 48.0) + "</svg>\n";
+  if (past) text += fmt::format("<figcaption>{} frames took longer than the scale shows; a mark at the top stands where.</figcaption>\n", past);
+  return text + "</figure>\n";
+}
+
+std::string pass_time_plot(const std::vector<CaptureRun>& runs) {
+  constexpr double row = 34.0, bar = 22.0, start = 130.0, end = 80.0;
+  std::vector<std::string> names;
+  for (const CaptureRun& run : runs)
+    for (const std::string& name : run.pass_names)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  double most = 0.0;
+  std::vector<double> totals;
+  for (const CaptureRun& run : runs) {
+    std::vector<double> gpu;
+    for (const CaptureFrame& frame : run.frames) gpu.push_back(frame.gpu_ms);
+    double passes = 0.0;
+    for (std::size_t i = 0; i < run.pass_names.size(); ++i) passes += mean_pass_ms(run, i);
+    totals.push_back(std::max(summarise(gpu).mean, passes));
+    most = std::max(most, totals.back());
+  }
+  if (!(most > 0.0)) return "<p>This device gave no GPU times.</p>\n";
+  std::vector<Legend> entries;
+  for (std::size_t i = 0; i < names.size(); ++i) entries.push_back({names[i], colour(i)});
+  entries.push_back({"outside any pass", "var(--line)"});
+  const double bottom = row * static_cast<double>(runs.size()) + 8.0;
+  std::string text = "<figure>" + open_svg(bottom + 34.0 + legend_height(entries), "Mean GPU time of each pass, stacked, for each run");
+  const auto length = [&](double ms) { return ms / most * (plot_width - start - end); };
+  for (double ms = 0.0, step = round_step(most, 8); ms <= most * (1.0 + 1e-9); ms += step) {
+    text += line(start + length(ms), 4.0, start + length(ms), bottom, "axis");
+    text += text_at(start + length(ms), bottom + 16.0, tick_text(ms, step) + (ms == 0.0 ? " ms" : ""), "middle");
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double y = 8.0 + row * static_cast<double>(i);
+    text += text_at(start - 8.0, y + 16.0, run_label(runs[i], runs), "end", false);
+    double x = start, left = totals[i];
+    const auto piece = [&](const std::string& name, double ms, const std::string& fill) {
+      if (!(ms > 0.0)) return;
+      text += fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" style=\"fill:{};stroke:var(--page);stroke-width:1\"><title>{}: {:.3f} ms, {:.1f} %</title></rect>\n",
+                          x, y, length(ms), bar, fill, html_escaped(name), ms, 100.0 * ms / totals[i]);
+      x += length(ms);
+      left -= ms;
+    };
+    for (std::size_t k = 0; k < runs[i].pass_names.size(); ++k) {
+      const std::string& name = runs[i].pass_names[k];
+      piece(name, mean_pass_ms(runs[i], k), colour(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())));
+    }
+    if (left > 1e-6 * totals[i]) piece("outside any pass", left, "var(--line)");
+    text += text_at(start + length(totals[i]) + 6.0, y + 16.0, fmt::format("{:.2f} ms", totals[i]));
+  }
+  return text + legend(entries, bottom + 40.0) + "</svg>\n<figcaption>Mean over the frames of each run; point at a piece for its figures.</figcaption></figure>\n";
+}
+
+std::string histogram_plot(const std::vector<CaptureRun>& runs) {
+  constexpr int bins = 90;
+  constexpr double row = 84.0, tall = 62.0, start = 130.0, end = 24.0, top = 18.0;
+  const double most = top_ms(runs), width = (plot_width - start - end) / bins;
+  const double bottom = top + row * static_cast<double>(runs.size());
+  std::string text = "<figure>" + open_svg(bottom + 30.0, "Histogram of frame times for each run");
+  const auto x_of = [&](double ms) { return start + ms / most * (plot_width - start - end); };
+  for (const int rate : display_rates_hz) {
+    text += line(x_of(budget_ms(rate)), top, x_of(budget_ms(rate)), bottom, "budget");
+  }
+  // The budgets lie close together where the scale is long; then only the outer two are named.
+  const bool roomy = x_of(budget_ms(80)) - x_of(budget_ms(90)) > 40.0;
+  for (const int rate : display_rates_hz)
+    if (roomy || rate == 72 || rate == 120)
+      text += text_at(x_of(budget_ms(rate)), top - 5.0, fmt::format("{} Hz", rate), roomy ? "middle" : rate == 72 ? "start" : "end");
+  for (double ms = 0.0, step = round_step(most, 10); ms <= most; ms += step)
+    text += text_at(x_of(ms), bottom + 18.0, tick_text(ms, step) + (ms == 0.0 ? " ms" : ""), "middle");
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double floor = top + row * static_cast<double>(i + 1);
+    std::vector<std::size_t> counts(bins, 0);
+    for (const double ms : frame_times_ms(runs[i]))
+      if (std::isfinite(ms)) ++counts[static_cast<std::size_t>(std::clamp(ms / most * bins, 0.0, bins - 1.0))];
+    const std::size_t highest = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+    text += line(start, floor, plot_width - end, floor, "axis");
+    text += text_at(start - 8.0, floor - 6.0, run_label(runs[i], runs), "end", false);
+    for (int bin = 0; bin < bins; ++bin) {
+      const std::size_t count = counts[static_cast<std::size_t>(bin)];
+      if (count == 0) continue;
+      const double height = std::max(1.5, tall * static_cast<double>(count) / static_cast<double>(highest));
+      text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" style=\"fill:{}\"><title>{:.1f} to {:.1f} ms{}: {} frames</title></rect>\n",
+                          start + bin * width, floor - height, width - 1.0, height, colour(i), bin * most / bins,
+                          (bin + 1) * most / bins, bin == bins - 1 ? " and more" : "", count);
+    }
+  }
+  return text + "</svg>\n<figcaption>Each row has a height of its own; the last bar also holds what is longer.</figcaption></figure>\n";
+}
+
+}  // namespace seascape

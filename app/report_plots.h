@@ -1,0 +1,21 @@
+// The plots of report.html, as SVG text that takes its colours from the page.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/report.h"
+
+namespace seascape {
+
+// For text between tags and in attributes.
+std::string html_escaped(std::string_view text);
+
+// "low", or "storm / low" where the runs are of several scenes or a preset comes twice.
+std::string run_label(const CaptureRun& run, const std::vector<CaptureRun>& runs);
+
+std::string frame_time_plot(const std::vector<CaptureRun>& runs);  // over the path, with the budgets as lines
+std::string pass_time_plot(const std::vector<CaptureRun>& runs);   // one stacked bar a run, means
+std::string histogram_plot(const std::vector<CaptureRun>& runs);   // one row a run, one scale
+
+}  // namespace seascape

@@ -1,0 +1,69 @@
+#include "app/report_replay.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/files.h"
+
+namespace seascape {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json pose_json(const Pose& pose) {
+  return {{"position_m", {pose.position_m.x, pose.position_m.y, pose.position_m.z}},
+          {"orientation_xyzw", {pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w}}};
+}
+
+ordered_json frame_json(const ReplayFrame& frame) {
+  ordered_json eyes = ordered_json::array();
+  for (const View& eye : frame.views.eyes) {
+    ordered_json view = pose_json(eye.pose);
+    view["fov_tangents"] = {{"left", eye.fov.left}, {"right", eye.fov.right}, {"up", eye.fov.up}, {"down", eye.fov.down}};
+    eyes.push_back(std::move(view));
+  }
+  return {{"frame", frame.frame},
+          {"time_s", frame.time_s},
+          {"scene_time_s", frame.scene_time_s},
+          {"files", frame.files},
+          {"viewer", pose_json(frame.views.viewer)},
+          {"views", std::move(eyes)},
+          {"counts",
+           {{"draws", frame.draws}, {"triangles", frame.triangles}, {"dispatches", frame.dispatches}, {"patches", frame.patches}}},
+          {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
+}
+
+std::string text_of(const ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string replay_json(const ReplayRecord& record) {
+  const ordered_json header = {{"version", 1},
+                               {"scene", record.scene},
+                               {"path", record.path},
+                               {"preset", record.preset},
+                               {"seed", record.seed},
+                               {"width", record.width},
+                               {"height", record.height},
+                               {"msaa", record.msaa},
+                               {"fps", record.fps},
+                               {"stereo", record.stereo},
+                               {"debug", record.debug},
+                               {"format", record.format},
+                               {"device", record.device},
+                               {"driver", record.driver},
+                               {"build", record.build}};
+  std::string text = text_of(header, 2);
+  text.resize(text.size() - 2);  // the line end and brace, for the frames follow
+  text += ",\n  \"frames\": [";
+  for (std::size_t i = 0; i < record.frames.size(); ++i) text += (i ? ",\n    " : "\n    ") + text_of(frame_json(record.frames[i]), -1);
+  return text + (record.frames.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+void write_replay_record(const std::filesystem::path& file, const ReplayRecord& record) {
+  write_atomically(file, replay_json(record));
+}
+
+}  // namespace seascape
