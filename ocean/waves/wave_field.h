@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ocean/waves/fft.h"
 #include "ocean/waves/ladder.h"
 #include "ocean/waves/sea_state.h"
 #include "shaders/shared/wave_bin.h"
@@ -34,7 +35,7 @@ struct SeaStatistics {
 };
 SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins);
 
-// Displacement, derivatives and their mip chains of each cascade at one time. Planes are [cascade][level][z][x].
+// Displacement, derivatives and their mip chains of each cascade at one time.
 class WaveTiles;  // ocean/waves/wave_tiles.h
 
 // The surface at one rest position.
@@ -43,8 +44,60 @@ struct SeaSample {
   glm::dvec2 height_gradient{0.0};     // dh/dx, dh/dz over the rest position
   glm::dvec3 shift_gradient{0.0};      // dDx/dx, dDz/dz, dDx/dz (= dDz/dx)
   glm::dvec3 slope_moments{0.0};       // unresolved E[s^2] below the footprint: xx, zz, xz
+  double divergence_moment = 0.0;      // unresolved E[(dDx/dx + dDz/dz)^2] of the drawn waves below the footprint
   glm::dvec2 slope() const;      // of the displaced surface: inverse transpose of (I + grad D) times height_gradient
   double jacobian() const;       // det(I + grad D): 1 at rest, below 0 where the surface folds
+};
+
+// What a cascade's transforms need of its waves, planar: [mx + band/2][mz + band/2] without padding.
+struct WaveTable {
+  std::vector<float> amplitude_re, amplitude_im;
+  std::vector<std::uint64_t> turns;     // turns a tick, times 2^64
+  std::vector<float> kx, kz;            // world wave vector, rad/m
+  std::vector<float> shift_x, shift_z;  // chop kx / k, chop kz / k
+  std::vector<float> frequency;         // rad/s
+};
+
+// Every deterministic wave of a sea, ready to be evaluated at any time. Immutable: any number of threads may use one field,
+// each with its own tiles.
+class WaveField {
+ public:
+  // Throws Error as validate() does (spectrum.h).
+  WaveField(const SeaState& sea, const WaveQuality& quality);
+  // A sea of given waves, made for the same quality; of `sea` the chop, gravity and wind count.
+  WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins);
+
+  // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea, the
+  // quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of another
+  // shape.
+  void evaluate(std::int64_t ticks, WaveTiles& tiles) const;
+
+  // The surface at a rest position (x, z in metres), smoothed over a footprint of `footprint_m`: each cascade is sampled
+  // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / resolution, at tile coordinates u + 0.5 / resolution
+  // (texel centres at (i + 0.5) / size on every level). A cascade whose lod reaches its last level adds only its moments.
+  SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
+  // Displacement alone, and the velocity of the water at a rest position (tiles with velocity only), sampled alike.
+  glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
+  glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
+
+  const SeaState& state() const { return sea_; }
+  const WaveQuality& quality() const { return quality_; }
+  const WaveBins& bins() const { return bins_; }
+  const SeaStatistics& statistics() const { return statistics_; }
+
+ private:
+  SeaState sea_;
+  WaveQuality quality_;
+  WaveBins bins_;
+  SeaStatistics statistics_;
+  FftPlan plan_;
+  std::vector<WaveTable> tables_;
+  struct Place {  // from world to tile coordinates
+    double cosine, sine, inverse_side, texel_m;
+  };
+  std::vector<Place> places_;
+  template <class Visit>
+  void visit_cascades(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m, Visit visit) const;
 };
 
 }  // namespace seascape

@@ -1,0 +1,217 @@
+#include "ocean/waves/wave_tiles_simd.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "ocean/waves/wave_tiles_simd.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+
+#include "ocean/waves/fft-inl.h"
+
+#ifndef SEASCAPE_WAVE_TILES_SIMD_ONCE
+#define SEASCAPE_WAVE_TILES_SIMD_ONCE
+namespace seascape {
+// The workspace of a cascade: waves turned to their phase, packed spectra, and these transformed along x.
+struct Workspace {
+  std::ptrdiff_t row;         // floats from one row of mz to the next, padded against cache aliasing
+  std::ptrdiff_t spectrum;    // offset of the packed spectra: [field][re, im][mx modulo band][mz + band/2]
+  std::ptrdiff_t half_done;   // offset of their transforms along x: [field][re, im][x][mz + band/2]
+  std::ptrdiff_t floats;
+  Workspace(const FftPlan& plan, bool velocity)
+      : row(plan.band + 16),
+        // [re, im][mx + band/2], one row and one column more, zero: the mirror of m = -band/2.
+        spectrum(2 * row * (plan.band + 1)),
+        half_done(spectrum + 2 * packed_fields(velocity) * row * plan.band),
+        floats(half_done + 2 * packed_fields(velocity) * row * plan.n) {}
+};
+}  // namespace seascape
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace seascape {
+namespace HWY_NAMESPACE {
+
+namespace {
+
+using Ints = hn::RebindToSigned<Lanes>;
+
+// gpu::cos_sin_turns (shaders/shared/phase.h), the same operations in the same order.
+HWY_INLINE void cos_sin_turns(hn::Vec<Ints> turns, Vector& cosine, Vector& sine) {
+  const Lanes d;
+  const Ints di;
+  const hn::RebindToUnsigned<Lanes> du;
+  const auto quarter = hn::ShiftRight<30>(hn::BitCast(du, hn::Add(turns, hn::Set(di, 0x20000000))));
+  const auto rest = hn::Sub(turns, hn::BitCast(di, hn::ShiftLeft<30>(quarter)));
+  const Vector f = hn::Mul(hn::ConvertTo(d, rest), hn::Set(d, 2.3283064365386963e-10f));
+  const Vector f2 = hn::Mul(f, f);
+  Vector s = hn::Mul(f2, hn::Set(d, -75.401612699015970f));
+  s = hn::Mul(f2, hn::Add(hn::Set(d, 81.592542871205710f), s));
+  s = hn::Mul(f2, hn::Add(hn::Set(d, -41.341662570547270f), s));
+  s = hn::Mul(f, hn::Add(hn::Set(d, 6.2831852878129455f), s));
+  Vector c = hn::Mul(f2, hn::Set(d, 59.424105800289940f));
+  c = hn::Mul(f2, hn::Add(hn::Set(d, -85.448820084313820f), c));
+  c = hn::Mul(f2, hn::Add(hn::Set(d, 64.939369051373060f), c));
+  c = hn::Mul(f2, hn::Add(hn::Set(d, -19.739208789987394f), c));
+  c = hn::Add(hn::Set(d, 1.0f), c);
+  const auto swap = hn::MaskFromVec(hn::BitCast(d, hn::Neg(hn::BitCast(di, hn::And(quarter, hn::Set(du, 1u))))));
+  const auto sign = hn::Set(du, 0x80000000u);
+  const auto sign_x = hn::And(hn::ShiftLeft<30>(hn::Add(quarter, hn::Set(du, 1u))), sign);
+  const auto sign_y = hn::And(hn::ShiftLeft<30>(quarter), sign);
+  cosine = hn::Xor(hn::IfThenElse(swap, s, c), hn::BitCast(d, sign_x));
+  sine = hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sign_y));
+}
+
+HWY_INLINE Vector reversed(const float* last) {  // last[0], last[-1], ...
+  const Lanes d;
+  return hn::Reverse(d, hn::LoadU(d, last - (hn::Lanes(d) - 1)));
+}
+}  // namespace
+
+void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
+  const Lanes d;
+  const Ints di;
+  const int band = plan.band, half = band / 2, lanes = int(hn::Lanes(d));
+  const Workspace layout(plan, velocity);
+  const std::ptrdiff_t row = layout.row;
+  float* turned_re = workspace;
+  float* turned_im = workspace + row * (band + 1);
+  alignas(64) std::int32_t phase[64];
+
+  // Every wave turned to its phase: a exp(-i phase).
+  for (int i = 0; i < band; ++i) {
+    const int at = i * band;
+    for (int j = 0; j < band; ++j) phase[j] = std::int32_t(std::uint32_t((table.turns[at + j] * std::uint64_t(ticks)) >> 32));
+    for (int j = 0; j < band; j += lanes) {
+      Vector c, s;
+      cos_sin_turns(hn::Load(di, phase + j), c, s);
+      const Vector re = hn::LoadU(d, table.amplitude_re.data() + at + j), im = hn::LoadU(d, table.amplitude_im.data() + at + j);
+      hn::StoreU(hn::Add(hn::Mul(re, c), hn::Mul(im, s)), d, turned_re + i * row + j);
+      hn::StoreU(hn::Sub(hn::Mul(im, c), hn::Mul(re, s)), d, turned_im + i * row + j);
+    }
+    turned_re[i * row + band] = turned_im[i * row + band] = 0.0f;
+  }
+  for (int j = 0; j <= band; ++j) turned_re[band * row + j] = turned_im[band * row + j] = 0.0f;
+
+  // Height: H(m) = (r(m) + conj r(-m)) / 2, so that the field is real. The rest are H times a factor each (a field's gradient
+  // is i k, its displacement i k / |k| times chop, which narrows crests), packed as packed_fields() says.
+  const std::ptrdiff_t plane = row * band;
+  for (int i = 0; i < band; ++i) {
+    float* to = workspace + layout.spectrum + ((i + half) % band) * row;
+    const float* here_re = turned_re + i * row;
+    const float* here_im = turned_im + i * row;
+    const float* mirror_re = turned_re + (band - i) * row + band;
+    const float* mirror_im = turned_im + (band - i) * row + band;
+    for (int j = 0; j < band; j += lanes) {
+      const Vector r_re = hn::LoadU(d, here_re + j), r_im = hn::LoadU(d, here_im + j);
+      const Vector m_re = reversed(mirror_re - j), m_im = reversed(mirror_im - j);
+      const Vector half_of = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
+      const Vector h_re = hn::Mul(half_of, hn::Add(r_re, m_re)), h_im = hn::Mul(half_of, hn::Sub(r_im, m_im));
+      const int at = i * band + j;
+      const Vector kx = hn::LoadU(d, table.kx.data() + at), kz = hn::LoadU(d, table.kz.data() + at);
+      const Vector sx = hn::LoadU(d, table.shift_x.data() + at), sz = hn::LoadU(d, table.shift_z.data() + at);
+      const auto put = [&](int field, Vector re, Vector im) HWY_ATTR {
+        hn::StoreU(re, d, to + (2 * field) * plane + j);
+        hn::StoreU(im, d, to + (2 * field + 1) * plane + j);
+      };
+      const Vector shift_height = hn::Add(one, sx);                  // i H (1 + sx)
+      put(0, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
+      const Vector shift_z = hn::Mul(sz, hn::Sub(one, kx));          // i H sz (1 - kx)
+      put(1, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
+      put(2, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
+          hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
+      const Vector xx = hn::Mul(sx, kx), zz = hn::Mul(sz, kz);       // -H (sx kx + i sz kz)
+      put(3, hn::Sub(hn::Mul(h_im, zz), hn::Mul(h_re, xx)), hn::Neg(hn::Add(hn::Mul(h_re, zz), hn::Mul(h_im, xx))));
+      if (velocity) {
+        // dh/dt: W(m) = -i w (r(m) - conj r(-m)) / 2.
+        const Vector w = hn::Mul(half_of, hn::LoadU(d, table.frequency.data() + at));
+        const Vector w_re = hn::Mul(w, hn::Add(r_im, m_im)), w_im = hn::Mul(w, hn::Sub(m_re, r_re));
+        put(4, hn::Neg(hn::Mul(w_im, shift_height)), hn::Mul(w_re, shift_height));
+        put(5, hn::Neg(hn::Mul(w_im, sz)), hn::Mul(w_re, sz));
+      }
+    }
+  }
+
+  for (int part = 0; part < packed_fields(velocity); ++part) {
+    const float* in_re = workspace + layout.spectrum + 2 * part * plane;
+    float* out_re = workspace + layout.half_done + 2 * part * row * plan.n;
+    float* out_im = out_re + row * plan.n;
+    for (int j = 0; j < band; j += lanes)
+      for (int r = 0; r < plan.repeats; ++r)
+        transform_band(plan, r, in_re + j, in_re + plane + j, row, out_re + r * row + j, out_im + r * row + j, plan.repeats * row);
+  }
+}
+
+void along_z(const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level) {
+  const Lanes d;
+  const int band = plan.band, half = band / 2, lanes = int(hn::Lanes(d)), planes = 2 * packed_fields(velocity);
+  const Workspace layout(plan, velocity);
+  constexpr int width = 8, most = 12;
+  alignas(64) float column[most][64 * width];  // [field and part][mz modulo band][lane]
+  alignas(64) float result[most][64 * width];  // [field and part][q][lane]
+  for (int x = first_x; x < first_x + strip_width; x += lanes) {
+    for (int p = 0; p < planes; ++p) {
+      const float* rows = workspace + layout.half_done + (std::ptrdiff_t(p) * plan.n + x) * layout.row;
+      for (int j = 0; j < band; ++j)
+        for (int lane = 0; lane < lanes; ++lane) column[p][((j + half) % band) * width + lane] = rows[lane * layout.row + j];
+    }
+    for (int r = 0; r < plan.repeats; ++r) {
+      for (int p = 0; p < planes; p += 2)
+        transform_band(plan, r, column[p], column[p + 1], width, result[p], result[p + 1], width);
+      for (int q = 0; q < band; ++q) {
+        const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
+        const auto value = [&](int p) HWY_ATTR { return hn::Load(d, result[p] + q * width); };
+        const Vector hx = value(4), hz = value(5), xx = value(6), zz = value(7), divergence = hn::Add(xx, zz);
+        const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
+        hn::StoreInterleaved4(value(0), value(1), value(2), value(3), d, plane(WavePlane::shift));
+        hn::StoreInterleaved4(hx, hz, xx, zz, d, plane(WavePlane::slope));
+        hn::StoreInterleaved4(hn::Mul(hx, hx), hn::Mul(hz, hz), hn::Mul(hx, hz), hn::Mul(divergence, divergence), d,
+                              plane(WavePlane::moments));
+        if (velocity)
+          hn::StoreInterleaved4(value(8), value(9), value(10), hn::Zero(d), d, plane(WavePlane::velocity));
+      }
+    }
+  }
+}
+
+void average(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
+  const hn::FixedTag<float, 4> d;
+  for (int plane = 0; plane < planes; ++plane)
+    for (int z = 0; z < height; ++z) {
+      const float* a = &from.texels[plane][std::ptrdiff_t(2 * z) * from.stride + 2 * x].x;
+      const float* b = a + std::ptrdiff_t(4) * from.stride;
+      float* out = &to.texels[plane][std::ptrdiff_t(z) * to.stride + x].x;
+      for (int i = 0; i < width; ++i) {
+        const auto upper = hn::Add(hn::LoadU(d, a + 8 * i), hn::LoadU(d, a + 8 * i + 4));
+        const auto lower = hn::Add(hn::LoadU(d, b + 8 * i), hn::LoadU(d, b + 8 * i + 4));
+        hn::StoreU(hn::Mul(hn::Add(upper, lower), hn::Set(d, 0.25f)), d, out + 4 * i);
+      }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace seascape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace seascape {
+
+HWY_EXPORT(along_x);
+HWY_EXPORT(along_z);
+HWY_EXPORT(average);
+
+std::size_t workspace_floats(const FftPlan& plan, bool velocity) { return std::size_t(Workspace(plan, velocity).floats); }
+
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
+  HWY_DYNAMIC_DISPATCH(along_x)(table, plan, ticks, velocity, workspace);
+}
+
+void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
+  HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
+}
+
+void strip_along_z(const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
+  HWY_DYNAMIC_DISPATCH(along_z)(plan, workspace, velocity, x, levels[0]);
+  for (int level = 1; level <= strip_levels; ++level)
+    average_down(levels[level - 1], levels[level], velocity ? 4 : 3, x >> level, strip_width >> level, plan.n >> level);
+}
+
+}  // namespace seascape
+#endif

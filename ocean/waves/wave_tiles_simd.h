@@ -1,0 +1,37 @@
+// The two halves of filling a cascade's tile, vectorised; WaveField::evaluate shares them among threads.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "ocean/waves/fft.h"
+#include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+// Fields packed two real ones to a complex transform: Dx + i h, Dz + i dDx/dz, dh/dx + i dh/dz, dDx/dx + i dDz/dz, and with
+// velocity dDx/dt + i dh/dt, dDz/dt.
+inline int packed_fields(bool velocity) { return velocity ? 6 : 4; }
+
+std::size_t workspace_floats(const FftPlan& plan, bool velocity);
+
+// The spectrum at a time and its transforms along x, into a cascade's workspace.
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace);
+
+constexpr int strip_width = 16;
+constexpr int strip_levels = 4;  // mip levels that a strip of 16 columns has of its own, after level 0
+
+// One level of the planes of a cascade.
+struct PlaneLevel {
+  glm::vec4* texels[4];  // by WavePlane; velocity null where there is none
+  int stride;
+};
+
+// The transforms along z of columns x to x + strip_width - 1 and their mip chain, into levels[0..strip_levels].
+void strip_along_z(const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels);
+
+// Averages two by two texels of columns 2 x to 2 (x + width) - 1 into columns x to x + width - 1 of the next level, `height`
+// rows of it.
+void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height);
+
+}  // namespace seascape

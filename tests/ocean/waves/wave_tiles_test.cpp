@@ -1,0 +1,243 @@
+#include "ocean/waves/wave_tiles.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <random>
+
+#include "tests/support/truth.h"
+
+namespace seascape {
+namespace {
+
+constexpr int n = gpu::wave_bins;
+
+gpu::WaveBin& bin(WaveBins& bins, int cascade, int mx, int mz) {
+  return bins.bins[(std::size_t(cascade) * n + mz + n / 2) * n + mx + n / 2];
+}
+
+SeaState windy() {
+  SeaState sea;
+  sea.wind_speed_mps = 12;
+  sea.swell_height_m = 1.5;
+  sea.chop = 1.2;
+  return sea;
+}
+
+// All fields of one cascade by direct sums in double: h = sum of Re(a exp(i(k.x - w t))), D = chop Re(i k/|k| a exp(...)).
+struct Fields {
+  double h = 0, dx = 0, dz = 0, hx = 0, hz = 0, xx = 0, zz = 0, xz = 0, vx = 0, vy = 0, vz = 0;
+};
+
+Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, double z, double t) {
+  Fields f;
+  const Cascade& c = bins.ladder[cascade];
+  for (int mz = -31; mz <= 31; ++mz)
+    for (int mx = -31; mx <= 31; ++mx) {
+      const gpu::WaveBin& b = bins.bins[(std::size_t(cascade) * n + mz + n / 2) * n + mx + n / 2];
+      if (b.amplitude == glm::vec2(0)) continue;
+      const double step = 2 * truth::pi / c.side_m, s = std::sin(c.rotation_rad), o = std::cos(c.rotation_rad);
+      const double kx = step * (o * mx - s * mz), kz = step * (s * mx + o * mz), k = std::hypot(kx, kz);
+      const double w = std::sqrt(sea.gravity_mps2 * k), phase = kx * x + kz * z - w * t;
+      const double re = b.amplitude.x * std::cos(phase) - b.amplitude.y * std::sin(phase);
+      const double im = b.amplitude.x * std::sin(phase) + b.amplitude.y * std::cos(phase);
+      f.h += re;
+      f.dx -= sea.chop * kx / k * im;
+      f.dz -= sea.chop * kz / k * im;
+      f.hx -= kx * im;
+      f.hz -= kz * im;
+      f.xx -= sea.chop * kx * kx / k * re;
+      f.zz -= sea.chop * kz * kz / k * re;
+      f.xz -= sea.chop * kx * kz / k * re;
+      f.vy += w * im;
+      f.vx += sea.chop * kx / k * w * re;
+      f.vz += sea.chop * kz / k * w * re;
+    }
+  return f;
+}
+
+glm::dvec2 texel_place(const Cascade& c, int resolution, int x, int z) {
+  return rotate_xz(c.side_m / resolution * glm::dvec2(x, z), c.rotation_rad);
+}
+
+TEST(WaveTiles, equal_direct_sums) {
+  // Every field of random texels against direct sums in double, relative to the field's root mean square. Control: the
+  // mirrored wave taken without its conjugate, or dDx/dz with the other sign, is off by 1.
+  for (const int resolution : {16, 32, 64, 128, 256, 512}) {
+    const SeaState sea = windy();
+    const WaveQuality quality{.resolution = resolution, .cascades = 3};
+    const WaveField field(sea, quality);
+    WaveTiles tiles(true);
+    const double t = 1234.5;
+    field.evaluate(ticks_from_seconds(t), tiles);
+    std::mt19937 random(3);
+    for (int cascade = 0; cascade < 3; ++cascade) {
+      double error[11] = {}, size[11] = {};
+      for (int i = 0; i < 60; ++i) {
+        const int x = int(random() % unsigned(resolution)), z = int(random() % unsigned(resolution));
+        const glm::dvec2 place = texel_place(field.bins().ladder[cascade], resolution, x, z);
+        const Fields f = direct(sea, field.bins(), cascade, place.x, place.y, t);
+        const std::size_t at = std::size_t(z) * tiles.stride(0) + x;
+        const glm::vec4 a = tiles.texels(cascade, WavePlane::shift, 0)[at], b = tiles.texels(cascade, WavePlane::slope, 0)[at],
+                        m = tiles.texels(cascade, WavePlane::moments, 0)[at], v = tiles.texels(cascade, WavePlane::velocity, 0)[at];
+        const double truth[11] = {f.dx, f.h, f.dz, f.xz, f.hx, f.hz, f.xx, f.zz, f.vx, f.vy, f.vz};
+        const float got[11] = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, v.x, v.y, v.z};
+        for (int j = 0; j < 11; ++j) error[j] += std::pow(truth[j] - double(got[j]), 2), size[j] += truth[j] * truth[j];
+        EXPECT_EQ(m, glm::vec4(b.x * b.x, b.y * b.y, b.x * b.y, (b.z + b.w) * (b.z + b.w)));
+      }
+      for (int j = 0; j < 11; ++j) {
+        if (size[j] > 0) {
+          EXPECT_LE(std::sqrt(error[j] / size[j]), 1e-5) << resolution << " cascade " << cascade << " field " << j;
+        }
+      }
+    }
+  }
+}
+
+TEST(WaveTiles, one_trochoid_has_jacobian_1_minus_chop_ka) {
+  // A single wave of cascade 0 along mx = 3. Control: displacement of the other sign gives 1 + chop kA at the crest.
+  SeaState sea;
+  sea.wind_speed_mps = 0;
+  for (const double chop : {0.5, 1.0, 2.0}) {
+    sea.chop = chop;
+    const WaveQuality quality{.resolution = 256, .cascades = 1};
+    WaveBins bins = make_wave_bins(sea, quality);
+    const double k = 2 * truth::pi * 3 / bins.ladder[0].side_m, amplitude = 0.2 / k;
+    bin(bins, 0, 3, 0).amplitude = glm::vec2(float(amplitude), 0);
+    const WaveField field(sea, quality, bins);
+    WaveTiles tiles;
+    field.evaluate(0, tiles);
+    const SeaSample crest = field.sea(tiles, {0, 0}, 0);
+    EXPECT_NEAR(crest.displacement.y, amplitude, 1e-5 * amplitude);
+    EXPECT_NEAR(crest.jacobian(), 1 - chop * 0.2, 1e-5);
+    double least = 1;
+    for (int z = 0; z < 256; z += 16)
+      for (int x = 0; x < 256; ++x) {
+        const std::size_t at = std::size_t(z) * tiles.stride(0) + x;
+        const glm::vec4 a = tiles.texels(0, WavePlane::shift, 0)[at], b = tiles.texels(0, WavePlane::slope, 0)[at];
+        least = std::min(least, (1.0 + b.z) * (1.0 + b.w) - double(a.w) * a.w);
+      }
+    EXPECT_NEAR(least, 1 - chop * 0.2, 1e-5);
+  }
+}
+
+TEST(WaveTiles, waves_travel_along_their_wave_vector) {
+  // A quarter period later the crest stands a quarter wave further along +k. Control: phase of the other sign sends it back.
+  SeaState sea;
+  sea.wind_speed_mps = 0;
+  const WaveQuality quality{.resolution = 128, .cascades = 1};
+  WaveBins bins = make_wave_bins(sea, quality);
+  bin(bins, 0, 4, -2).amplitude = glm::vec2(1, 0);
+  const WaveField field(sea, quality, bins);
+  const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side, period = 2 * truth::pi / std::sqrt(9.81 * k);
+  WaveTiles tiles(true);
+  field.evaluate(ticks_from_seconds(period / 4), tiles);
+  const glm::dvec2 along = rotate_xz(glm::dvec2(4, -2) / std::sqrt(20.0), bins.ladder[0].rotation_rad);
+  const glm::dvec2 crest = along * (2 * truth::pi / k / 4);
+  EXPECT_NEAR(field.sea(tiles, crest, 0).displacement.y, 1, 0.02);
+  // At the crest the water moves with the wave, at speed w a.
+  const glm::dvec3 v = field.velocity(tiles, crest, 0);
+  EXPECT_NEAR(glm::dot(glm::dvec2(v.x, v.z), along), 2 * truth::pi / period, 0.02 * 2 * truth::pi / period);
+}
+
+TEST(WaveTiles, mip_levels_are_averages) {
+  // Control: taking the upper left texel instead of the mean of four fails at level 1.
+  const WaveField field(windy(), {.resolution = 64, .cascades = 2});
+  WaveTiles tiles(true);
+  field.evaluate(ticks_from_seconds(5), tiles);
+  ASSERT_EQ(tiles.levels(), 7);
+  for (int level = 1; level < 7; ++level)
+    for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity})
+      for (int z = 0; z < 64 >> level; ++z)
+        for (int x = 0; x < 64 >> level; ++x) {
+          glm::dvec4 sum(0);
+          const int block = 1 << level;
+          for (int j = 0; j < block; ++j)
+            for (int i = 0; i < block; ++i)
+              sum += glm::dvec4(tiles.texels(1, plane, 0)[(z * block + j) * tiles.stride(0) + x * block + i]);
+          const glm::dvec4 truth = sum / double(block * block);
+          const glm::dvec4 got(tiles.texels(1, plane, level)[z * tiles.stride(level) + x]);
+          ASSERT_LE(glm::length(got - truth), 1e-6) << level << " " << int(plane) << " " << x << " " << z;
+        }
+}
+
+TEST(WaveTiles, mean_height_is_zero_and_variance_the_bins) {
+  // Hard case 8; drawn Hs equals the sum of its own bins to 1 %, here over 24 times since opposed waves beat. Control:
+  // spectra halved once more give half the height.
+  const WaveField field(windy(), {.resolution = 128, .cascades = 4});
+  WaveTiles tiles;
+  double variance = 0;
+  constexpr int times = 24;
+  for (int t = 0; t < times; ++t) {
+    field.evaluate(ticks_from_seconds(t * 7.7), tiles);
+    for (int c = 0; c < 4; ++c) {
+      double sum = 0, square = 0;
+      for (int z = 0; z < 128; ++z)
+        for (int x = 0; x < 128; ++x) {
+          const double h = tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(0) + x].y;
+          sum += h, square += h * h;
+        }
+      EXPECT_LE(std::abs(sum / (128 * 128)), 1e-6);
+      variance += square / (128 * 128) / times;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(variance / field.statistics().height_variance), 1, 0.01);
+}
+
+TEST(WaveTiles, bits_do_not_depend_on_threads_or_history) {
+  // Hard cases 10 and 28's kin. Control: a sum of cascades accumulated by threads in order of arrival differs in last bits;
+  // a field that keeps the last phase drifts from one evaluated afresh.
+  const WaveField field(windy(), {.resolution = 128, .cascades = 3});
+  WaveTiles one(true), many(true);
+  field.evaluate(ticks_from_seconds(99), many);
+  field.evaluate(ticks_from_seconds(-3), many);
+  field.evaluate(ticks_from_seconds(42.5), many);
+  {
+    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+    field.evaluate(ticks_from_seconds(42.5), one);
+  }
+  for (int c = 0; c < 3; ++c)
+    for (int level = 0; level < one.levels(); ++level)
+      for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity}) {
+        const std::size_t bytes = sizeof(glm::vec4) * std::size_t(one.stride(level)) * std::size_t(one.resolution() >> level);
+        ASSERT_EQ(std::memcmp(one.texels(c, plane, level), many.texels(c, plane, level), bytes), 0) << c << " " << level;
+      }
+}
+
+TEST(WaveTiles, samples_between_texels_and_across_footprints) {
+  // At a texel's place a sample of no footprint is that texel; far above every tile only moments are left, and resolved plus
+  // unresolved slope variance is the same at every footprint (5 %). Control: half a texel's shift misses by 9 % of the deviation.
+  const WaveField field(windy(), {.resolution = 256, .cascades = 3});
+  WaveTiles tiles;
+  field.evaluate(ticks_from_seconds(10), tiles);
+  std::mt19937 random(9);
+  const glm::dvec2 place = texel_place(field.bins().ladder[1], 256, 17, 90);
+  glm::dvec3 sum(0);
+  for (int c = 0; c < 3; ++c) {
+    const Fields f = direct(field.state(), field.bins(), c, place.x, place.y, 10);
+    sum += glm::dvec3(f.dx, f.h, f.dz);
+  }
+  EXPECT_LE(glm::length(field.sea(tiles, place, 0).displacement - sum), 0.02 * std::sqrt(field.statistics().height_variance));
+  EXPECT_EQ(field.sea(tiles, place, 0).displacement, field.displacement(tiles, place, 0));
+
+  const SeaSample far = field.sea(tiles, place, 1e5);
+  EXPECT_EQ(far.displacement, glm::dvec3(0));
+  const glm::dvec3 all = field.statistics().slope_moments + field.statistics().tail_slope_moments;
+  EXPECT_NEAR(far.slope_moments.x / all.x, 1, 0.05);
+  EXPECT_NEAR(far.slope_moments.y / all.y, 1, 0.05);
+  for (const double footprint : {0.0, 0.5, 3.0, 12.0, 50.0, 200.0}) {
+    glm::dvec2 total(0);
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i) {
+      const glm::dvec2 at(random() % 100000 * 0.1, random() % 100000 * 0.1);
+      const SeaSample s = field.sea(tiles, at, footprint);
+      total += (s.height_gradient * s.height_gradient + glm::dvec2(s.slope_moments)) / double(count);
+    }
+    EXPECT_NEAR(total.x / far.slope_moments.x, 1, 0.05) << footprint;
+    EXPECT_NEAR(total.y / far.slope_moments.y, 1, 0.05) << footprint;
+  }
+}
+
+}  // namespace
+}  // namespace seascape
