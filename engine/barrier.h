@@ -1,0 +1,40 @@
+// Barriers derived from how buffers and images were used last and how the next pass uses them.
+#pragma once
+#include <array>
+
+#include "engine/resources.h"
+
+namespace seascape {
+
+enum class Access {
+  compute_read,        // storage buffer or sampled image, general layout (a chain of compute passes)
+  compute_write,       // storage buffer or image, general layout
+  compute_sample,      // sampled image in its read-only layout
+  surface_read,        // sampled image or storage buffer in vertex and fragment shaders
+  fragment_sample,     // sampled image in the fragment shader
+  vertex_store,        // storage buffer written by a vertex shader (test probes)
+  colour_target,
+  depth_target,
+  transfer_read,
+  transfer_write,
+  host_read,
+  present,
+};
+
+// Collects barriers and records them in one command; what needs none adds none. At most 32 of each kind a batch.
+class BarrierBatch {
+ public:
+  // `discard`: the content before does not matter.
+  void add(const Image& image, Access access, bool discard = false);
+  void add(const Buffer& buffer, Access access);
+  // Returns how many commands it recorded: 0 or 1.
+  int record(VkCommandBuffer commands);
+
+ private:
+  std::array<VkImageMemoryBarrier, 32> images_;
+  std::array<VkBufferMemoryBarrier, 32> buffers_;
+  std::uint32_t image_count_ = 0, buffer_count_ = 0;
+  VkPipelineStageFlags from_ = 0, to_ = 0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,387 @@
+#include "engine/device.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "engine/error.h"
+
+namespace seascape {
+
+const char* result_name(VkResult result) {
+  switch (result) {
+    case VK_SUCCESS: return "success";
+    case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of host memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "out of device memory";
+    case VK_ERROR_INITIALIZATION_FAILED: return "initialization failed";
+    case VK_ERROR_DEVICE_LOST: return "device lost";
+    case VK_ERROR_LAYER_NOT_PRESENT: return "layer not present";
+    case VK_ERROR_EXTENSION_NOT_PRESENT: return "extension not present";
+    case VK_ERROR_FEATURE_NOT_PRESENT: return "feature not present";
+    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no driver found";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED: return "format not supported";
+    case VK_ERROR_SURFACE_LOST_KHR: return "surface lost";
+    case VK_ERROR_OUT_OF_DATE_KHR: return "swapchain out of date";
+    default: return "unknown result";
+  }
+}
+
+VkResult check(VkResult result, const char* call) {
+  if (result >= 0) return result;
+  const char* remedy = result == VK_ERROR_DEVICE_LOST
+                           ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
+                           : "run `seascape doctor` to see devices and drivers";
+  throw Error("Vulkan", fmt::format("{} failed: {} ({})", call, result_name(result), int(result)), remedy);
+}
+
+namespace detail {
+
+void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes) {
+  const std::uint64_t number = ++device.created_;
+  device.creation_[{type, handle}] = number;
+  device.records_[number] = {type, handle, bytes, std::string(name), device.effect_};
+  if (type == VK_OBJECT_TYPE_PIPELINE) ++device.pipelines_made_;
+  device.debug_name(type, handle, device.records_[number].name.c_str());
+}
+
+void retire(Device& device, VkObjectType type, std::uint64_t handle) {
+  if (auto found = device.creation_.find({type, handle}); found != device.creation_.end()) {
+    device.records_.erase(found->second);
+    device.creation_.erase(found);
+  }
+  device.retired_.push_back({device.frame_number_, type, handle, 0});
+}
+
+}  // namespace detail
+
+EffectScope::EffectScope(Device& device, std::string_view effect) : device_(device), previous_(device.effect_) {
+  device_.effect_ = effect;
+}
+
+EffectScope::~EffectScope() { device_.effect_ = previous_; }
+
+VkBool32 Device::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                            const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+  auto& device = *static_cast<Device*>(user);
+  std::lock_guard lock(device.message_mutex_);
+  device.messages_.emplace_back(data->pMessage ? data->pMessage : "");
+  spdlog::error("validation: {}", device.messages_.back());
+  return VK_FALSE;
+}
+
+Device::Device(const DeviceOptions& options) {
+  create_instance(options);
+  choose_physical(options);
+  create_device(options);
+  memory_ = std::make_unique<Memory>(*this);
+  spdlog::debug("device: {} ({}, Vulkan {})", facts_.name, facts_.driver, facts_.api_version);
+}
+
+void Device::create_instance(const DeviceOptions& options) {
+  std::uint32_t count = 0;
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> available(count);
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, available.data());
+  std::vector<const char*> extensions;
+  for (const std::string& name : options.instance_extensions) extensions.push_back(name.c_str());
+  const bool has_debug_utils = std::any_of(available.begin(), available.end(), [](const VkExtensionProperties& e) {
+    return std::strcmp(e.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0;
+  });
+  debug_utils_ = has_debug_utils && !options.core_only;
+  if (options.validation) debug_utils_ = true;
+  if (debug_utils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pApplicationName = "seascape";
+  application.apiVersion = VK_API_VERSION_1_1;
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  const char* layer = "VK_LAYER_KHRONOS_validation";
+  const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+  VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+  features.enabledValidationFeatureCount = 1;
+  features.pEnabledValidationFeatures = enables;
+  VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  messenger.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  messenger.messageType =
+      VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  messenger.pfnUserCallback = on_message;
+  messenger.pUserData = this;
+  if (options.validation) {
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &layer;
+    info.pNext = &features;
+    features.pNext = &messenger;
+  }
+  info.enabledExtensionCount = std::uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
+    throw Error("Vulkan", "no driver answers", "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+  if (result == VK_ERROR_LAYER_NOT_PRESENT)
+    throw Error("Vulkan", "the validation layer is not installed", "apt-get install vulkan-validationlayers");
+  check(result, "vkCreateInstance");
+  if (options.validation) {
+    auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+    check(create(instance_, &messenger, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
+  }
+}
+
+void Device::choose_physical(const DeviceOptions& options) {
+  std::uint32_t count = 0;
+  const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  std::vector<VkPhysicalDevice> devices(count);
+  if (result >= 0) vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+  const char* wanted = std::getenv("SEASCAPE_DEVICE");
+  std::string seen;
+  int best_rank = -1;
+  for (VkPhysicalDevice device : devices) {
+    VkPhysicalDeviceProperties p;
+    vkGetPhysicalDeviceProperties(device, &p);
+    seen += fmt::format("{}'{}'", seen.empty() ? "" : ", ", p.deviceName);
+    if (p.apiVersion < VK_API_VERSION_1_1) continue;
+    if (wanted && !std::strstr(p.deviceName, wanted)) continue;
+    const int rank = p.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU     ? 4
+                     : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ? 3
+                     : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU    ? 2
+                                                                              : 1;
+    if (rank > best_rank) {
+      best_rank = rank;
+      physical_ = device;
+    }
+  }
+  if (!physical_) {
+    if (count == 0)
+      throw Error("Vulkan", "no driver answers", "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+    throw Error("Vulkan", fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),
+                wanted ? "unset SEASCAPE_DEVICE" : "install a newer driver");
+  }
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceProperties2 p2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+  vkGetPhysicalDeviceProperties(physical_, &p2.properties);
+  if (p2.properties.apiVersion >= VK_API_VERSION_1_2 && !options.core_only) {
+    p2.pNext = &driver;
+    vkGetPhysicalDeviceProperties2(physical_, &p2);
+  }
+  const VkPhysicalDeviceProperties& p = p2.properties;
+  facts_.name = p.deviceName;
+  facts_.driver = driver.driverInfo[0] ? fmt::format("{} {}", driver.driverName, driver.driverInfo)
+                                       : fmt::format("version {:#x}", p.driverVersion);
+  facts_.api_version = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(p.apiVersion), VK_API_VERSION_MINOR(p.apiVersion),
+                                   VK_API_VERSION_PATCH(p.apiVersion));
+  facts_.software = p.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  facts_.kind = facts_.software                                              ? "software"
+                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU       ? "discrete"
+                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU     ? "integrated"
+                                                                             : "other";
+  facts_.timestamp_period_ns = double(p.limits.timestampPeriod);
+  facts_.max_workgroup = options.core_only ? 128 : p.limits.maxComputeWorkGroupInvocations;
+  facts_.shared_memory = options.core_only ? 16384 : p.limits.maxComputeSharedMemorySize;
+  facts_.uniform_alignment = std::uint32_t(p.limits.minUniformBufferOffsetAlignment);
+  const VkSampleCountFlags samples = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts;
+  for (int s : {2, 4, 8})
+    if (samples & VkSampleCountFlags(s)) facts_.max_samples = s;
+  VkFormatProperties format;
+  vkGetPhysicalDeviceFormatProperties(physical_, VK_FORMAT_R32G32B32A32_SFLOAT, &format);
+  facts_.float32_linear = (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
+}
+
+void Device::create_device(const DeviceOptions& options) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
+  const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  bool found = false;
+  for (std::uint32_t i = 0; i < count && !found; ++i)
+    if ((families[i].queueFlags & wanted) == wanted) {
+      queue_family_ = i;
+      found = true;
+      facts_.timestamps = families[i].timestampValidBits > 0;
+    }
+  if (!found) throw Error(facts_.name, "the device has no queue for both graphics and compute", "use another device");
+
+  VkPhysicalDeviceMultiviewFeatures multiview{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES};
+  VkPhysicalDeviceFeatures2 has{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  has.pNext = &multiview;
+  vkGetPhysicalDeviceFeatures2(physical_, &has);
+  if (!multiview.multiview) throw Error(facts_.name, "the driver lacks multiview, which Vulkan 1.1 demands", "install a newer driver");
+  VkPhysicalDeviceFeatures2 use{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  VkPhysicalDeviceMultiviewFeatures use_multiview{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES};
+  use_multiview.multiview = VK_TRUE;
+  use.pNext = &use_multiview;
+  if (!options.core_only) {
+    use.features.samplerAnisotropy = has.features.samplerAnisotropy;
+    use.features.fillModeNonSolid = has.features.fillModeNonSolid;
+    use.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
+  }
+  facts_.wireframe = use.features.fillModeNonSolid;
+  facts_.vertex_stores = use.features.vertexPipelineStoresAndAtomics;
+  if (use.features.samplerAnisotropy) {
+    VkPhysicalDeviceProperties p;
+    vkGetPhysicalDeviceProperties(physical_, &p);
+    facts_.max_anisotropy = p.limits.maxSamplerAnisotropy;
+  }
+  const float priority = 1.0f;
+  VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+  queue.queueFamilyIndex = queue_family_;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &priority;
+  std::vector<const char*> extensions;
+  if (options.present) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+  info.pNext = &use;
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  info.enabledExtensionCount = std::uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+  const VkResult result = vkCreateDevice(physical_, &info, nullptr, &device_);
+  if (result == VK_ERROR_EXTENSION_NOT_PRESENT)
+    throw Error(facts_.name, "the driver cannot present to a window", "use --display headless or another device");
+  check(result, "vkCreateDevice");
+  vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+  if (debug_utils_) {
+    set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
+    begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance_, "vkCmdBeginDebugUtilsLabelEXT"));
+    end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance_, "vkCmdEndDebugUtilsLabelEXT"));
+  }
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.queueFamilyIndex = queue_family_;
+  pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+  check(vkCreateCommandPool(device_, &pool, nullptr, &now_pool_), "vkCreateCommandPool");
+}
+
+Device::~Device() {
+  if (device_) vkDeviceWaitIdle(device_);
+  while (!retired_.empty()) {
+    destroy(retired_.front());
+    retired_.pop_front();
+  }
+  for (auto& [key, pass] : render_passes_) vkDestroyRenderPass(device_, pass, nullptr);
+  if (now_pool_) vkDestroyCommandPool(device_, now_pool_, nullptr);
+  memory_.reset();
+  if (device_) vkDestroyDevice(device_, nullptr);
+  if (messenger_) {
+    auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+    destroy_messenger(instance_, messenger_, nullptr);
+  }
+  if (instance_) vkDestroyInstance(instance_, nullptr);
+}
+
+void Device::wait_idle() {
+  check(vkDeviceWaitIdle(device_), "vkDeviceWaitIdle");
+  frames_finished_to(~std::uint64_t{0});
+}
+
+std::vector<std::string> Device::validation_messages() const {
+  std::lock_guard lock(message_mutex_);
+  return messages_;
+}
+
+void Device::clear_validation_messages() {
+  std::lock_guard lock(message_mutex_);
+  messages_.clear();
+}
+
+std::vector<ObjectRecord> Device::objects() const {
+  std::vector<ObjectRecord> list;
+  for (const auto& [number, record] : records_) list.push_back(record);
+  return list;
+}
+
+void Device::retire_memory(VkDeviceMemory memory, VkDeviceSize offset) {
+  retired_.push_back({frame_number_, VK_OBJECT_TYPE_DEVICE_MEMORY, std::uint64_t(memory), offset});
+}
+
+void Device::frames_finished_to(std::uint64_t number) {
+  while (!retired_.empty() && retired_.front().frame <= number) {
+    destroy(retired_.front());
+    retired_.pop_front();
+  }
+}
+
+void Device::destroy(const Retired& object) {
+  const std::uint64_t h = object.handle;
+  switch (object.type) {
+    case VK_OBJECT_TYPE_DEVICE_MEMORY: memory_->free(VkDeviceMemory(h), object.offset); break;
+    case VK_OBJECT_TYPE_BUFFER: vkDestroyBuffer(device_, VkBuffer(h), nullptr); break;
+    case VK_OBJECT_TYPE_IMAGE: vkDestroyImage(device_, VkImage(h), nullptr); break;
+    case VK_OBJECT_TYPE_IMAGE_VIEW: vkDestroyImageView(device_, VkImageView(h), nullptr); break;
+    case VK_OBJECT_TYPE_SAMPLER: vkDestroySampler(device_, VkSampler(h), nullptr); break;
+    case VK_OBJECT_TYPE_SHADER_MODULE: vkDestroyShaderModule(device_, VkShaderModule(h), nullptr); break;
+    case VK_OBJECT_TYPE_PIPELINE: vkDestroyPipeline(device_, VkPipeline(h), nullptr); break;
+    case VK_OBJECT_TYPE_PIPELINE_LAYOUT: vkDestroyPipelineLayout(device_, VkPipelineLayout(h), nullptr); break;
+    case VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT:
+      vkDestroyDescriptorSetLayout(device_, VkDescriptorSetLayout(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_DESCRIPTOR_POOL: vkDestroyDescriptorPool(device_, VkDescriptorPool(h), nullptr); break;
+    case VK_OBJECT_TYPE_RENDER_PASS: vkDestroyRenderPass(device_, VkRenderPass(h), nullptr); break;
+    case VK_OBJECT_TYPE_FRAMEBUFFER: vkDestroyFramebuffer(device_, VkFramebuffer(h), nullptr); break;
+    case VK_OBJECT_TYPE_COMMAND_POOL: vkDestroyCommandPool(device_, VkCommandPool(h), nullptr); break;
+    case VK_OBJECT_TYPE_FENCE: vkDestroyFence(device_, VkFence(h), nullptr); break;
+    case VK_OBJECT_TYPE_SEMAPHORE: vkDestroySemaphore(device_, VkSemaphore(h), nullptr); break;
+    case VK_OBJECT_TYPE_QUERY_POOL: vkDestroyQueryPool(device_, VkQueryPool(h), nullptr); break;
+    case VK_OBJECT_TYPE_SWAPCHAIN_KHR: vkDestroySwapchainKHR(device_, VkSwapchainKHR(h), nullptr); break;
+    default: break;
+  }
+}
+
+VkCommandBuffer Device::begin_now() {
+  VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  info.commandPool = now_pool_;
+  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  info.commandBufferCount = 1;
+  VkCommandBuffer commands = VK_NULL_HANDLE;
+  check(vkAllocateCommandBuffers(device_, &info, &commands), "vkAllocateCommandBuffers");
+  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+  return commands;
+}
+
+void Device::end_now(VkCommandBuffer commands) {
+  check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+  VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+  submit.commandBufferCount = 1;
+  submit.pCommandBuffers = &commands;
+  check(vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
+  check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
+  vkFreeCommandBuffers(device_, now_pool_, 1, &commands);
+}
+
+VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info) {
+  auto [place, fresh] = render_passes_.try_emplace(key, VkRenderPass{VK_NULL_HANDLE});
+  if (fresh) {
+    check(vkCreateRenderPass(device_, &info, nullptr, &place->second), "vkCreateRenderPass");
+    debug_name(VK_OBJECT_TYPE_RENDER_PASS, std::uint64_t(place->second), key.c_str());
+  }
+  return place->second;
+}
+
+void Device::debug_name(VkObjectType type, std::uint64_t handle, const char* name) {
+  if (!set_name_) return;
+  VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+  info.objectType = type;
+  info.objectHandle = handle;
+  info.pObjectName = name;
+  set_name_(device_, &info);
+}
+
+void Device::label_begin(VkCommandBuffer commands, const char* name) const {
+  if (!begin_label_) return;
+  VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+  label.pLabelName = name;
+  begin_label_(commands, &label);
+}
+
+void Device::label_end(VkCommandBuffer commands) const {
+  if (end_label_) end_label_(commands);
+}
+
+}  // namespace seascape

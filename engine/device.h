@@ -1,0 +1,126 @@
+// One Vulkan device with its queue, memory and the list of everything alive on it.
+#pragma once
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/memory.h"
+#include "engine/objects.h"
+#include "engine/vulkan.h"
+
+namespace seascape {
+
+struct DeviceOptions {
+  bool validation = false;  // the Khronos layer with synchronization validation; missing layer: Error
+  bool core_only = false;   // use nothing beyond Vulkan 1.1's floor, as on a driver that has no more
+  bool present = false;     // with a swapchain
+  std::vector<std::string> instance_extensions;  // what a window needs
+};
+
+// What the chosen device is and can do.
+struct DeviceFacts {
+  std::string name, driver, api_version, kind;
+  bool software = false;        // a CPU driver such as lavapipe
+  bool wireframe = false;       // polygon mode line
+  bool float32_linear = false;  // RGBA32F can be filtered
+  bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
+  float max_anisotropy = 1.0f;
+  int max_samples = 1;          // of a colour and depth target
+  bool timestamps = false;
+  double timestamp_period_ns = 1.0;
+  std::uint32_t max_workgroup = 128, shared_memory = 16384;
+  std::uint32_t uniform_alignment = 256;
+  VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
+};
+
+class Device {
+ public:
+  // Picks a discrete GPU, then an integrated one, then any; SEASCAPE_DEVICE names another by part of its name. Throws Error
+  // when there is no loader, no driver or no device with Vulkan 1.1 and multiview.
+  explicit Device(const DeviceOptions& options);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  VkInstance instance() const { return instance_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkDevice handle() const { return device_; }
+  VkQueue queue() const { return queue_; }
+  std::uint32_t queue_family() const { return queue_family_; }
+  const DeviceFacts& facts() const { return facts_; }
+  Memory& memory() { return *memory_; }
+
+  void wait_idle();
+
+  // Validation messages since the start or the last clear, oldest first (validation on only).
+  std::vector<std::string> validation_messages() const;
+  void clear_validation_messages();
+
+  // Everything alive, in order of creation.
+  std::vector<ObjectRecord> objects() const;
+  std::uint64_t pipelines_made() const { return pipelines_made_; }
+
+  // Records and runs commands at once, and waits for them: set-up work only.
+  template <typename Record>
+  void run_now(Record&& record) {
+    VkCommandBuffer commands = begin_now();
+    record(commands);
+    end_now(commands);
+  }
+
+  // Called by the frame loop: objects retired before frame `number` began are free once it has finished.
+  void frame_begun(std::uint64_t number) { frame_number_ = number; }
+  void frames_finished_to(std::uint64_t number);
+
+  VkRenderPass cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info);
+  void debug_name(VkObjectType type, std::uint64_t handle, const char* name);
+  void label_begin(VkCommandBuffer commands, const char* name) const;
+  void label_end(VkCommandBuffer commands) const;
+  void retire_memory(VkDeviceMemory memory, VkDeviceSize offset);
+
+ private:
+  friend void detail::adopt(Device&, VkObjectType, std::uint64_t, std::string_view, std::uint64_t);
+  friend void detail::retire(Device&, VkObjectType, std::uint64_t);
+  friend class EffectScope;
+  struct Retired {
+    std::uint64_t frame;
+    VkObjectType type;  // VK_OBJECT_TYPE_DEVICE_MEMORY: handle and offset of an allocation
+    std::uint64_t handle, offset;
+  };
+  void create_instance(const DeviceOptions& options);
+  void choose_physical(const DeviceOptions& options);
+  void create_device(const DeviceOptions& options);
+  void destroy(const Retired& object);
+  VkCommandBuffer begin_now();
+  void end_now(VkCommandBuffer commands);
+  static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                                   const VkDebugUtilsMessengerCallbackDataEXT*, void*);
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  std::uint32_t queue_family_ = 0;
+  VkCommandPool now_pool_ = VK_NULL_HANDLE;
+  DeviceFacts facts_;
+  std::unique_ptr<Memory> memory_;
+  std::map<std::uint64_t, ObjectRecord> records_;  // by creation number
+  std::map<std::pair<VkObjectType, std::uint64_t>, std::uint64_t> creation_;
+  std::uint64_t created_ = 0, pipelines_made_ = 0;
+  std::map<std::string, VkRenderPass> render_passes_;
+  std::deque<Retired> retired_;
+  std::uint64_t frame_number_ = 0;
+  std::string effect_ = "frame";
+  bool debug_utils_ = false;
+  PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
+  PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
+  PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+  mutable std::mutex message_mutex_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace seascape

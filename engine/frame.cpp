@@ -1,0 +1,236 @@
+#include "engine/frame.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "engine/error.h"
+
+namespace seascape {
+
+void Commands::note(std::uint64_t what) {
+  ++counts_->commands;
+  counts_->hash = (counts_->hash ^ what) * 1099511628211ull;
+}
+
+void Commands::bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets) {
+  pipeline_ = &pipeline;
+  vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.get());
+  note(pipeline.hash());
+  if (VkDescriptorSet set = bindings.get()) {
+    assert(uniform_offsets.size() >= pipeline.dynamic_uniforms());
+    vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, pipeline.dynamic_uniforms(),
+                            uniform_offsets.begin());
+    note(2);
+  }
+}
+
+void Commands::push_bytes(const void* data, std::uint32_t bytes) {
+  const std::uint32_t used = pipeline_->push_bytes();
+  assert(used <= bytes);
+  if (used == 0) return;
+  vkCmdPushConstants(commands_, pipeline_->layout(), pipeline_->push_stages(), 0, std::min(used, bytes), data);
+  note(3);
+}
+
+void Commands::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  vkCmdDispatch(commands_, x, y, z);
+  note(4 + (std::uint64_t(x) << 8) + (std::uint64_t(y) << 28) + (std::uint64_t(z) << 48));
+  ++counts_->dispatches;
+}
+
+void Commands::bind_vertices(const Upload& upload) {
+  const VkBuffer buffer = upload.buffer->get();
+  const VkDeviceSize offset = upload.offset;
+  vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &offset);
+  note(5);
+}
+
+void Commands::bind_indices(const Buffer& buffer, VkIndexType type) {
+  vkCmdBindIndexBuffer(commands_, buffer.get(), 0, type);
+  note(6);
+}
+
+void Commands::draw(std::uint32_t vertices, std::uint32_t instances) {
+  vkCmdDraw(commands_, vertices, instances, 0, 0);
+  note(7 + (std::uint64_t(vertices) << 8) + (std::uint64_t(instances) << 32));
+  ++counts_->draws;
+  counts_->triangles += std::uint64_t(vertices / 3) * instances;
+}
+
+void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances) {
+  vkCmdDrawIndexed(commands_, indices, instances, 0, 0, 0);
+  note(8 + (std::uint64_t(indices) << 8) + (std::uint64_t(instances) << 32));
+  ++counts_->draws;
+  counts_->triangles += std::uint64_t(indices / 3) * instances;
+}
+
+Frame::Frame(Device& device, std::uint32_t ring_bytes)
+    : device_(device),
+      ring_(device, "frame ring", VkDeviceSize(ring_bytes) * slots,
+            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+            HostAccess::write),
+      ring_bytes_(ring_bytes) {
+  times_.reserve(max_passes);
+  for (Slot& slot : slots_) {
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.queueFamilyIndex = device.queue_family();
+    VkCommandPool pool_handle = VK_NULL_HANDLE;
+    check(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_handle), "vkCreateCommandPool");
+    slot.pool = Owned<VkCommandPool>(device, pool_handle, "frame");
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool_handle;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    check(vkAllocateCommandBuffers(device.handle(), &allocate, &slot.commands), "vkAllocateCommandBuffers");
+    VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    VkFence fence_handle = VK_NULL_HANDLE;
+    check(vkCreateFence(device.handle(), &fence, nullptr, &fence_handle), "vkCreateFence");
+    slot.fence = Owned<VkFence>(device, fence_handle, "frame");
+    if (device.facts().timestamps) {
+      VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+      queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+      queries.queryCount = 2 * max_passes;
+      VkQueryPool query_handle = VK_NULL_HANDLE;
+      check(vkCreateQueryPool(device.handle(), &queries, nullptr, &query_handle), "vkCreateQueryPool");
+      slot.queries = Owned<VkQueryPool>(device, query_handle, "frame");
+    }
+  }
+}
+
+Frame::~Frame() { vkDeviceWaitIdle(device_.handle()); }
+
+void Frame::collect(Slot& slot) {
+  if (!slot.pending) return;
+  const VkFence fence = slot.fence.get();
+  check(vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+  slot.pending = false;
+  device_.frames_finished_to(slot.frame);
+  if (!slot.queries || slot.passes == 0) return;
+  std::array<std::uint64_t, 2 * max_passes> stamps{};
+  check(vkGetQueryPoolResults(device_.handle(), slot.queries.get(), 0, 2 * slot.passes, sizeof stamps, stamps.data(), 8,
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "vkGetQueryPoolResults");
+  times_.clear();
+  const double period = device_.facts().timestamp_period_ns * 1e-6;
+  for (std::uint32_t p = 0; p < slot.passes; ++p)
+    times_.push_back({slot.names[p], double(stamps[2 * p + 1] - stamps[2 * p]) * period});
+  gpu_ms_ = double(stamps[2 * slot.passes - 1] - stamps[0]) * period;
+  timed_frame_ = slot.frame;
+}
+
+void Frame::begin() {
+  ++number_;
+  Slot& slot = slots_[number_ % slots];
+  collect(slot);
+  slot.frame = number_;
+  slot.passes = 0;
+  ring_used_ = 0;
+  counts_ = {};
+  device_.frame_begun(number_);
+  const VkFence fence = slot.fence.get();
+  check(vkResetFences(device_.handle(), 1, &fence), "vkResetFences");
+  check(vkResetCommandPool(device_.handle(), slot.pool.get(), 0), "vkResetCommandPool");
+  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vkBeginCommandBuffer(slot.commands, &begin), "vkBeginCommandBuffer");
+  if (slot.queries) vkCmdResetQueryPool(slot.commands, slot.queries.get(), 0, 2 * max_passes);
+  commands_.commands_ = slot.commands;
+  commands_.counts_ = &counts_;
+  commands_.eye_ = 0;
+}
+
+Upload Frame::upload(const void* data, std::uint32_t bytes, std::uint32_t alignment) {
+  ring_used_ = (ring_used_ + alignment - 1) / alignment * alignment;
+  if (ring_used_ + bytes > ring_bytes_)
+    throw Error("frame", fmt::format("uploads exceed {} bytes", ring_bytes_), "this is a fault of seascape; a lower preset avoids it");
+  const std::uint32_t offset = std::uint32_t(number_ % slots) * ring_bytes_ + ring_used_;
+  std::memcpy(ring_.mapped<char>() + offset, data, bytes);
+  ring_used_ += bytes;
+  return {&ring_, offset};
+}
+
+void Frame::open(const char* name, BarrierBatch& barriers) {
+  Slot& slot = slots_[number_ % slots];
+  assert(slot.passes < max_passes);
+  device_.label_begin(slot.commands, name);
+  if (barriers.record(slot.commands)) {
+    ++counts_.barriers;
+    commands_.note(1);
+  }
+  slot.names[slot.passes] = name;
+  if (slot.queries)
+    vkCmdWriteTimestamp(slot.commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, slot.queries.get(), 2 * slot.passes);
+  ++counts_.passes;
+}
+
+void Frame::begin_pass(const char* name, std::initializer_list<Use> uses) {
+  BarrierBatch barriers;
+  for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
+  open(name, barriers);
+}
+
+void Frame::begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses) {
+  BarrierBatch barriers;
+  for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
+  barriers.add(target.colour(), Access::colour_target, true);
+  if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
+  if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
+  open(name, barriers);
+}
+
+void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
+  const TargetSpec& spec = target.spec();
+  VkClearValue clears[3]{};
+  for (int i : {0, 2}) std::memcpy(clears[i].color.float32, spec.clear.data(), sizeof clears[i].color.float32);
+  clears[1].depthStencil = {0.0f, 0};  // reversed depth: infinitely far
+  VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
+  begin.renderPass = target.render_pass();
+  begin.framebuffer = target.framebuffer(pass);
+  begin.renderArea = {{0, 0}, {spec.width, spec.height}};
+  begin.clearValueCount = 1u + spec.depth + (spec.samples > 1);
+  begin.pClearValues = clears;
+  vkCmdBeginRenderPass(commands_.commands_, &begin, VK_SUBPASS_CONTENTS_INLINE);
+  const VkViewport viewport{0.0f, 0.0f, float(spec.width), float(spec.height), 0.0f, 1.0f};
+  const VkRect2D scissor{{0, 0}, {spec.width, spec.height}};
+  vkCmdSetViewport(commands_.commands_, 0, 1, &viewport);
+  vkCmdSetScissor(commands_.commands_, 0, 1, &scissor);
+  commands_.note(9);
+  commands_.eye_ = std::uint32_t(pass);
+}
+
+void Frame::end_eye() {
+  vkCmdEndRenderPass(commands_.commands_);
+  commands_.eye_ = 0;
+}
+
+void Frame::end_pass() {
+  Slot& slot = slots_[number_ % slots];
+  if (slot.queries)
+    vkCmdWriteTimestamp(slot.commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, slot.queries.get(), 2 * slot.passes + 1);
+  ++slot.passes;
+  device_.label_end(slot.commands);
+}
+
+void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
+  Slot& slot = slots_[number_ % slots];
+  check(vkEndCommandBuffer(slot.commands), "vkEndCommandBuffer");
+  const VkPipelineStageFlags stage = VK_PIPELINE_STAGE_TRANSFER_BIT | VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
+  VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+  submit.commandBufferCount = 1;
+  submit.pCommandBuffers = &slot.commands;
+  submit.waitSemaphoreCount = wait ? 1 : 0;
+  submit.pWaitSemaphores = &wait;
+  submit.pWaitDstStageMask = &stage;
+  submit.signalSemaphoreCount = signal ? 1 : 0;
+  submit.pSignalSemaphores = &signal;
+  check(vkQueueSubmit(device_.queue(), 1, &submit, slot.fence.get()), "vkQueueSubmit");
+  slot.pending = true;
+}
+
+void Frame::finish() {
+  collect(slots_[(number_ + 1) % slots]);
+  collect(slots_[number_ % slots]);
+}
+
+}  // namespace seascape

@@ -1,0 +1,144 @@
+// One frame's commands as a list of passes: each runs at once, in program order; barriers, GPU timers and debug labels come
+// from its declaration.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <vector>
+
+#include "engine/barrier.h"
+#include "engine/pipeline.h"
+#include "engine/render_target.h"
+
+namespace seascape {
+
+struct Use {
+  const Image* image = nullptr;
+  const Buffer* buffer = nullptr;
+  Access access{};
+  bool discard = false;
+};
+inline Use use(const Image& image, Access access, bool discard = false) { return {&image, nullptr, access, discard}; }
+inline Use use(const Buffer& buffer, Access access) { return {nullptr, &buffer, access, false}; }
+
+// What a frame recorded. The hash covers every command with its arguments, uploads excepted.
+struct FrameCounts {
+  std::uint64_t commands = 0, draws = 0, triangles = 0, dispatches = 0, barriers = 0, passes = 0;
+  std::uint64_t hash = 1469598103934665603ull;
+};
+
+struct PassTime {
+  const char* name;
+  double ms;
+};
+
+// A piece of the frame's upload ring.
+struct Upload {
+  const Buffer* buffer;
+  std::uint32_t offset;
+};
+
+// The one place where commands are recorded.
+class Commands {
+ public:
+  void bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets = {});
+  template <typename T>
+  void push(const T& constants) {
+    static_assert(sizeof(T) <= 128);
+    push_bytes(&constants, sizeof(T));
+  }
+  void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+  void bind_vertices(const Upload& upload);
+  void bind_indices(const Buffer& buffer, VkIndexType type);
+  void draw(std::uint32_t vertices, std::uint32_t instances = 1);
+  void draw_indexed(std::uint32_t indices, std::uint32_t instances);
+  // The eye that a pass per eye draws; 0 in a multiview pass, where shaders have gl_ViewIndex.
+  std::uint32_t eye() const { return eye_; }
+  VkCommandBuffer raw() const { return commands_; }  // for libraries that record by themselves
+
+ private:
+  friend class Frame;
+  void note(std::uint64_t what);
+  void push_bytes(const void* data, std::uint32_t bytes);
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  const Pipeline* pipeline_ = nullptr;
+  FrameCounts* counts_ = nullptr;
+  std::uint32_t eye_ = 0;
+};
+
+class Frame {
+ public:
+  static constexpr int slots = 2;  // frames in flight
+  static constexpr std::uint32_t max_passes = 64;
+
+  explicit Frame(Device& device, std::uint32_t ring_bytes = 4u << 20);
+  ~Frame();
+
+  // Waits until the slot's last frame has left the GPU, reads its timers, and begins to record.
+  void begin();
+  template <typename Record>
+  void pass(const char* name, std::initializer_list<Use> uses, Record&& record) {
+    begin_pass(name, uses);
+    record(commands_);
+    end_pass();
+  }
+  // Draws into the target: once for all views, or once an eye where the target says so.
+  template <typename Record>
+  void draw_pass(const char* name, const RenderTarget& target, std::initializer_list<Use> uses, Record&& record) {
+    begin_target(name, target, uses);
+    for (std::size_t p = 0; p < target.passes(); ++p) {
+      begin_eye(target, p);
+      record(commands_);
+      end_eye();
+    }
+    end_pass();
+  }
+  Upload upload(const void* data, std::uint32_t bytes, std::uint32_t alignment);
+  template <typename T>
+  std::uint32_t upload_uniform(const T& data) {
+    return upload(&data, sizeof(T), device_.facts().uniform_alignment).offset;
+  }
+  const Buffer& ring() const { return ring_; }
+
+  void submit(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
+  void finish();  // waits for all frames, reads their timers
+
+  const FrameCounts& counts() const { return counts_; }  // of the frame recorded last
+  // GPU times of the newest frame that has finished, by pass in program order; empty without timestamps.
+  const std::vector<PassTime>& times() const { return times_; }
+  double gpu_ms() const { return gpu_ms_; }
+  std::uint64_t timed_frame() const { return timed_frame_; }
+  std::uint64_t number() const { return number_; }
+
+ private:
+  struct Slot {
+    Owned<VkCommandPool> pool;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    Owned<VkFence> fence;
+    Owned<VkQueryPool> queries;
+    std::array<const char*, max_passes> names{};
+    std::uint32_t passes = 0;
+    std::uint64_t frame = 0;
+    bool pending = false;
+  };
+  void begin_pass(const char* name, std::initializer_list<Use> uses);
+  void begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses);
+  void begin_eye(const RenderTarget& target, std::size_t pass);
+  void end_eye();
+  void end_pass();
+  void open(const char* name, BarrierBatch& barriers);
+  void collect(Slot& slot);
+
+  Device& device_;
+  std::array<Slot, slots> slots_;
+  Buffer ring_;
+  std::uint32_t ring_bytes_, ring_used_ = 0;
+  Commands commands_;
+  FrameCounts counts_;
+  std::vector<PassTime> times_;
+  double gpu_ms_ = 0.0;
+  std::uint64_t number_ = 0, timed_frame_ = 0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,93 @@
+// Buffers, images and samplers, each with the memory it lies in and the state its last use left it in.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/device.h"
+
+namespace seascape {
+
+// What the last passes did to a buffer or image; the frame derives barriers from it.
+struct UseState {
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkPipelineStageFlags write_stages = 0;    // of the last write
+  VkAccessFlags write_access = 0;
+  VkPipelineStageFlags read_stages = 0;     // of reads since
+  VkPipelineStageFlags visible_stages = 0;  // where the last write has been made visible
+  VkAccessFlags visible_access = 0;
+};
+
+enum class HostAccess { none, write, read };  // device-local; mapped for upload; mapped and cached for readback
+
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(Device& device, std::string_view name, VkDeviceSize bytes, VkBufferUsageFlags usage,
+         HostAccess host = HostAccess::none);
+  VkBuffer get() const { return buffer_.get(); }
+  VkDeviceSize bytes() const { return bytes_; }
+  template <typename T> T* mapped() const { return static_cast<T*>(allocation_.mapped()); }
+  UseState& state() const { return state_; }
+  explicit operator bool() const { return bool(buffer_); }
+
+ private:
+  Allocation allocation_;
+  Owned<VkBuffer> buffer_;
+  VkDeviceSize bytes_ = 0;
+  mutable UseState state_;
+};
+
+// A device-local buffer filled at once: set-up work.
+Buffer make_filled_buffer(Device& device, std::string_view name, const void* data, VkDeviceSize bytes, VkBufferUsageFlags usage);
+
+struct ImageSpec {
+  std::uint32_t width = 1, height = 1, layers = 1, levels = 1;
+  VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
+  VkImageUsageFlags usage = 0;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  bool transient = false;  // lives inside one render pass: lazily allocated where the device has such memory
+  bool array = true;       // views are 2-D arrays even with one layer
+  VkFormat mutable_as = VK_FORMAT_UNDEFINED;  // another format that views may take
+};
+
+class Image {
+ public:
+  Image() = default;
+  Image(Device& device, std::string_view name, const ImageSpec& spec);
+  VkImage get() const { return image_.get(); }
+  VkImageView view() const { return view_.get(); }
+  const ImageSpec& spec() const { return spec_; }
+  VkImageAspectFlags aspect() const;
+  // A further view of `levels` levels from `level` and `layers` layers from `layer`, owned by the image.
+  VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array = true);
+  UseState& state() const { return state_; }
+  explicit operator bool() const { return bool(image_); }
+
+ private:
+  Owned<VkImageView> make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array);
+  Device* device_ = nullptr;
+  std::string name_;
+  ImageSpec spec_;
+  Allocation allocation_;
+  Owned<VkImage> image_;
+  Owned<VkImageView> view_;
+  std::vector<Owned<VkImageView>> subviews_;
+  mutable UseState state_;
+};
+
+struct SamplerSpec {
+  bool linear = true;
+  bool repeat = true;
+  float anisotropy = 1.0f;  // clamped to what the device has
+};
+Owned<VkSampler> make_sampler(Device& device, std::string_view name, const SamplerSpec& spec);
+
+std::uint32_t bytes_per_texel(VkFormat format);
+
+// Level 0 of one layer, tightly packed, after waiting for the device: tests and pictures.
+std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level = 0);
+std::vector<std::uint8_t> read_buffer(Device& device, const Buffer& buffer);
+
+}  // namespace seascape

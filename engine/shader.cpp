@@ -1,0 +1,140 @@
+#include "engine/shader.h"
+
+#include <fmt/format.h>
+#include <spirv_cross/spirv_cross_c.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <spirv-tools/optimizer.hpp>
+#include <unordered_map>
+
+#include "engine/error.h"
+#include "engine/files.h"
+
+namespace seascape {
+
+namespace {
+
+VkShaderStageFlagBits stage_of(const std::string& name) {
+  if (name.ends_with(".vert")) return VK_SHADER_STAGE_VERTEX_BIT;
+  if (name.ends_with(".frag")) return VK_SHADER_STAGE_FRAGMENT_BIT;
+  return VK_SHADER_STAGE_COMPUTE_BIT;
+}
+
+std::uint64_t hash_words(const std::vector<std::uint32_t>& words) {
+  std::uint64_t h = 1469598103934665603ull;  // FNV-1a
+  for (std::uint32_t w : words) h = (h ^ w) * 1099511628211ull;
+  return h;
+}
+
+// Reads the bindings that are used and the size of the push constants.
+void reflect(Shader& shader) {
+  spvc_context context = nullptr;
+  spvc_parsed_ir ir = nullptr;
+  spvc_compiler compiler = nullptr;
+  spvc_resources resources = nullptr;
+  spvc_context_create(&context);
+  struct Release {
+    spvc_context context;
+    ~Release() { spvc_context_destroy(context); }
+  } release{context};
+  if (spvc_context_parse_spirv(context, shader.words.data(), shader.words.size(), &ir) != SPVC_SUCCESS ||
+      spvc_context_create_compiler(context, SPVC_BACKEND_NONE, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler) != SPVC_SUCCESS)
+    throw Error(shader.name, "cannot be read as SPIR-V", "build again: cmake --build --preset release");
+  spvc_set active = nullptr;
+  spvc_compiler_get_active_interface_variables(compiler, &active);
+  spvc_compiler_create_shader_resources_for_active_variables(compiler, &resources, active);
+  const std::pair<spvc_resource_type, VkDescriptorType> kinds[] = {
+      {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC},
+      {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+      {SPVC_RESOURCE_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+      {SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+  };
+  for (const auto& [kind, type] : kinds) {
+    const spvc_reflected_resource* list = nullptr;
+    std::size_t count = 0;
+    spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
+    for (std::size_t i = 0; i < count; ++i)
+      shader.bindings.push_back({spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationBinding), type, list[i].name});
+  }
+  std::sort(shader.bindings.begin(), shader.bindings.end(),
+            [](const ShaderBinding& a, const ShaderBinding& b) { return a.binding < b.binding; });
+  const spvc_reflected_resource* push = nullptr;
+  std::size_t pushes = 0;
+  spvc_resources_get_resource_list_for_type(resources, SPVC_RESOURCE_TYPE_PUSH_CONSTANT, &push, &pushes);
+  if (pushes) {
+    std::size_t bytes = 0;
+    spvc_compiler_get_declared_struct_size(compiler, spvc_compiler_get_type_handle(compiler, push[0].base_type_id), &bytes);
+    shader.push_bytes = std::uint32_t(bytes);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, std::span<const SpecValue> values,
+                                      const std::string& name) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  std::string fault;
+  optimizer.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* message) {
+    if (level <= SPV_MSG_ERROR) fault = message;
+  });
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> bits;
+  for (const SpecValue& v : values) bits[v.id] = {v.value};
+  optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(bits))
+      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+      .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+      .RegisterPass(spvtools::CreateUnifyConstantPass())
+      .RegisterPass(spvtools::CreateInlineExhaustivePass())
+      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+      .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+      .RegisterPass(spvtools::CreateCCPPass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
+      .RegisterPass(spvtools::CreateDeadVariableEliminationPass())
+      .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
+      .RegisterPass(spvtools::CreateBlockMergePass())
+      .RegisterPass(spvtools::CreateCompactIdsPass());
+  std::vector<std::uint32_t> result;
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);  // the build has validated the file; the tests validate the results
+  if (!optimizer.Run(words.data(), words.size(), &result, options))
+    throw Error(name, fmt::format("cannot be specialised ({})", fault), "build again: cmake --build --preset release");
+  return result;
+}
+
+ShaderLibrary::ShaderLibrary(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+std::filesystem::path ShaderLibrary::default_directory() { return executable_directory() / "shaders"; }
+
+std::shared_ptr<const Shader> ShaderLibrary::load(const std::string& name, std::span<const SpecValue> values) {
+  std::string key = name;
+  for (const SpecValue& v : values) key += fmt::format(" {}={}", v.id, v.value);
+  if (auto found = loaded_.find(key); found != loaded_.end()) return found->second;
+  const std::filesystem::path file = directory_ / (name + ".spv");
+  auto shader = std::make_shared<Shader>();
+  shader->name = name;
+  shader->stage = stage_of(name);
+  shader->words = specialise(read_spirv(file), values, name);
+  shader->hash = hash_words(shader->words);
+  reflect(*shader);
+  std::error_code ignored;
+  times_[name] = std::filesystem::last_write_time(file, ignored);
+  return loaded_[key] = shader;
+}
+
+bool ShaderLibrary::changed() {
+  for (const auto& [name, time] : times_) {
+    std::error_code failed;
+    const auto now = std::filesystem::last_write_time(directory_ / (name + ".spv"), failed);
+    if (!failed && now != time) {
+      loaded_.clear();
+      times_.clear();
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace seascape

@@ -1,0 +1,59 @@
+// SPIR-V from disk, specialised and stripped for what a scene uses, with the bindings it really has.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/device.h"
+
+namespace seascape {
+
+struct SpecValue {
+  std::uint32_t id;
+  std::uint32_t value;  // the bits of a bool (0 or 1), int, uint or float
+};
+
+struct ShaderBinding {
+  std::uint32_t binding = 0;
+  VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
+  std::string name;
+};
+
+// One module as loaded: nothing of a feature whose constant is false is left in its words.
+struct Shader {
+  std::string name;  // the file's name, "surface.vert"
+  VkShaderStageFlagBits stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  std::vector<std::uint32_t> words;
+  std::vector<ShaderBinding> bindings;  // of descriptor set 0, the only one
+  std::uint32_t push_bytes = 0;
+  std::uint64_t hash = 0;  // of the words
+};
+
+// Loads from `shaders/` beside the executable. Equal requests give the same Shader.
+class ShaderLibrary {
+ public:
+  explicit ShaderLibrary(std::filesystem::path directory = default_directory());
+  static std::filesystem::path default_directory();
+
+  // Throws Error when the file is missing or not SPIR-V, or names a specialisation constant it does not have.
+  std::shared_ptr<const Shader> load(const std::string& name, std::span<const SpecValue> values);
+
+  // True once after any loaded file has changed on disk: forgets all, so that the next loads read anew.
+  bool changed();
+
+ private:
+  std::filesystem::path directory_;
+  std::map<std::string, std::shared_ptr<const Shader>> loaded_;
+  std::map<std::string, std::filesystem::file_time_type> times_;
+};
+
+// Sets the specialisation constants, freezes and folds them, and strips what is dead. Exposed for tests.
+std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, std::span<const SpecValue> values,
+                                      const std::string& name);
+
+}  // namespace seascape

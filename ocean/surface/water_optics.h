@@ -1,0 +1,16 @@
+// What open-ocean water absorbs and scatters back, from its chlorophyll (case 1 waters).
+#pragma once
+#include <glm/glm.hpp>
+
+namespace seascape {
+
+struct WaterOptics {
+  glm::dvec3 absorption;   // 1/m at 620, 550, 450 nm
+  glm::dvec3 backscatter;  // 1/m at the same
+};
+
+// `chlorophyll` in mg/m^3, above 0. Absorption: pure water of Pope and Fry (1997) with Prieur and Sathyendranath (1981) as
+// given by Morel (1991). Backscatter: water and particles after Morel (1988).
+WaterOptics water_optics(double chlorophyll);
+
+}  // namespace seascape

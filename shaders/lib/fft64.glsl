@@ -1,0 +1,45 @@
+// An inverse discrete Fourier transform of length 64 by eight invocations with eight values each: two radix-8 steps and one
+// exchange through shared memory (Cooley and Tukey 1965). A tile of N = 64 P samples whose waves all have |m| <= 32
+// needs no longer transform: its samples n = q P + s, for each s, are the transform of length 64 of the bins turned by
+// s m / N.
+#ifndef SEASCAPE_FFT64_GLSL
+#define SEASCAPE_FFT64_GLSL
+#include "shared/phase.h"
+
+vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
+vec2 times_i(vec2 a) { return vec2(-a.y, a.x); }
+
+// v[k] = sum over r of v[r] exp(2 pi i r k / 8).
+void dft8(inout vec2 v[8]) {
+  const float h = 0.70710678118654752;
+  vec2 a0 = v[0] + v[4], a1 = v[1] + v[5], a2 = v[2] + v[6], a3 = v[3] + v[7];
+  vec2 b0 = v[0] - v[4], b1 = v[1] - v[5], b2 = v[2] - v[6], b3 = v[3] - v[7];
+  b1 = vec2(b1.x - b1.y, b1.x + b1.y) * h;
+  b2 = times_i(b2);
+  b3 = vec2(-b3.x - b3.y, b3.x - b3.y) * h;
+  vec2 c0 = a0 + a2, c1 = a1 + a3, c2 = a0 - a2, c3 = times_i(a1 - a3);
+  vec2 d0 = b0 + b2, d1 = b1 + b3, d2 = b0 - b2, d3 = times_i(b1 - b3);
+  v[0] = c0 + c1;
+  v[4] = c0 - c1;
+  v[2] = c2 + c3;
+  v[6] = c2 - c3;
+  v[1] = d0 + d1;
+  v[5] = d0 - d1;
+  v[3] = d2 + d3;
+  v[7] = d2 - d3;
+}
+
+// Powers 1, w, w^2 ... of exp(2 pi i lane / 64).
+void twiddles(uint lane, out vec2 w[8]) {
+  w[0] = vec2(1.0, 0.0);
+  for (uint k = 1u; k < 8u; ++k) w[k] = cos_sin_turns((lane * k) << 26);
+}
+
+// The index, 0 to 63, in a table that begins at m = -32, of input r of a lane: m = lane + 8 r modulo 64.
+uint bin_index(uint lane, uint r) { return (lane + 8u * r + 32u) & 63u; }
+// The signed wave number of a table index.
+int bin_number(uint index) { return int(index) - 32; }
+
+// exp(2 pi i m s / N), exactly reduced: N = 64 P a power of two.
+vec2 phase_twiddle(int m, uint s, uint log2_n) { return cos_sin_turns(uint(m * int(s)) << (32u - log2_n)); }
+#endif

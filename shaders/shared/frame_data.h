@@ -1,0 +1,48 @@
+// What every shader of a frame is told: the eyes, the light, the place.
+#ifndef SEASCAPE_FRAME_DATA_H
+#define SEASCAPE_FRAME_DATA_H
+#include "gpu_types.h"
+#include "sea_data.h"
+SEASCAPE_SHARED_BEGIN
+
+struct ViewData {
+  mat4 clip_from_relative;  // from metres relative to the viewer
+  vec4 ray_x, ray_y, ray_z; // world direction of a pixel at normalised device (x, y): x ray_x + y ray_y + ray_z
+  vec4 eye;                 // xyz: the eye relative to the viewer in metres; w: radians a pixel at the centre
+};
+
+struct FrameData {
+  ViewData view[2];
+  vec4 viewer;          // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
+  vec4 sun;             // xyz: towards the sun; w: cosine of its angular radius
+  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z: sky map's lowest sine; w: unused
+  vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
+  vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
+  vec4 whitecap;        // x: strength; y: Jacobian below which foam forms; z, w: unused
+  ivec4 grid;           // x, y: the tree's centre in units; z: quads of a patch's side; w: debug view
+  vec4 skirt;           // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
+  SeaData sea;
+};
+
+// Values of grid.w, in the order of app/render_settings.h's DebugView.
+SEASCAPE_CONST int debug_none = 0;
+SEASCAPE_CONST int debug_holes = 1;
+SEASCAPE_CONST int debug_lod = 2;
+SEASCAPE_CONST int debug_wireframe = 3;
+SEASCAPE_CONST int debug_normals = 4;
+SEASCAPE_CONST int debug_slices = 5;
+
+// What the sky gives the sea: written by sky_light.comp, read by every shader that needs light.
+struct SkyLight {
+  vec4 sun_irradiance;  // rgb: on a plane facing the sun at sea level, W/m^2 per channel up to a constant
+  vec4 sky_irradiance;  // rgb: on a level plane, from the sky without the sun
+  vec4 exposure;        // x: factor from radiance to picture
+};
+
+// Push constants of everything drawn: which eye, where no multiview pass says it.
+struct DrawPush {
+  uint eye;
+};
+
+SEASCAPE_SHARED_END
+#endif

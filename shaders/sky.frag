@@ -1,0 +1,39 @@
+#version 460
+// The sky behind everything: the map, and the sun's disc.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/frame_data.h"
+#include "lib/view.glsl"
+#include "lib/sky.glsl"
+#include "lib/tone.glsl"
+
+layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = 4) uniform sampler2D sky_map;
+layout(std430, binding = 5) readonly buffer Light { SkyLight light; };
+layout(constant_id = 2) const bool tile_shape = false;
+layout(constant_id = 4) const bool debug = false;
+
+layout(location = 0) in vec2 device_xy;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  const ViewData view = frame.view[eye_index()];
+  const vec3 ray = normalize(device_xy.x * view.ray_x.xyz + device_xy.y * view.ray_y.xyz + view.ray_z.xyz);
+  vec3 sky = textureLod(sky_map, sky_coordinate(ray), 0.0).rgb;
+  // The disc, darkened towards its limb (Pierce and Slaughter 1977, 550 nm, first order), with an edge a pixel wide.
+  const float off = acos(clamp(dot(ray, frame.sun.xyz), -1.0, 1.0)), radius = acos(frame.sun.w);
+  const float inside = 1.0 - smoothstep(radius - 0.5 * view.eye.w, radius + 0.5 * view.eye.w, off);
+  if (inside > 0.0 && ray.y > 0.0) {
+    const float mu = sqrt(max(1.0 - (off / radius) * (off / radius), 0.0));
+    const float solid = 6.2831853 * (1.0 - frame.sun.w);
+    sky += inside * light.sun_irradiance.rgb * (0.4 + 0.6 * mu) * 1.25 / solid;
+  }
+  vec3 lit = sky * light.exposure.x * exp2(frame.air.y);
+  if (tile_shape) lit = tone_map(lit);
+  colour = vec4(min(lit, vec3(6e4)), 1.0);
+  if (debug && frame.grid.w == debug_holes) {
+    // Beneath the lowest line where any water must be seen, nothing but the sea may lie: pure magenta, after tone mapping.
+    const float h = max(frame.viewer.z + view.eye.y + frame.sea.footprint.z, 0.0), c = frame.skirt.w;
+    const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c) ;  // sine of the dip (0 when flat)
+    if (ray.y < -dip - 2.0 * view.eye.w) colour = tile_shape ? vec4(1.0, 0.0, 1.0, 1.0) : vec4(0.0);
+  }
+}

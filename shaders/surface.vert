@@ -1,0 +1,54 @@
+#version 460
+// The sea's surface: patches of the quadtree and the horizon skirt, displaced by the waves and curved as the earth is.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/frame_data.h"
+#include "shared/phase.h"
+#include "shared/patch_vertex.h"
+#include "lib/view.glsl"
+
+layout(binding = 0) uniform Frame { FrameData frame; };
+#include "lib/sea.glsl"
+
+// Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
+layout(constant_id = 1) const bool probe = false;
+layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
+
+layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, flags
+
+layout(location = 0) out vec3 relative;    // metres from the viewer, world axes
+layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
+layout(location = 2) out float height;     // above the curved still sea, metres
+layout(location = 3) flat out uint flags;
+
+// The place above a sphere of curvature `c` that touches the still sea beneath the viewer, of a point `flat_xz` metres away
+// along the surface and `y` above it; exact to 1e-9 of the distance for angles below 0.15 (Taylor).
+vec3 curved(vec2 flat_xz, float y, float c) {
+  const float s2 = dot(flat_xz, flat_xz);
+  const float a2 = s2 * c * c;
+  const float sine = 1.0 - a2 * (1.0 / 6.0 - a2 / 120.0);
+  const float drop = s2 * c * (0.5 - a2 * (1.0 / 24.0 - a2 / 720.0));
+  return vec3(flat_xz.x * sine * (1.0 + y * c), y - drop * (1.0 + y * c), flat_xz.y * sine * (1.0 + y * c));
+}
+
+void main() {
+  const int quads = frame.grid.z;
+  const int i = gl_VertexIndex % (quads + 1), j = gl_VertexIndex / (quads + 1);
+  const PatchInstance p = PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w));
+  rest = patch_vertex(p, i, j, quads, frame.grid.xy, frame.skirt.x, frame.skirt.y) * frame.skirt.z;
+  const vec2 from_viewer = rest - frame.viewer.xy;
+  // The footprint follows distance alone, never the patch, so that shared vertices agree to the bit.
+  const float range = length(vec3(from_viewer, frame.viewer.z));
+  const float footprint = max(frame.sea.footprint.x, frame.sea.footprint.y * range);
+  const vec3 d = sea_displacement(rest, footprint);
+  relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
+  relative.y -= frame.viewer.z;
+  height = d.y;
+  flags = p.flags;
+  if (probe) {
+    const int n = (quads + 1) * (quads + 1);
+    const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);
+    probed[at] = vec4(rest, footprint, 0.0);
+    probed[at + 1] = vec4(from_viewer + d.xz, d.y, 0.0);
+  }
+  gl_Position = frame.view[eye_index()].clip_from_relative * vec4(relative, 1.0);
+}

@@ -1,0 +1,21 @@
+#version 460
+// The desktop frame's last pass: tone mapping from the lit picture.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/frame_data.h"
+#include "lib/view.glsl"
+#include "lib/tone.glsl"
+
+layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = 6) uniform sampler2DArray lit_picture;
+layout(constant_id = 4) const bool debug = false;
+
+layout(location = 0) in vec2 device_xy;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  const vec4 lit = texelFetch(lit_picture, ivec3(gl_FragCoord.xy, eye_index()), 0);
+  const bool raw = debug && frame.grid.w > debug_lod;
+  colour = vec4(raw ? lit.rgb : tone_map(lit.rgb), 1.0);
+  // A hole has no alpha; one sample of it is enough.
+  if (debug && frame.grid.w == debug_holes && lit.a < 0.999) colour = vec4(1.0, 0.0, 1.0, 1.0);
+}
