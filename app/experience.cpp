@@ -1,0 +1,141 @@
+#include "app/experience.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "engine/multiview_check.h"
+
+namespace seascape {
+
+namespace {
+
+bool named(const Scene& scene, std::string_view effect) {
+  return std::find(scene.effects.begin(), scene.effects.end(), effect) != scene.effects.end();
+}
+
+bool is_debug(const Settings& s) { return s.render.debug != DebugView::none; }
+
+// Whether two settings differ in something that GPU objects were built from.
+bool needs_rebuild(const Settings& a, const Settings& b) {
+  const RenderSettings &r = a.render, &q = b.render;
+  Settings x = a;  // compare what the table marks: rows with `rebuild`
+  Settings y = b;
+  for (const Setting& row : settings_table())
+    if (row.rebuild && value_of(x, row) != value_of(y, row)) return true;
+  return r.msaa != q.msaa || r.shape != q.shape || is_debug(a) != is_debug(b) ||
+         (r.debug == DebugView::wireframe) != (q.debug == DebugView::wireframe);
+}
+
+}  // namespace
+
+bool draw_per_eye(Device& device, ShaderLibrary& shaders, StereoMode mode, int views) {
+  if (views < 2) return mode == StereoMode::per_eye;
+  if (mode == StereoMode::per_eye) return true;
+  if (multiview_works(device, shaders)) return false;
+  if (mode == StereoMode::single) {
+    spdlog::warn("{} ({}) draws multiview passes wrongly; --stereo single uses them all the same", device.facts().name, device.facts().driver);
+    return false;
+  }
+  spdlog::warn("{} ({}) draws multiview passes wrongly: drawing a pass per eye instead; a newer driver is faster", device.facts().name,
+               device.facts().driver);
+  return true;
+}
+
+Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options)
+    : device_(device), shaders_(shaders), scene_(scene), options_(options), frame_(std::make_unique<Frame>(device)) {
+  sky_ = std::make_unique<Sky>(device, shaders);
+  build();
+}
+
+void Experience::build() {
+  RenderSettings& render = scene_.settings.render;
+  if (render.msaa > device_.facts().max_samples) {
+    spdlog::warn("msaa {}: {} has at most {}; using that", render.msaa, device_.facts().name, device_.facts().max_samples);
+    render.msaa = device_.facts().max_samples;
+  }
+  const Settings& s = scene_.settings;
+  ocean_.reset();
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.lod, s.water, named(scene_, "foam")});
+  build_targets();
+  const bool tile = render.shape == FrameShape::tile;
+  const RenderTarget& drawn = tile ? picture_ : lit_;
+  SurfaceLook look;
+  look.tile_shape = tile;
+  look.foam = named(scene_, "foam");
+  look.debug = is_debug(s);
+  look.wireframe = render.debug == DebugView::wireframe;
+  look.probe = options_.probe;
+  look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
+  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), frame_->ring(),
+                                       SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, s.lod.patch_quads, look);
+  const EffectScope scope(device_, "sky");
+  GraphicsSpec sky;
+  sky.vertex = "sky.vert";
+  sky.fragment = "sky.frag";
+  sky.values = {{0, !options_.per_eye}, {2, tile}, {4, look.debug}};
+  sky.depth_write = false;
+  sky.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+  sky_pipeline_ = make_graphics_pipeline(device_, shaders_, drawn, sky);
+  sky_bindings_ = Bindings(device_, sky_pipeline_,
+                           {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                            {.binding = 4, .view = sky_->map().view(), .sampler = sky_->sampler()},
+                            {.binding = 5, .buffer = &sky_->light()}},
+                           "sky");
+  tone_pipeline_ = {};
+  if (!tile) {
+    const EffectScope tone_scope(device_, "frame");
+    GraphicsSpec tone;
+    tone.vertex = "sky.vert";
+    tone.fragment = "tone.frag";
+    tone.values = {{0, !options_.per_eye}, {4, look.debug}};
+    tone.depth_test = tone.depth_write = false;
+    tone_pipeline_ = make_graphics_pipeline(device_, shaders_, picture_, tone);
+    lit_sampler_ = make_sampler(device_, "lit", {false, false, 1.0f});
+    tone_bindings_ = Bindings(device_, tone_pipeline_,
+                              {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                               {.binding = 6, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
+                              "tone");
+  }
+}
+
+void Experience::build_targets() {
+  const RenderSettings& render = scene_.settings.render;
+  const bool tile = render.shape == FrameShape::tile;
+  TargetSpec spec;
+  spec.width = options_.width;
+  spec.height = options_.height;
+  spec.views = options_.views;
+  spec.per_eye = options_.per_eye;
+  spec.samples = tile ? render.msaa : 1;
+  spec.depth = tile;
+  picture_ = {};
+  lit_ = {};
+  picture_ = RenderTarget(device_, "picture", spec);
+  if (tile) return;
+  spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
+  spec.samples = render.msaa;
+  spec.depth = true;
+  lit_ = RenderTarget(device_, "lit", spec);
+}
+
+void Experience::resize(std::uint32_t width, std::uint32_t height) {
+  if (width == options_.width && height == options_.height) return;
+  options_.width = width;
+  options_.height = height;
+  build_targets();
+  if (tone_pipeline_)
+    tone_bindings_ = Bindings(device_, tone_pipeline_,
+                              {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                               {.binding = 6, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
+                              "tone");
+}
+
+void Experience::apply(const Settings& settings) {
+  const bool rebuild = needs_rebuild(scene_.settings, settings);
+  scene_.settings = settings;
+  if (rebuild) build();
+  else ocean_->apply(settings.lod, settings.water);
+}
+
+}  // namespace seascape

@@ -1,0 +1,59 @@
+// A scene built for a device: the ocean, the sky and the targets that its frames are drawn into.
+#pragma once
+#include <memory>
+
+#include "app/scene.h"
+#include "app/sky.h"
+#include "ocean/ocean.h"
+
+namespace seascape {
+
+struct ExperienceOptions {
+  std::uint32_t width = 1280, height = 720;  // pixels an eye
+  int views = 2;
+  bool per_eye = false;  // a pass per eye: for drivers whose multiview is at fault, and to compare
+  bool probe = false;    // record vertex positions (tests)
+};
+
+class Experience {
+ public:
+  // Builds everything the scene names; throws Error. The settings' msaa is lowered to what the device has, with a notice.
+  Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options);
+
+  // Other picture size: new targets, the same pipelines.
+  void resize(std::uint32_t width, std::uint32_t height);
+  // Other settings: what only needs numbers is taken at once, what needs objects is built anew.
+  void apply(const Settings& settings);
+
+  // The frame loop, whose ring the shaders read.
+  Frame& frame() { return *frame_; }
+  const Scene& scene() const { return scene_; }
+  const ExperienceOptions& options() const { return options_; }
+  Ocean& ocean() { return *ocean_; }
+  Sky& sky() { return *sky_; }
+  const Surface& surface() const { return *surface_; }
+  // The finished picture, one layer a view, sRGB.
+  const RenderTarget& picture() const { return picture_; }
+
+ private:
+  friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
+  void build();
+  void build_targets();
+  Device& device_;
+  ShaderLibrary& shaders_;
+  Scene scene_;
+  ExperienceOptions options_;
+  std::unique_ptr<Frame> frame_;
+  std::unique_ptr<Ocean> ocean_;
+  std::unique_ptr<Sky> sky_;
+  std::unique_ptr<Surface> surface_;
+  RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
+  Owned<VkSampler> lit_sampler_;
+  Pipeline sky_pipeline_, tone_pipeline_;
+  Bindings sky_bindings_, tone_bindings_;
+};
+
+// What a device's multiview check and the user's wish come to, with a notice when the driver fails it.
+bool draw_per_eye(Device& device, ShaderLibrary& shaders, StereoMode mode, int views);
+
+}  // namespace seascape

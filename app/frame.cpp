@@ -1,0 +1,76 @@
+#include "app/frame.h"
+
+#include <cmath>
+
+namespace seascape {
+
+namespace {
+
+// Haze takes contrast down to 2 % at the visibility (Koschmieder 1924).
+double extinction(double visibility_m) { return std::log(50.0) / visibility_m; }
+
+gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std::uint32_t height) {
+  gpu::ViewData data{};
+  const glm::dmat4 projected = projection(eye.fov, near_m);
+  data.clip_from_relative = glm::mat4(projected * eye_from_relative(eye.pose, viewer.position_m));
+  const glm::dmat3 world(glm::mat3_cast(eye.pose.orientation));
+  data.ray_x = glm::vec4(glm::vec3(world * glm::dvec3(1.0 / projected[0][0], 0.0, 0.0)), 0.0f);
+  data.ray_y = glm::vec4(glm::vec3(world * glm::dvec3(0.0, 1.0 / projected[1][1], 0.0)), 0.0f);
+  data.ray_z = glm::vec4(
+      glm::vec3(world * glm::dvec3(projected[2][0] / projected[0][0], projected[2][1] / projected[1][1], -1.0)), 0.0f);
+  data.eye = glm::vec4(glm::vec3(eye.pose.position_m - viewer.position_m), float((eye.fov.up - eye.fov.down) / height));
+  return data;
+}
+
+gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height) {
+  gpu::FrameData data{};
+  for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
+    data.view[i] = view_data(viewpoint.eyes[i], viewpoint.viewer, settings.render.near_m, height);
+  data.sun = glm::vec4(glm::vec3(sun_direction(settings.sky)), float(std::cos(glm::radians(0.267))));
+  data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev), 0.0f, 0.0f);
+  data.grid.w = int(settings.render.debug);
+  return data;
+}
+
+}  // namespace
+
+void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
+  const Settings& settings = e.scene_.settings;
+  const WaveCompute& waves = e.ocean_->waves();
+
+  // 1. What the sea does: spectrum, transforms, tiles; each only if the scene asked for it.
+  e.ocean_->update(frame, time_s);
+
+  // 2. The light: only when sun or haze have changed.
+  e.sky_->update(frame, settings.sky);
+
+  // 3. The patches for all eyes together, chosen by the viewer's head; what the shaders are told.
+  const SurfaceSelection& selection = e.ocean_->select(viewpoint);
+  gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
+  e.ocean_->describe(data, viewpoint);
+  const std::uint32_t uniform = frame.upload_uniform(data);
+
+  // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture.
+  const bool tile = settings.render.shape == FrameShape::tile;
+  const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
+  frame.draw_pass("surface", tile ? e.picture_ : e.lit_,
+                  {use(waves.displacement(), Access::surface_read), use(waves.derivatives(), Access::surface_read),
+                   use(waves.moments(), Access::surface_read), use(e.sky_->map(), Access::surface_read),
+                   use(e.sky_->light(), Access::surface_read), probe},
+                  [&](Commands& c) {
+                    e.surface_->draw(c, frame, selection, uniform);
+                    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform});
+                    c.push(gpu::DrawPush{c.eye()});
+                    c.draw(3);
+                  });
+
+  // 5. The desktop frame's tone mapping.
+  if (!tile)
+    frame.draw_pass("tone", e.picture_, {use(e.lit_.colour(), Access::fragment_sample)}, [&](Commands& c) {
+      c.bind(e.tone_pipeline_, e.tone_bindings_, {uniform});
+      c.push(gpu::DrawPush{c.eye()});
+      c.draw(3);
+    });
+}
+
+}  // namespace seascape

@@ -1,0 +1,51 @@
+#include "ocean/ocean.h"
+
+#include <cmath>
+
+#include "ocean/surface/water_optics.h"
+#include "shaders/shared/skirt.h"
+
+namespace seascape {
+
+Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings)
+    : settings_(settings),
+      bins_(make_wave_bins(settings.sea, settings.waves)),
+      statistics_(sea_statistics(settings.sea, bins_)),
+      waves_(std::make_unique<WaveCompute>(device, shaders, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy)),
+      quadtree_(settings.lod) {}
+
+void Ocean::update(Frame& frame, double time_s) {
+  waves_->update(frame, ticks_from_seconds(time_s));
+}
+
+const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
+  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m;
+  selection_ = &quadtree_.select(viewpoint, {height, statistics_.largest_shift_m});
+  return *selection_;
+}
+
+void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
+  quadtree_.apply(lod);
+  settings_.lod = lod;
+  settings_.water = water;
+}
+
+void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
+  const SurfaceSelection& s = *selection_;
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  data.sea = waves_->sea_data(s.grid_origin_m);
+  data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
+  data.grid = glm::ivec4(s.tree_centre, settings_.lod.patch_quads, data.grid.w);
+  data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),
+                         settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
+  // A patch's vertices are at most split_ratio * threshold / quads of their distance apart, and often half that.
+  data.sea.footprint.x = float(s.unit_m);
+  data.sea.footprint.y = float(0.6 * Quadtree::split_ratio * settings_.lod.threshold / settings_.lod.patch_quads);
+  data.sea.footprint.w = float(4.0 * std::sqrt(statistics_.height_variance));
+  const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
+  data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));
+  data.water_backscatter = glm::vec4(glm::vec3(optics.backscatter), float(settings_.water.glitter));
+  data.whitecap = glm::vec4(float(settings_.water.whitecaps), 0.35f, 0.0f, 0.0f);
+}
+
+}  // namespace seascape

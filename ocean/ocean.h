@@ -1,0 +1,53 @@
+// The ocean: one sea, its waves and its surface, for any number of viewers.
+#pragma once
+#include <memory>
+
+#include "engine/frame.h"
+#include "ocean/lod/quadtree.h"
+#include "ocean/surface/surface.h"
+#include "ocean/surface/water_settings.h"
+#include "ocean/waves/sea_state.h"
+#include "ocean/waves/wave_compute.h"
+#include "ocean/waves/wave_field.h"
+#include "shaders/shared/frame_data.h"
+
+namespace seascape {
+
+struct OceanSettings {
+  SeaState sea;
+  WaveQuality waves;
+  LodSettings lod;
+  WaterSettings water;
+  bool foam = false;
+};
+
+class Ocean {
+ public:
+  Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings);
+
+  // What a frame does to the sea, in order: each only if the scene asked for it.
+  void update(Frame& frame, double time_s);
+
+  // The patches for a viewpoint. The result stays until the next call.
+  const SurfaceSelection& select(const Viewpoint& viewpoint);
+
+  // Fills what the surface's shaders are told of sea, place and water.
+  void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const;
+
+  // Takes settings that need no new GPU objects (levels of detail, water).
+  void apply(const LodSettings& lod, const WaterSettings& water);
+
+  const WaveCompute& waves() const { return *waves_; }
+  const SeaStatistics& statistics() const { return statistics_; }
+  const OceanSettings& settings() const { return settings_; }
+
+ private:
+  OceanSettings settings_;
+  WaveBins bins_;
+  SeaStatistics statistics_;
+  std::unique_ptr<WaveCompute> waves_;
+  Quadtree quadtree_;
+  const SurfaceSelection* selection_ = nullptr;
+};
+
+}  // namespace seascape

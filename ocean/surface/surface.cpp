@@ -1,0 +1,52 @@
+#include "ocean/surface/surface.h"
+
+#include <bit>
+
+#include "ocean/lod/patch_mesh.h"
+#include "shaders/shared/frame_data.h"
+
+namespace seascape {
+
+Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveCompute& waves,
+                 const Buffer& frame_ring, const SurfaceLight& light, int patch_quads, const SurfaceLook& look) {
+  const EffectScope scope(device, "surface");
+  const auto indices = patch_indices(patch_quads);
+  index_count_ = std::uint32_t(indices.size());
+  indices_ = make_filled_buffer(device, "patch indices", indices.data(), indices.size() * 2, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  GraphicsSpec spec;
+  spec.vertex = "surface.vert";
+  spec.fragment = "surface.frag";
+  spec.values = {{0, !target.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
+                 {3, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)}};
+  spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
+  spec.wireframe = look.wireframe && device.facts().wireframe;
+  pipeline_ = make_graphics_pipeline(device, shaders, target, spec);
+  std::vector<Bound> entries = {
+      {.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
+      {.binding = 1, .view = waves.displacement().view(), .sampler = waves.vertex_sampler()},
+      {.binding = 2, .view = waves.derivatives().view(), .sampler = waves.pixel_sampler()},
+      {.binding = 3, .view = waves.moments().view(), .sampler = waves.pixel_sampler()},
+      {.binding = 4, .view = light.sky_map, .sampler = light.sky_sampler},
+      {.binding = 5, .buffer = light.sky_light},
+  };
+  if (look.probe) {
+    const auto vertices = VkDeviceSize(patch_quads + 1) * VkDeviceSize(patch_quads + 1);
+    probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    entries.push_back({.binding = 8, .buffer = &probe_});
+  }
+  bindings_ = Bindings(device, pipeline_, entries, "surface");
+}
+
+void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const {
+  if (selection.patches.empty()) return;
+  const Upload instances =
+      frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
+  commands.bind(pipeline_, bindings_, {frame_uniform});
+  commands.push(gpu::DrawPush{commands.eye()});
+  commands.bind_vertices(instances);
+  commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);
+  commands.draw_indexed(index_count_, std::uint32_t(selection.patches.size()));
+}
+
+}  // namespace seascape

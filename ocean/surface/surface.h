@@ -1,0 +1,45 @@
+// Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
+#pragma once
+#include "engine/frame.h"
+#include "ocean/lod/quadtree.h"
+#include "ocean/waves/wave_compute.h"
+
+namespace seascape {
+
+// What the surface's shaders are built for.
+struct SurfaceLook {
+  bool tile_shape = false;  // tone mapping in the fragment shader
+  bool foam = false;
+  bool debug = false;       // debug views are possible
+  bool wireframe = false;
+  bool probe = false;       // write vertex positions (tests)
+  float anisotropy = 1.0f;
+};
+
+// What the surface is lit by.
+struct SurfaceLight {
+  VkImageView sky_map;
+  VkSampler sky_sampler;
+  const Buffer* sky_light;
+};
+
+class Surface {
+ public:
+  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveCompute& waves, const Buffer& frame_ring,
+          const SurfaceLight& light, int patch_quads, const SurfaceLook& look);
+
+  // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.
+  void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
+
+  // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
+  const Buffer& probed() const { return probe_; }
+  static constexpr std::uint32_t probe_patches = 256;
+
+ private:
+  Buffer indices_, probe_;
+  std::uint32_t index_count_ = 0;
+  Pipeline pipeline_;
+  Bindings bindings_;
+};
+
+}  // namespace seascape

@@ -1,0 +1,32 @@
+// Where frames go and where the viewer's head comes from: a window, a headset, or nothing but memory.
+#pragma once
+#include <cstdint>
+
+#include "engine/frame.h"
+#include "engine/view.h"
+
+namespace seascape {
+
+// What a display says before a frame is drawn.
+struct DisplayFrame {
+  double time_s = 0.0;        // when the frame will be seen, seconds since the display was made
+  bool should_render = true;  // false: minimised, or the headset is off; the frame is still ended
+  bool closed = false;        // the user has gone
+  std::uint32_t width = 0, height = 0;  // pixels an eye
+};
+
+class Display {
+ public:
+  virtual ~Display() = default;
+  virtual const char* name() const = 0;
+  virtual int views() const = 0;
+  // Waits for the time to begin a frame and takes in events. Every begun frame must be ended.
+  virtual DisplayFrame begin() = 0;
+  // Where the eyes are when the head (a headset's own tracking included) rides on `carrier`, for this frame.
+  virtual Viewpoint viewpoint(const Pose& carrier) const = 0;
+  // Ends the frame: submits what `frame` has recorded and shows `picture` (one layer a view). Without a picture nothing was
+  // recorded and nothing is shown.
+  virtual void end(Frame& frame, const RenderTarget* picture) = 0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,27 @@
+#include "platform/headless.h"
+
+namespace seascape {
+
+Headless::Headless(const HeadlessOptions& options) : options_(options), start_(std::chrono::steady_clock::now()) {}
+
+DisplayFrame Headless::begin() {
+  DisplayFrame frame;
+  frame.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  frame.width = options_.width;
+  frame.height = options_.height;
+  return frame;
+}
+
+Viewpoint Headless::viewpoint(const Pose& carrier) const {
+  const Fov fov = symmetric_fov(options_.vertical_fov_deg, double(options_.width) / options_.height);
+  const std::vector<View> eyes = stereo_views(carrier, fov, options_.eye_distance_m);
+  if (options_.views == 2) return {carrier, eyes};
+  if (options_.eye == 0) return {carrier, {{carrier, fov}}};
+  return {carrier, {options_.eye < 0 ? eyes[0] : eyes[1]}};
+}
+
+void Headless::end(Frame& frame, const RenderTarget* picture) {
+  if (picture) frame.submit();
+}
+
+}  // namespace seascape
