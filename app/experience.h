@@ -34,6 +34,8 @@ class Experience {
   const Surface& surface() const { return *surface_; }
   // The finished picture, one layer a view, sRGB.
   const RenderTarget& picture() const { return picture_; }
+  // The desktop frame's scene light before tone mapping; null in the tile frame.
+  const RenderTarget* lit() const { return scene_.settings.render.shape == FrameShape::desktop ? &lit_ : nullptr; }
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);

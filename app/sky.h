@@ -1,5 +1,7 @@
 // The sky over the sea: a map of its radiance, the light it gives, made anew only when sun or haze change.
 #pragma once
+#include <glm/glm.hpp>
+
 #include "app/sky_settings.h"
 #include "engine/frame.h"
 

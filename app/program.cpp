@@ -1,0 +1,106 @@
+#include "app/program.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+#include "app/quality.h"
+#include "engine/error.h"
+
+namespace seascape {
+
+namespace {
+
+bool environment_says(const char* name) {
+  const char* value = std::getenv(name);
+  return value && *value && std::strcmp(value, "0") != 0;
+}
+
+DeviceClass device_class(const DeviceFacts& facts) {
+  if (facts.software) return DeviceClass::software;
+  return facts.kind == "discrete" ? DeviceClass::discrete : DeviceClass::integrated;
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+DeviceOptions device_options() {
+  DeviceOptions options;
+  options.validation = environment_says("SEASCAPE_VALIDATION");
+  options.core_only = environment_says("SEASCAPE_CORE_ONLY");
+  return options;
+}
+
+Program make_program(const Arguments& arguments, const DeviceOptions& options) {
+  return make_program(arguments, arguments.preset, options);
+}
+
+Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options) {
+  // The scene is read first: a fault in it is told before a device is looked for. What `auto` means needs the device.
+  Program program;
+  if (preset != "auto") program.scene = scene_from(arguments, preset);
+  else (void)scene_from(arguments, "high");
+  program.device = std::make_unique<Device>(options);
+  program.preset = resolve_preset(preset, device_class(program.device->facts()));
+  if (preset == "auto") program.scene = scene_from(arguments, program.preset);
+  return program;
+}
+
+void expect_no_validation_messages(const Device& device) {
+  const auto messages = device.validation_messages();
+  if (!messages.empty())
+    throw Error("validation", fmt::format("{} messages, the first: {}", messages.size(), messages.front()), "this is a fault of seascape");
+}
+
+Image8 picture_of(Device& device, const Experience& experience, int view) {
+  const TargetSpec& spec = experience.picture().spec();
+  return {int(spec.width), int(spec.height), 4, read_image(device, experience.picture().colour(), std::uint32_t(view))};
+}
+
+ImageF linear_picture_of(Device& device, const Experience& experience, int view) {
+  const RenderTarget* lit = experience.lit();
+  const TargetSpec& spec = experience.picture().spec();
+  ImageF image{int(spec.width), int(spec.height), {}};
+  image.pixels.resize(std::size_t(spec.width) * spec.height * 4);
+  const auto bytes = read_image(device, lit ? lit->colour() : experience.picture().colour(), std::uint32_t(view));
+  if (lit) {  // scene light before tone mapping
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      std::uint16_t half;
+      std::memcpy(&half, &bytes[2 * i], 2);
+      image.pixels[i] = glm::unpackHalf1x16(half);
+    }
+  } else {  // the tile frame keeps none: the picture's own light
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      const double c = bytes[i] / 255.0;
+      image.pixels[i] = i % 4 == 3 ? float(c) : float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+  }
+  return image;
+}
+
+const char* view_suffix(int views, int view) { return views == 1 ? "" : view == 0 ? "_left" : "_right"; }
+
+Progress::Progress(std::string what, int total)
+    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0), last_s_(seconds()) {}
+
+Progress::~Progress() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::step(int done) {
+  if (!terminal_ || seconds() - last_s_ < 1.0) return;
+  last_s_ = seconds();
+  shown_ = true;
+  fmt::print(stderr, "\r{} {}/{}\033[K", what_, done, total_);
+  std::fflush(stderr);
+}
+
+}  // namespace seascape

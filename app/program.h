@@ -1,0 +1,48 @@
+// What every command that draws begins with: a device, its shaders, the scene at its preset.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "app/arguments.h"
+#include "app/experience.h"
+#include "engine/image_file.h"
+
+namespace seascape {
+
+struct Program {
+  std::unique_ptr<Device> device;
+  ShaderLibrary shaders;
+  std::string preset;  // resolved: never "auto"
+  Scene scene;
+};
+
+// SEASCAPE_VALIDATION=1 turns the validation layer on; SEASCAPE_CORE_ONLY=1 uses nothing beyond Vulkan 1.1's floor.
+DeviceOptions device_options();
+Program make_program(const Arguments& arguments, const DeviceOptions& options);
+Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options);
+
+// Throws Error when the validation layer has said anything: a command under validation must not end well then.
+void expect_no_validation_messages(const Device& device);
+
+// The finished picture of one view as 8-bit sRGB RGBA, or as linear light.
+Image8 picture_of(Device& device, const Experience& experience, int view);
+ImageF linear_picture_of(Device& device, const Experience& experience, int view);
+
+// "left" and "right" of two views; empty for one.
+const char* view_suffix(int views, int view);
+
+// Progress on a terminal, once a second at most: "replay 12/90 frames".
+class Progress {
+ public:
+  Progress(std::string what, int total);
+  ~Progress();
+  void step(int done);
+
+ private:
+  std::string what_;
+  int total_;
+  bool terminal_ = false, shown_ = false;
+  double last_s_ = 0.0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,8 @@
+# What needs Vulkan (or a window). All else is pure: the sanitizers and fuzzers build just that. A new file that touches
+# Vulkan is named here.
+string(CONCAT VULKAN_SOURCES_REGEX "^("
+  "engine/(barrier|device|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
+  "platform/.*|"
+  "ocean/ocean|ocean/surface/surface|ocean/waves/wave_compute|"
+  "app/(capture|doctor|experience|explore[a-z_]*|frame|panel|plan|program|replay|sky)"
+  ")\\.cpp$")
