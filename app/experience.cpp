@@ -88,7 +88,7 @@ void Experience::build() {
     GraphicsSpec tone;
     tone.vertex = "sky.vert";
     tone.fragment = "tone.frag";
-    tone.values = {{0, !options_.per_eye}, {4, look.debug}};
+    tone.values = {{0, !options_.per_eye}, {4, look.debug}, {6, false}};
     tone.depth_test = tone.depth_write = false;
     tone_pipeline_ = make_graphics_pipeline(device_, shaders_, picture_, tone);
     lit_sampler_ = make_sampler(device_, "lit", {false, false, 1.0f});

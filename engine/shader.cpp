@@ -92,6 +92,7 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
       .RegisterPass(spvtools::CreateSimplificationPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
+      .RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass())
       .RegisterPass(spvtools::CreateDeadVariableEliminationPass())
       .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
       .RegisterPass(spvtools::CreateBlockMergePass())

@@ -11,6 +11,7 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = 1) const bool probe = false;
+layout(constant_id = 4) const bool debug = false;
 layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 
 layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, flags
@@ -43,7 +44,7 @@ void main() {
   relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   height = d.y;
-  flags = p.flags;
+  if (debug) flags = p.flags;
   if (probe) {
     const int n = (quads + 1) * (quads + 1);
     const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);

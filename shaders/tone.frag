@@ -9,7 +9,6 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 layout(binding = 6) uniform sampler2DArray lit_picture;
 layout(constant_id = 4) const bool debug = false;
 
-layout(location = 0) in vec2 device_xy;
 layout(location = 0) out vec4 colour;
 
 void main() {
