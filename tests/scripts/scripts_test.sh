@@ -240,6 +240,21 @@ EOF
     start x
     [ "$status" -eq 7 ] && says err "reports Mesa '22'" && ! says out lvp_icd || { show; fail "control: Mesa 22 was taken for 25"; }
     ;;
+  hardware)
+    # A device node and a Vulkan driver that is not a software one: the installed driver stays, and the answer is kept.
+    make_tree
+    stand_in ls "case \"\$*\" in *renderD*) echo /dev/dri/renderD128 ;; esac"
+    stand_in vulkaninfo "echo vulkaninfo >> '$calls'; echo '	deviceType         = PHYSICAL_DEVICE_TYPE_DISCRETE_GPU'"
+    start x
+    [ "$status" -eq 7 ] && ! says out lvp_icd || { show; fail "a hardware GPU was passed over"; }
+    start x
+    [ "$(wc -l < "$calls")" -eq 1 ] || { show; fail "the answer was not kept"; }
+    # Control: a node behind which only software answers is no hardware; a changed node is asked again.
+    stand_in ls "case \"\$*\" in *renderD*) echo /dev/dri/renderD129 ;; esac"
+    stand_in vulkaninfo "echo vulkaninfo >> '$calls'; echo '	deviceType         = PHYSICAL_DEVICE_TYPE_CPU'"
+    start x
+    says out lvp_icd && [ "$(wc -l < "$calls")" -eq 2 ] || { show; fail "control: a software driver was taken for hardware"; }
+    ;;
   pictures)
     make_tree
     start
