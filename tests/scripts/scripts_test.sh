@@ -302,6 +302,50 @@ EOF
     usage_of --long --help
     [ "$status" -eq 0 ] && says out '--fuzz MINUTES' || { show; fail "control: --help"; }
     ;;
+  check_counts)
+    # The whole of ./check on a project without a compiler: two unit tests, one program test that fails, one that skips
+    # itself, and no test of the other labels.
+    tree="$work/a sea"
+    make_tree
+    rm "$work/bin/cmake"
+    mkdir -p "$tree/tests"
+    : > "$tree/tests/a_program_test.cpp"
+    printf '{"version": 6, "configurePresets": [%s], "buildPresets": [%s]}\n' \
+      "$(for p in release asan tsan; do printf '%s{"name": "%s", "generator": "Ninja", "binaryDir": "${sourceDir}/build/%s"}' "${sep:-}" $p $p; sep=', '; done)" \
+      "$(sep=; for p in release asan tsan; do printf '%s{"name": "%s", "configurePreset": "%s"}' "$sep" $p $p; sep=', '; done)" \
+      > "$tree/CMakePresets.json"
+    cat > "$tree/CMakeLists.txt" << 'EOF'
+cmake_minimum_required(VERSION 3.25)
+project(fake LANGUAGES NONE)
+enable_testing()
+add_test(NAME one COMMAND true)
+add_test(NAME two COMMAND true)
+set_tests_properties(one two PROPERTIES LABELS unit)
+add_test(NAME three COMMAND ${CMAKE_SOURCE_DIR}/three)
+add_test(NAME four COMMAND false)
+set_tests_properties(three PROPERTIES LABELS program)
+set_tests_properties(four PROPERTIES LABELS program SKIP_RETURN_CODE 1)
+EOF
+    printf '#!/bin/bash\nexit 1\n' > "$tree/three" && chmod +x "$tree/three"
+    check_of() {
+      (cd "$work/caller" && env PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" CI=true "$tree/check" > "$work/out" 2> "$work/err" < /dev/null)
+      status=$?
+    }
+    check_of
+    # packages, build release, build asan count one each; unit two, twice (release and asan); program one failed.
+    [ "$(tail -n 1 "$work/out")" = '7 passed, 1 failed' ] && [ "$status" -eq 1 ] || { show; fail "the sum: $status"; }
+    says out 'failed: tests program' && says out '1 of these tests skipped themselves' || { show; fail "what failed"; }
+    says out 'tests golden: no test has this label' || { show; fail "an absent label"; }
+    # A label whose sources are there and whose tests are not found is a failure.
+    : > "$tree/tests/a_golden_test.cpp"
+    check_of
+    [ "$(tail -n 1 "$work/out")" = '7 passed, 2 failed' ] || { show; fail "a label without its tests"; }
+    # Control: when nothing fails, the same reading says so.
+    rm "$tree/tests/a_golden_test.cpp"
+    printf '#!/bin/bash\nexit 0\n' > "$tree/three"
+    check_of
+    [ "$(tail -n 1 "$work/out")" = '8 passed, 0 failed' ] && [ "$status" -eq 0 ] || { show; fail "control: it fails always"; }
+    ;;
   *) fail "no such case: ${1:-}" ;;
 esac
 exit 0
