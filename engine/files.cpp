@@ -112,7 +112,8 @@ fs::path temporary_name(const fs::path& file) {
 // Writes and closes. Returns 0 or the errno of the first fault.
 int write_whole(std::FILE* out, std::string_view bytes) {
   errno = 0;
-  const bool complete = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() && std::fflush(out) == 0;
+  const bool all = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size();
+  const bool complete = all && std::fflush(out) == 0;
   int code = complete ? 0 : (errno != 0 ? errno : EIO);
   errno = 0;
   if (std::fclose(out) != 0 && code == 0) code = errno != 0 ? errno : EIO;
