@@ -278,6 +278,11 @@ EOF
     rm "$tree/build/release/seascape.fault"
     start
     [ "$status" -eq 0 ] || fail "control: it fails always"
+    # Nor does the page of that earlier run pass for one of a capture that writes none.
+    sed -i 's/printf page.*;;/;;/' "$tree/build/release/seascape"
+    touch -d '-1 minute' "$work/caller/out/report.html"
+    start
+    [ "$status" -eq 1 ] && says err 'report.html: the capture did not write it' || { show; fail "an old report was taken for new"; }
     ;;
   house_rules)
     # No python in the scripts, and each is valid bash. Control: a planted line is found by the same search.
