@@ -1,12 +1,12 @@
 #include "ocean/waves/spectrum.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "engine/error.h"
+#include "engine/text.h"
 
 namespace seascape {
 
@@ -18,15 +18,9 @@ constexpr double u19_over_u10 = 1.026;  // Pierson and Moskowitz measured at 19.
 constexpr double pm_alpha = 0.0081, pm_beta = 0.74;  // Pierson and Moskowitz (1964)
 constexpr double suppressed_below_m = 2.0;
 
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9);
-  return std::string(text, end.ptr);
-}
-
 void require(double value, double least, double most, const char* key) {
   if (value >= least && value <= most) return;  // false for NaN
-  throw Error(key, number(value) + " is not in the range " + number(least) + " to " + number(most),
+  throw Error(key, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most),
               "give a finite number in that range");
 }
 

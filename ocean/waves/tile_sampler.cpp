@@ -1,4 +1,6 @@
 // Sampling the sea's tiles at a rest position: the C++ twin of sea() in the shaders.
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,26 +11,34 @@
 namespace seascape {
 
 namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+// A texel is one vector of four floats, which every instruction set has: no run-time dispatch is needed.
+using Texel = hn::FixedTag<float, 4>;
+using TexelVector = hn::Vec<Texel>;
+
 // Where a sample falls between the texels of one level.
 struct Corner {
-  std::size_t at[4];
+  std::ptrdiff_t at[4];
   float weight[4];
 };
 
 Corner corner(const WaveTiles& tiles, int level, glm::dvec2 coordinates) {
-  const int size = tiles.resolution() >> level, stride = tiles.stride(level);
-  const double x = coordinates.x * size - 0.5, z = coordinates.y * size - 0.5;
-  const double floor_x = std::floor(x), floor_z = std::floor(z);
-  const float fx = float(x - floor_x), fz = float(z - floor_z);
-  // Coordinates are in [0, 2), so these are small; & wraps negative ones too.
-  const int x0 = int(floor_x) & (size - 1), z0 = int(floor_z) & (size - 1);
+  const int size = tiles.resolution() >> level;
+  const std::ptrdiff_t stride = tiles.stride(level);
+  // Coordinates are in [0, 2), so that a whole number added makes truncation the floor; & wraps.
+  const double x = coordinates.x * size + (size - 0.5), z = coordinates.y * size + (size - 0.5);
+  const int whole_x = int(x), whole_z = int(z);
+  const float fx = float(x - whole_x), fz = float(z - whole_z);
+  const int x0 = whole_x & (size - 1), z0 = whole_z & (size - 1);
   const int x1 = (x0 + 1) & (size - 1), z1 = (z0 + 1) & (size - 1);
-  return {{std::size_t(z0) * stride + x0, std::size_t(z0) * stride + x1, std::size_t(z1) * stride + x0, std::size_t(z1) * stride + x1},
+  return {{z0 * stride + x0, z0 * stride + x1, z1 * stride + x0, z1 * stride + x1},
           {(1.0f - fx) * (1.0f - fz), fx * (1.0f - fz), (1.0f - fx) * fz, fx * fz}};
 }
 
-glm::vec4 blend(const glm::vec4* texels, const Corner& c) {
-  return c.weight[0] * texels[c.at[0]] + c.weight[1] * texels[c.at[1]] + c.weight[2] * texels[c.at[2]] + c.weight[3] * texels[c.at[3]];
+TexelVector blend(const glm::vec4* texels, const Corner& c) {
+  const Texel d;
+  const auto part = [&](int i) { return hn::Mul(hn::Set(d, c.weight[i]), hn::LoadU(d, &texels[c.at[i]].x)); };
+  return hn::Add(hn::Add(part(0), part(1)), hn::Add(part(2), part(3)));
 }
 
 // A trilinear sample's place: two levels and how far between.
@@ -38,90 +48,115 @@ struct Spot {
   Corner fine, coarse;
 };
 
-glm::vec4 sample(const WaveTiles& tiles, const Spot& spot, WavePlane plane) {
-  const glm::vec4 fine = blend(tiles.texels(spot.cascade, plane, spot.level), spot.fine);
-  if (spot.between == 0.0f) return fine;
-  const glm::vec4 coarse = blend(tiles.texels(spot.cascade, plane, spot.level + 1), spot.coarse);
-  return fine + spot.between * (coarse - fine);
-}
-}  // namespace
-
-// Calls visit(spot) for each cascade that the footprint resolves and visit.whole(cascade) for each that it does not.
-template <class Visit>
-void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, double footprint_m, Visit visit) const {
-  assert(tiles.cascades() == quality_.cascades && tiles.resolution() == quality_.resolution);
-  const int last = tiles.levels() - 1;
-  for (int i = 0; i < quality_.cascades; ++i) {
-    const Place& place = places_[i];
-    const double lod = footprint_m > place.texel_m ? std::log2(footprint_m / place.texel_m) : 0.0;
-    if (lod >= last) {
-      visit.whole(i);
-      continue;
-    }
-    // In double, so that a sample a thousand kilometres out is as exact as one at the origin.
-    const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side;
-    const double v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side;
-    const double half_texel = 0.5 / quality_.resolution;
-    const glm::dvec2 coordinates{u - std::floor(u) + half_texel, v - std::floor(v) + half_texel};
-    Spot spot{};
-    spot.cascade = i;
-    spot.level = int(lod);
-    spot.between = float(lod - spot.level);
-    spot.fine = corner(tiles, spot.level, coordinates);
-    if (spot.between > 0.0f) spot.coarse = corner(tiles, spot.level + 1, coordinates);
-    visit(spot);
+glm::dvec4 sample(const WaveTiles& tiles, const Spot& spot, WavePlane plane) {
+  const Texel d;
+  TexelVector value = blend(tiles.texels(spot.cascade, plane, spot.level), spot.fine);
+  if (spot.between > 0.0f) {
+    const TexelVector coarse = blend(tiles.texels(spot.cascade, plane, spot.level + 1), spot.coarse);
+    value = hn::Add(value, hn::Mul(hn::Set(d, spot.between), hn::Sub(coarse, value)));
   }
+  glm::vec4 result;
+  hn::StoreU(value, d, &result.x);
+  return glm::dvec4(result);
 }
 
-SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
-  struct Sum {
-    const WaveTiles& tiles;
-    SeaSample& to;
-    void operator()(const Spot& spot) {
-      const glm::dvec4 shift(sample(tiles, spot, WavePlane::shift)), slope(sample(tiles, spot, WavePlane::slope)),
-          moments(sample(tiles, spot, WavePlane::moments));
-      to.displacement += glm::dvec3(shift);
-      to.height_gradient += glm::dvec2(slope);
-      to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
-      const double divergence = slope.z + slope.w;
-      to.slope_moments += glm::dvec3(std::max(moments.x - slope.x * slope.x, 0.0), std::max(moments.y - slope.y * slope.y, 0.0),
-                                     moments.z - slope.x * slope.y);
-      to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
-    }
-    void whole(int cascade) {
-      const glm::dvec4 moments(*tiles.texels(cascade, WavePlane::moments, tiles.levels() - 1));
-      to.slope_moments += glm::dvec3(moments);
-      to.divergence_moment += moments.w;
-    }
-  };
-  SeaSample result;
-  visit_cascades(tiles, rest_xz_m, footprint_m, Sum{tiles, result});
-  result.slope_moments += statistics_.tail_slope_moments;
-  return result;
-}
-
-namespace {
 // Sums x, y, z of one plane.
 struct PlaneSum {
   const WaveTiles& tiles;
   WavePlane plane;
   glm::dvec3& to;
-  void operator()(const Spot& spot) { to += glm::dvec3(sample(tiles, spot, plane)); }
-  void whole(int) {}
+  void resolved(const Spot& spot) { to += glm::dvec3(sample(tiles, spot, plane)); }
+  void unresolved(int) {}
+};
+
+// Sums everything.
+struct SeaSum {
+  const WaveTiles& tiles;
+  SeaSample& to;
+  void resolved(const Spot& spot) {
+    const glm::dvec4 shift = sample(tiles, spot, WavePlane::shift), slope = sample(tiles, spot, WavePlane::slope),
+                     moments = sample(tiles, spot, WavePlane::moments);
+    to.displacement += glm::dvec3(shift);
+    to.height_gradient += glm::dvec2(slope);
+    to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
+    const double divergence = slope.z + slope.w;
+    to.slope_moments += glm::dvec3(std::max(moments.x - slope.x * slope.x, 0.0), std::max(moments.y - slope.y * slope.y, 0.0),
+                                   moments.z - slope.x * slope.y);
+    to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
+  }
+  void unresolved(int cascade) {
+    const glm::dvec4 moments(*tiles.texels(cascade, WavePlane::moments, tiles.levels() - 1));
+    to.slope_moments += glm::dvec3(moments);
+    to.divergence_moment += moments.w;
+  }
 };
 }  // namespace
 
-glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
-  glm::dvec3 result(0.0);
-  visit_cascades(tiles, rest_xz_m, footprint_m, PlaneSum{tiles, WavePlane::shift, result});
+WaveField::Filter WaveField::filter(double footprint_m) const {
+  Filter result{};
+  const int last = int(std::lround(std::log2(quality_.resolution)));
+  for (int i = 0; i < quality_.cascades; ++i) {
+    const double texel = places_[i].texel_m;
+    const double lod = footprint_m > texel ? std::min(std::log2(footprint_m / texel), double(last)) : 0.0;
+    result.level[i] = int(lod);
+    result.between[i] = float(lod - int(lod));
+  }
   return result;
 }
 
-glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
+// Calls visit.resolved(spot) for each cascade that the footprint resolves and visit.unresolved(cascade) for each other.
+template <class Visit>
+void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, Visit visit) const {
+  assert(tiles.cascades() == quality_.cascades && tiles.resolution() == quality_.resolution);
+  const double half_texel = 0.5 / quality_.resolution;
+  for (int i = 0; i < quality_.cascades; ++i) {
+    if (filter.level[i] >= tiles.levels() - 1) {
+      visit.unresolved(i);
+      continue;
+    }
+    const Place& place = places_[i];
+    // In double, so that a sample a thousand kilometres out is as exact as one at the origin.
+    const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side;
+    const double v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side;
+    const glm::dvec2 coordinates{u - std::floor(u) + half_texel, v - std::floor(v) + half_texel};
+    Spot spot;
+    spot.cascade = i;
+    spot.level = filter.level[i];
+    spot.between = filter.between[i];
+    spot.fine = corner(tiles, spot.level, coordinates);
+    if (spot.between > 0.0f) spot.coarse = corner(tiles, spot.level + 1, coordinates);
+    visit.resolved(spot);
+  }
+}
+
+SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
+  SeaSample result;
+  visit_cascades(tiles, rest_xz_m, filter, SeaSum{tiles, result});
+  result.slope_moments += statistics_.tail_slope_moments;
+  return result;
+}
+
+glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
+  glm::dvec3 result(0.0);
+  visit_cascades(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::shift, result});
+  return result;
+}
+
+glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   assert(tiles.has_velocity());
   glm::dvec3 result(0.0);
-  visit_cascades(tiles, rest_xz_m, footprint_m, PlaneSum{tiles, WavePlane::velocity, result});
+  visit_cascades(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::velocity, result});
   return result;
+}
+
+SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
+  return sea(tiles, rest_xz_m, filter(footprint_m));
+}
+glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
+  return displacement(tiles, rest_xz_m, filter(footprint_m));
+}
+glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const {
+  return velocity(tiles, rest_xz_m, filter(footprint_m));
 }
 
 double SeaSample::jacobian() const {

@@ -26,13 +26,16 @@ constexpr Rule five{5,
                     {0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945}};
 
 // Variance of the waves of bin m: the spectrum's share integrated over the bin's cell, not sampled at its centre, since a
-// swell may be narrower than a bin. Near the origin, where everything varies fast, the cell is cut into four by four.
+// swell may be narrower than a bin. Near the origin, where everything varies fast within a cell, the cell is cut up: a
+// peak's width is about a seventh of its wave number, so from |m| = 10 on it spans more than a cell.
 double bin_variance(const Spectrum& spectrum, const Ladder& ladder, int index, int mx, int mz) {
   const Cascade& cascade = ladder[index];
   const double step = 2.0 * std::numbers::pi / cascade.side_m;
-  const double m2 = double(mx) * mx + double(mz) * mz;
-  const int cuts = m2 < 10.0 * 10.0 ? 4 : 1;
-  const Rule& rule = cuts > 1 ? five : three;
+  const double m = std::hypot(double(mx), double(mz));
+  constexpr double half_diagonal = 0.7072;
+  if (step * (m + half_diagonal) <= cascade.k_in[0] || step * (m - half_diagonal) >= cascade.k_out[1]) return 0.0;
+  const int cuts = m < 4.0 ? 4 : m < 10.0 ? 2 : 1;
+  const Rule& rule = cuts == 4 ? five : three;
   const double c = std::cos(cascade.rotation_rad), s = std::sin(cascade.rotation_rad);
   double sum = 0.0;
   for (int j = 0; j < cuts * rule.n; ++j)

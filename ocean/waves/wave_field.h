@@ -1,6 +1,7 @@
 // The sea on the CPU: every deterministic wave at any time, on any thread, with no GPU. The same bins, tiles, mip chain and
 // sampling as the compute shaders.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -80,6 +81,16 @@ class WaveField {
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
   glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
 
+  // The same for many places of one footprint, whose mip levels are found once.
+  struct Filter {
+    std::array<int, gpu::max_cascades> level;      // the finer of two levels; the tile's last level: moments only
+    std::array<float, gpu::max_cascades> between;  // towards the next, 0 to 1
+  };
+  Filter filter(double footprint_m) const;
+  SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
+  glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
+  glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
+
   const SeaState& state() const { return sea_; }
   const WaveQuality& quality() const { return quality_; }
   const WaveBins& bins() const { return bins_; }
@@ -97,7 +108,7 @@ class WaveField {
   };
   std::vector<Place> places_;
   template <class Visit>
-  void visit_cascades(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m, Visit visit) const;
+  void visit_cascades(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, Visit visit) const;
 };
 
 }  // namespace seascape
