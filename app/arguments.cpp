@@ -116,7 +116,7 @@ class Options {
     } catch (const CLI::CallForHelp&) {
       return app_.help();
     } catch (const CLI::ParseError& fault) {
-      refuse("", in_quotes(fault.what(), 200), "see " + app_.get_name() + " --help");
+      refuse("", one_line(fault.what(), 200), "see " + app_.get_name() + " --help");
     }
     for (const std::string& word : app_.remaining()) {
       const bool is_option = word.size() > 1 && word[0] == '-';

@@ -95,8 +95,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (const auto end = what.find("] "); end != std::string::npos) what.erase(0, end + 2);
     if (what.rfind("parse error at line ", 0) == 0)
       if (const auto end = what.find(": "); end != std::string::npos) what.erase(0, end + 2);
-    const std::string one_line = in_quotes(what, 200);
-    throw Error(at(place_.line_of_number()), "not valid JSON: " + one_line.substr(1, one_line.size() - 2),
+    throw Error(at(place_.line_of_number()), "not valid JSON: " + one_line(what, 200),
                 "mend the text there; JSON has no comments and no comma after the last item");
   }
 

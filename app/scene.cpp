@@ -76,6 +76,8 @@ void read_camera(Scene& scene, ObjectReader& reader, const std::string& where, F
 }
 
 void read_scene(Scene& scene, const LocatedJson& json, const std::string& where, Faults& faults) {
+  if (const LocatedJson* keys = json.member("keys"); keys != nullptr && keys->is(LocatedJson::Kind::array))
+    throw Error(where, "this is a camera path, not a scene", "give it to --path");
   ObjectReader file(json, "", where, faults);
   file.version();
   scene.title = file.text("title", "");

@@ -30,14 +30,14 @@ std::string text_from(double value) {
   return {buffer, result.ptr};
 }
 
-std::string in_quotes(std::string_view text, std::size_t longest) {
-  bool cut = text.size() > longest;
+std::string one_line(std::string_view text, std::size_t longest) {
+  const bool cut = text.size() > longest;
   if (cut) {
     std::size_t end = longest;  // never in the middle of a UTF-8 sequence
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
     text = text.substr(0, end);
   }
-  std::string result = "'";
+  std::string result;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7F) {
@@ -47,8 +47,10 @@ std::string in_quotes(std::string_view text, std::size_t longest) {
       result += c;
     }
   }
-  return result + (cut ? "...'" : "'");
+  return result + (cut ? "..." : "");
 }
+
+std::string in_quotes(std::string_view text, std::size_t longest) { return "'" + one_line(text, longest) + "'"; }
 
 namespace {
 

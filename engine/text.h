@@ -15,7 +15,9 @@ std::optional<std::int64_t> integer_from(std::string_view text);
 // The shortest text that reads back as the same double; without an exponent from 1e-5 to 1e15.
 std::string text_from(double value);
 
-// 'text' for a message: on one line whatever it holds (control characters as \xNN), cut after `longest` bytes.
+// `text` on one line whatever it holds (control characters as \xNN), cut after `longest` bytes.
+std::string one_line(std::string_view text, std::size_t longest);
+// The same in quotes, for a message.
 std::string in_quotes(std::string_view text, std::size_t longest = 60);
 
 // The one of `names` that `name` is most likely a slip of, or "" where none is near.

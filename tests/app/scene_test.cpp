@@ -98,6 +98,10 @@ TEST(Scene, BrokenJsonNamesItsLine) {
   EXPECT_EQ(fault_of("{\n\n\"version\" 1}").rfind("s.json:3: ", 0), 0u);
 }
 
+TEST(Scene, AFileOfAnotherKindIsSaidToBeOne) {
+  EXPECT_EQ(fault_of(R"({"version": 1, "keys": []})"), "s.json: this is a camera path, not a scene; give it to --path");
+}
+
 // Control: without the limit in Builder::open the first of these is an unknown key instead.
 TEST(Scene, HostileFilesAreRefused) {
   EXPECT_NE(fault_of("{\"a\": " + std::string(100, '[') + std::string(100, ']') + "}").find("nested deeper than 64"),
