@@ -1,0 +1,72 @@
+#include "app/query_command.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/commands.h"
+#include "app/csv.h"
+#include "app/progress.h"
+#include "engine/files.h"
+#include "ocean/effects.h"
+#include "ocean/waves/query.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr std::size_t block = 4096;  // points that one core answers at a time
+
+// The sea of the scene; flat where the closure of its effects has no waves.
+SeaState sea_of(const Scene& scene) {
+  SeaState sea = scene.settings.sea;
+  const auto effects = closure(scene.effects);
+  if (std::none_of(effects.begin(), effects.end(), [](const EffectEntry& entry) { return entry.name == "waves"; })) {
+    sea.wind_speed_mps = 0.0;
+    sea.swell_height_m = 0.0;
+  }
+  return sea;
+}
+
+void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer& answer) {
+  append_csv_row(text, std::array{point.x, point.y, answer.height_m, answer.normal.x, answer.normal.y, answer.normal.z,
+                                  answer.velocity_mps.x, answer.velocity_mps.y, answer.velocity_mps.z,
+                                  answer.converged ? 1.0 : 0.0});
+}
+
+}  // namespace
+
+std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dvec2> points) {
+  const WaveField field(sea_of(scene), scene.settings.waves);
+  WaveTiles tiles(true);
+  field.evaluate(ticks_from_seconds(time_s), tiles);
+
+  std::string text = "x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged\n";
+  Progress progress("query", points.size());
+  constexpr std::size_t blocks_at_once = 64;
+  std::array<std::string, blocks_at_once> rows;
+  for (std::size_t begin = 0; begin < points.size(); begin += block * blocks_at_once) {
+    tbb::parallel_for(std::size_t{0}, blocks_at_once, [&](std::size_t i) {
+      rows[i].clear();
+      const std::size_t first = std::min(points.size(), begin + i * block);
+      const auto asked = points.subspan(first, std::min(block, points.size() - first));
+      std::vector<QueryAnswer> answers(asked.size());
+      query(field, tiles, asked, answers);
+      for (std::size_t p = 0; p < asked.size(); ++p) append_answer(rows[i], asked[p], answers[p]);
+    });
+    for (const std::string& part : rows) text += part;
+    progress.done(begin);
+  }
+  return text;
+}
+
+int run_query(const Arguments& arguments) {
+  const Scene scene = scene_from(arguments, arguments.preset);
+  const std::vector<glm::dvec2> points = parse_points(read_text(arguments.points), arguments.points);
+  write_atomically(arguments.out, query_csv(scene, arguments.time_s, points));
+  return 0;
+}
+
+}  // namespace seascape

@@ -1,0 +1,40 @@
+// The shipped paths fly over the shipped seas, never through them.
+#include <gtest/gtest.h>
+
+#include "app/camera_path.h"
+#include "app/scene.h"
+#include "ocean/waves/query.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+namespace {
+
+// The least height of the path above the water, every quarter of a second.
+double least_clearance(const std::string& name, double lowered_m) {
+  const Scene scene = load_scene(name, "low");
+  const CameraPath path = load_camera_path(name);
+  const WaveField field(scene.settings.sea, scene.settings.waves);
+  WaveTiles tiles;
+  double least = 1e9;
+  for (double t = 0.0; t <= path.duration_s(); t += 0.25) {
+    const PathSample sample = path.at(t);
+    field.evaluate(ticks_from_seconds(sample.scene_time_s), tiles);
+    const glm::dvec2 place(sample.pose.position_m.x, sample.pose.position_m.z);
+    QueryAnswer answer;
+    query(field, tiles, {&place, 1}, {&answer, 1});
+    least = std::min(least, sample.pose.position_m.y - lowered_m - answer.height_m);
+  }
+  return least;
+}
+
+// Control: the same paths flown 3 m lower dip under the water.
+TEST(Content, PathsStayAboveTheirSeas) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell"}) {
+    EXPECT_GT(least_clearance(name, 0.0), 0.3) << name;
+    RecordProperty(name, std::to_string(least_clearance(name, 0.0)));
+  }
+  EXPECT_LT(least_clearance("open_sea", 3.0), 0.0);
+}
+
+}  // namespace
+}  // namespace seascape
