@@ -39,6 +39,13 @@ double key_rate(double before, double before_s, double after, double after_s) {
   return (w0 + w1) / (w0 / before + w1 / after);
 }
 
+// The same for positions, with the height monotone between keys: a path whose keys lie above the waves never dips between
+// them.
+glm::dvec3 key_motion(const glm::dvec3& before, double before_s, const glm::dvec3& after, double after_s) {
+  const glm::dvec3 level = key_velocity({before.x, 0.0, before.z}, before_s, {after.x, 0.0, after.z}, after_s);
+  return {level.x, key_rate(before.y, before_s, after.y, after_s), level.z};
+}
+
 struct Segment {
   const PathKey *from, *to;
   double duration() const { return to->time_s - from->time_s; }
@@ -90,13 +97,13 @@ PathSample CameraPath::at(double time_s) const {
   double rate0 = here.rate(), rate1 = here.rate();
   if (here.from != &keys.front()) {
     const Segment last{here.from - 1, here.from};
-    velocity0 = key_velocity(last.velocity(), last.duration(), velocity, duration);
+    velocity0 = key_motion(last.velocity(), last.duration(), velocity, duration);
     turn0 = key_velocity(last.turn(), last.duration(), turn, duration);
     rate0 = key_rate(last.rate(), last.duration(), here.rate(), duration);
   }
   if (here.to != &keys.back()) {
     const Segment next{here.to, here.to + 1};
-    velocity1 = key_velocity(velocity, duration, next.velocity(), next.duration());
+    velocity1 = key_motion(velocity, duration, next.velocity(), next.duration());
     turn1 = key_velocity(turn, duration, next.turn(), next.duration());
     rate1 = key_rate(here.rate(), duration, next.rate(), next.duration());
   }

@@ -36,7 +36,7 @@ struct CameraPath {
   double duration_s() const { return keys.empty() ? 0.0 : keys.back().time_s; }
   // Cubic in time through every key exactly: Hermite in position, its counterpart on unit quaternions in orientation, both
   // with continuous velocities that come to rest at both ends; monotone between keys in scene time. Held before the first
-  // key and after the last. A key as slow as a hold makes its neighbours slow too, so a hold stays still.
+  // key and after the last. A hold stays still, and between two keys the height stays between theirs.
   PathSample at(double time_s) const;
 };
 

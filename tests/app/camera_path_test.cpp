@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <glm/gtc/constants.hpp>
@@ -96,6 +97,21 @@ TEST(CameraPath, AHoldStaysStill) {
   for (double t = 1.0; t <= 4.0; t += 0.01) {
     EXPECT_LT(glm::length(path.at(t).pose.position_m - glm::dvec3(10, 2, 0)), 1e-12) << t;
     EXPECT_LT(angle_between(path.at(t).pose.orientation, path.keys[1].pose.orientation), 1e-7) << t;
+  }
+}
+
+// Control: key_velocity for the height as well dips to 4.7 m under the still sea here.
+TEST(CameraPath, TheHeightStaysBetweenTheKeysHeights) {
+  CameraPath path;
+  path.keys = {key(0, {0, 3, 0}), key(2, {8, 2, 0}), key(4, {9, 2, -9}), key(7, {0, 30, -20}), key(8, {0, 30, -30}),
+               key(10, {4, 2.5, -60}), key(15, {4, 2.6, -90})};
+  for (std::size_t i = 0; i + 1 < path.keys.size(); ++i) {
+    const auto [low, high] = std::minmax(path.keys[i].pose.position_m.y, path.keys[i + 1].pose.position_m.y);
+    for (double s = 0.0; s <= 1.0; s += 0.01) {
+      const double t = path.keys[i].time_s + s * (path.keys[i + 1].time_s - path.keys[i].time_s);
+      EXPECT_GE(path.at(t).pose.position_m.y, low - 1e-12) << t;
+      EXPECT_LE(path.at(t).pose.position_m.y, high + 1e-12) << t;
+    }
   }
 }
 
