@@ -1,9 +1,7 @@
 #include "app/program.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -24,10 +22,6 @@ bool environment_says(const char* name) {
 DeviceClass device_class(const DeviceFacts& facts) {
   if (facts.software) return DeviceClass::software;
   return facts.kind == "discrete" ? DeviceClass::discrete : DeviceClass::integrated;
-}
-
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -87,20 +81,5 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
 }
 
 const char* view_suffix(int views, int view) { return views == 1 ? "" : view == 0 ? "_left" : "_right"; }
-
-Progress::Progress(std::string what, int total)
-    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0), last_s_(seconds()) {}
-
-Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
-}
-
-void Progress::step(int done) {
-  if (!terminal_ || seconds() - last_s_ < 1.0) return;
-  last_s_ = seconds();
-  shown_ = true;
-  fmt::print(stderr, "\r{} {}/{}\033[K", what_, done, total_);
-  std::fflush(stderr);
-}
 
 }  // namespace seascape

@@ -5,6 +5,7 @@
 
 #include "app/arguments.h"
 #include "app/experience.h"
+#include "app/progress.h"
 #include "engine/image_file.h"
 
 namespace seascape {
@@ -30,19 +31,5 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
 
 // "left" and "right" of two views; empty for one.
 const char* view_suffix(int views, int view);
-
-// Progress on a terminal, once a second at most: "replay 12/90 frames".
-class Progress {
- public:
-  Progress(std::string what, int total);
-  ~Progress();
-  void step(int done);
-
- private:
-  std::string what_;
-  int total_;
-  bool terminal_ = false, shown_ = false;
-  double last_s_ = 0.0;
-};
 
 }  // namespace seascape

@@ -6,24 +6,25 @@
 
 namespace seascape {
 
-// Writes "LABEL 40 %" over itself on stderr, where that is a terminal, once the work has taken a second; wipes it at the end.
+// Writes "replay: frame 12/90" over itself on stderr, where that is a terminal, once a second at most and not in the first;
+// wipes it at the end.
 class Progress {
  public:
-  Progress(std::string label, std::size_t total);
+  Progress(std::string what, std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void done(std::size_t count);  // of `total`, so far
+  void step(std::size_t done);  // of `total`, so far
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::string label_;
+  std::string what_;
   std::size_t total_;
   bool on_terminal_;
-  Clock::time_point next_;  // when to write again
-  bool written_ = false;
+  bool shown_ = false;
+  Clock::time_point next_;
 };
 
 }  // namespace seascape

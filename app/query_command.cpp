@@ -44,7 +44,7 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
   field.evaluate(ticks_from_seconds(time_s), tiles);
 
   std::string text = "x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged\n";
-  Progress progress("query", points.size());
+  Progress progress("query: points", points.size());
   constexpr std::size_t blocks_at_once = 64;
   std::array<std::string, blocks_at_once> rows;
   for (std::size_t begin = 0; begin < points.size(); begin += block * blocks_at_once) {
@@ -57,7 +57,7 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
       for (std::size_t p = 0; p < asked.size(); ++p) append_answer(rows[i], asked[p], answers[p]);
     });
     for (const std::string& part : rows) text += part;
-    progress.done(begin);
+    progress.step(begin);
   }
   return text;
 }
