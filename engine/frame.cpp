@@ -173,7 +173,8 @@ void Frame::begin_pass(const char* name, std::initializer_list<Use> uses) {
 void Frame::begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses) {
   BarrierBatch barriers;
   for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
-  barriers.add(target.colour(), Access::colour_target, true);
+  barriers.add(target.colour(), target.resolved_eye() ? Access::transfer_write : Access::colour_target, true);
+  if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
   if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
   if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
   open(name, barriers);
@@ -181,6 +182,13 @@ void Frame::begin_target(const char* name, const RenderTarget& target, std::init
 
 void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
   const TargetSpec& spec = target.spec();
+  if (pass > 0) {  // the eyes share samples and depth
+    BarrierBatch barriers;
+    if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
+    if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
+    if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
+    counts_.barriers += std::uint64_t(barriers.record(commands_.commands_));
+  }
   VkClearValue clears[3]{};
   for (int i : {0, 2}) std::memcpy(clears[i].color.float32, spec.clear.data(), sizeof clears[i].color.float32);
   clears[1].depthStencil = {0.0f, 0};  // reversed depth: infinitely far
@@ -199,9 +207,20 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
   commands_.eye_ = std::uint32_t(pass);
 }
 
-void Frame::end_eye() {
+void Frame::end_eye(const RenderTarget& target, std::size_t pass) {
   vkCmdEndRenderPass(commands_.commands_);
   commands_.eye_ = 0;
+  if (!target.resolved_eye()) return;
+  BarrierBatch barriers;
+  barriers.add(*target.resolved_eye(), Access::transfer_read);
+  counts_.barriers += std::uint64_t(barriers.record(commands_.commands_));
+  VkImageCopy region{};
+  region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(pass), 1};
+  region.extent = {target.spec().width, target.spec().height, 1};
+  vkCmdCopyImage(commands_.commands_, target.resolved_eye()->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.colour().get(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  commands_.note(10);
 }
 
 void Frame::end_pass() {

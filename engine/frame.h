@@ -90,7 +90,7 @@ class Frame {
     for (std::size_t p = 0; p < target.passes(); ++p) {
       begin_eye(target, p);
       record(commands_);
-      end_eye();
+      end_eye(target, p);
     }
     end_pass();
   }
@@ -125,7 +125,7 @@ class Frame {
   void begin_pass(const char* name, std::initializer_list<Use> uses);
   void begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses);
   void begin_eye(const RenderTarget& target, std::size_t pass);
-  void end_eye();
+  void end_eye(const RenderTarget& target, std::size_t pass);
   void end_pass();
   void open(const char* name, BarrierBatch& barriers);
   void collect(Slot& slot);

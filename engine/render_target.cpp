@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/error.h"
 
 namespace seascape {
@@ -69,7 +71,15 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
   image.layers = std::uint32_t(spec.views);
   image.format = spec.colour;
   image.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (spec.per_eye && spec.samples > 1) {
+    image.layers = 1;
+    resolved_eye_ = Image(device, fmt::format("{} resolved eye", name), image);
+    image.layers = std::uint32_t(spec.views);
+    image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  }
   colour_ = Image(device, fmt::format("{} colour", name), image);
+  // Samples and depth live inside one pass; where eyes are drawn one after the other they share them.
+  if (spec.per_eye) image.layers = 1;
   image.samples = samples();
   image.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   image.transient = true;
@@ -81,13 +91,13 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
   const std::uint32_t passes = spec.per_eye ? std::uint32_t(spec.views) : 1u;
   for (std::uint32_t pass = 0; pass < passes; ++pass) {
     auto view_of = [&](Image& i) {
-      return spec.per_eye ? i.subview(0, 1, pass, 1) : i.subview(0, 1, 0, std::uint32_t(spec.views));
+      return spec.per_eye ? i.subview(0, 1, std::min(pass, i.spec().layers - 1), 1, false) : i.subview(0, 1, 0, std::uint32_t(spec.views));
     };
     std::vector<VkImageView> views;
     if (spec.samples > 1) views.push_back(view_of(multisampled_));
     else views.push_back(view_of(colour_));
     if (spec.depth) views.push_back(view_of(depth_));
-    if (spec.samples > 1) views.push_back(view_of(colour_));
+    if (spec.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour_));
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = render_pass_;
     info.attachmentCount = std::uint32_t(views.size());

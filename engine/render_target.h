@@ -32,13 +32,16 @@ class RenderTarget {
   VkFramebuffer framebuffer(std::size_t pass) const { return framebuffers_[pass].get(); }
   // The picture: one layer a view, single-sampled.
   const Image& colour() const { return colour_; }
+  // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one that
+  // needs a pass per eye, resolves into layer 0 whatever the view says.
+  const Image* resolved_eye() const { return resolved_eye_ ? &resolved_eye_ : nullptr; }
   const Image* multisampled() const { return multisampled_ ? &multisampled_ : nullptr; }
   const Image* depth() const { return depth_ ? &depth_ : nullptr; }
 
  private:
   TargetSpec spec_;
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
-  Image colour_, multisampled_, depth_;
+  Image colour_, resolved_eye_, multisampled_, depth_;
   std::vector<Owned<VkFramebuffer>> framebuffers_;
 };
 
