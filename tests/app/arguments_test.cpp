@@ -91,6 +91,7 @@ TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
       {"expore", "unknown command 'expore' (did you mean 'explore'?); take explore, replay, capture, plan, query, validate or "
                  "doctor; see seascape --help"},
       {"replay --frame 3", "unknown option '--frame' (did you mean '--frames'?); see seascape replay --help"},
+      {"replay --sett a=b", "unknown option '--sett' (did you mean '--set'?); see seascape replay --help"},
       {"replay storm", "unexpected word 'storm'; see seascape replay --help"},
       {"--scene storm replay", "unexpected word 'replay'; see seascape explore --help"},
       {"replay --size 0x5", "--size: '0x5' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
