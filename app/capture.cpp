@@ -85,7 +85,7 @@ Measured measure(const Arguments& arguments, Program& program) {
 
   // A frame's GPU times are read when its slot comes round again: so many frames more are drawn, and none is waited for.
   const int all = arguments.warmup + count + Frame::slots;
-  Progress progress("capture " + program.preset, std::size_t(all));
+  Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
   for (int i = 0; i < all; ++i) {
     const int number = i < arguments.warmup ? i : i - arguments.warmup;  // of the path, which the warm-up walks too

@@ -161,7 +161,7 @@ int run_plan(const Arguments& arguments) {
   if (!arguments.matrix.empty()) {  // a faulty scene is told before a folder is made
     (void)scene_from(arguments, "high");
     make_output_directory(arguments.matrix);
-    Progress progress("plan", preset_names().size());
+    Progress progress("plan: preset", preset_names().size());
     std::size_t done = 0;
     for (const std::string_view preset : preset_names()) {
       const Plan plan = plan_of(arguments, std::string(preset));

@@ -71,7 +71,7 @@ int run_replay(const Arguments& arguments) {
   Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
-  Progress progress("replay", std::size_t(count));
+  Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;
     drawn.frame = arguments.start + done;
