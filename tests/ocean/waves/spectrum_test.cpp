@@ -158,7 +158,7 @@ TEST(Spectrum, refuses_what_is_no_sea_by_name) {
 }
 
 TEST(Ladder, shares_add_to_one_and_vanish_inside_the_tile) {
-  // Hard case 34. Control: squared weights (shares of amplitude) add to 0.5 in mid-overlap.
+  // Hard case 34. Control: a band that rises but does not fall counts the overlaps twice.
   for (const double wind : {0.0, 3.0, 6.0, 10.0, 20.0, 40.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;

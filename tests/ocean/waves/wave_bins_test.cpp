@@ -92,9 +92,9 @@ TEST(WaveBins, expected_variance_is_the_spectrums) {
 
 TEST(WaveBins, cells_hold_the_spectrums_integral) {
   // The variance that bins are drawn with (amplitude over the Gaussian it was drawn by), summed, against the integral over
-  // the drawn bands: no noise, so even a swell narrower than the cells is right to 1 %. Control: the spectrum at the bins'
-  // centres instead misses a swell of 20 s by several per cent.
-  for (const double period : {0.0, 6.0, 12.0, 20.0}) {
+  // the drawn bands: no noise, so even a swell of two waves a tile is right to 1 %. Control: the spectrum at the bins' centres
+  // misses that swell, of 30 s, by 16 %.
+  for (const double period : {0.0, 6.0, 12.0, 20.0, 30.0}) {
     SeaState sea;
     sea.wind_speed_mps = period > 0 ? 0 : 25;
     sea.swell_height_m = period > 0 ? 2 : 0;
@@ -150,7 +150,7 @@ TEST(WaveBins, origin_and_edge_rows_are_zero) {
 }
 
 TEST(WaveBins, no_wind_or_no_fetch_is_flat) {
-  // Hard cases 1 and 4. Control: flooring the wind at 0.1 m/s leaves millimetre waves.
+  // Hard cases 1 and 4. Control: a wind floored at 0.5 m/s leaves waves.
   for (const auto& [wind, fetch] : {std::pair{0.0, 300e3}, std::pair{10.0, 0.0}, std::pair{0.0, 0.0}}) {
     SeaState sea;
     sea.wind_speed_mps = wind;
