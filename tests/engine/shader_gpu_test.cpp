@@ -1,0 +1,139 @@
+// What is left of a shader once it is specialised: nothing of a feature that is off, and valid SPIR-V always.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <spirv-tools/libspirv.hpp>
+
+#include "engine/files.h"
+#include "engine/shader.h"
+#include "shaders/shared/frame_data.h"
+
+namespace seascape {
+
+namespace {
+
+// A few facts about a module, read straight from its words (SPIR-V 1.3 specification, 2.3 and 3.32). No part of the code
+// under test.
+struct Module {
+  explicit Module(const std::vector<std::uint32_t>& w) {
+    for (std::size_t at = 5; at < w.size(); at += w[at] >> 16) {
+      const std::uint32_t op = w[at] & 0xffffu, *a = &w[at] + 1;
+      const std::size_t count = (w[at] >> 16) - 1;
+      ++instructions;
+      if (op == 43 && count == 3) constants[a[1]] = a[2];                              // OpConstant
+      if (op >= 48 && op <= 52) ++specialisable;                                       // OpSpecConstant...
+      if (op == 71 && count >= 3 && a[1] == 1) specialisation_ids.insert(a[2]);        // OpDecorate SpecId
+      if (op == 71 && count >= 3 && a[1] == 33) bindings.insert(a[2]);                 // OpDecorate Binding
+      if (op == 72 && count >= 4 && a[2] == 35) members[{a[0], a[3]}] = a[1];          // OpMemberDecorate Offset
+      if (op == 48 || op == 49) flags.insert(a[1]);                                    // OpSpecConstantTrue, False
+      if (op == 71 && count >= 3 && a[1] == 1) ids[a[0]] = a[2];
+      if (op == 65) chains.emplace_back(a + 3, a + count);                             // OpAccessChain: indices
+    }
+  }
+  // Whether anything of the frame's data at this offset is read: the block holds FrameData as its one member.
+  bool reads_frame_data(std::size_t offset) const {
+    std::set<std::uint32_t> numbers;
+    for (const auto& [member, number] : members)
+      if (member.second == offset && is_frame_data(member.first)) numbers.insert(number);
+    return std::any_of(chains.begin(), chains.end(), [&](const auto& indices) {
+      return indices.size() >= 2 && value(indices[0]) == 0 && numbers.contains(value(indices[1]));
+    });
+  }
+  bool is_frame_data(std::uint32_t type) const {  // the one struct with members at both these offsets
+    return members.contains({type, std::uint32_t(offsetof(gpu::FrameData, grid))}) &&
+           members.contains({type, std::uint32_t(offsetof(gpu::FrameData, water_backscatter))});
+  }
+  std::uint32_t value(std::uint32_t id) const {
+    const auto found = constants.find(id);
+    return found == constants.end() ? ~0u : found->second;
+  }
+  int instructions = 0, specialisable = 0;
+  std::map<std::uint32_t, std::uint32_t> constants, ids;  // ids: of specialisation constants
+  std::set<std::uint32_t> bindings, specialisation_ids, flags;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members;  // (type, offset) to number
+  std::vector<std::vector<std::uint32_t>> chains;
+};
+
+std::vector<SpecValue> surface_values(bool probe, bool tile, bool foam, bool debug) {
+  return {{0, true}, {1, probe}, {2, tile}, {3, foam}, {4, debug}, {5, std::bit_cast<std::uint32_t>(4.0f)}};
+}
+
+std::vector<std::uint32_t> words(const std::string& name, std::vector<SpecValue> values) {
+  const auto raw = read_spirv(ShaderLibrary::default_directory() / (name + ".spv"));
+  const Module module(raw);
+  std::erase_if(values, [&](const SpecValue& v) { return !module.specialisation_ids.contains(v.id); });
+  return specialise(raw, values, name);
+}
+
+// The control: with foam left on, whitecap is read and the first expectation below fails.
+TEST(Specialisation, LeavesNothingOfFoamWhereThereIsNone) {
+  const Module with(words("surface.frag", surface_values(false, true, true, false)));
+  const Module without(words("surface.frag", surface_values(false, true, false, false)));
+  EXPECT_FALSE(without.reads_frame_data(offsetof(gpu::FrameData, whitecap)));
+  EXPECT_TRUE(with.reads_frame_data(offsetof(gpu::FrameData, whitecap))) << "or this test could not fail";
+  EXPECT_TRUE(without.reads_frame_data(offsetof(gpu::FrameData, water_backscatter)));
+  EXPECT_LE(without.instructions + 20, with.instructions);
+  EXPECT_EQ(without.specialisable, 0);
+}
+
+TEST(Specialisation, LeavesNothingOfDebugViewsWhereThereAreNone) {
+  const Module with(words("surface.frag", surface_values(false, true, false, true)));
+  const Module without(words("surface.frag", surface_values(false, true, false, false)));
+  EXPECT_FALSE(without.reads_frame_data(offsetof(gpu::FrameData, grid)));
+  EXPECT_TRUE(with.reads_frame_data(offsetof(gpu::FrameData, grid)));
+}
+
+TEST(Specialisation, TheProbeIsABindingOnlyWhereItIsAskedFor) {
+  EXPECT_THAT(Module(words("surface.vert", surface_values(true, true, false, false))).bindings, ::testing::Contains(8u));
+  EXPECT_THAT(Module(words("surface.vert", surface_values(false, true, false, false))).bindings, ::testing::Not(::testing::Contains(8u)));
+}
+
+// The library's reflection agrees with the words: a binding that is stripped is not asked for by a descriptor layout.
+TEST(Specialisation, TheLibraryListsTheBindingsThatAreLeft) {
+  ShaderLibrary library;
+  for (const bool probe : {false, true}) {
+    const auto values = surface_values(probe, true, false, false);
+    const auto shader = library.load("surface.vert", values);
+    std::set<std::uint32_t> listed;
+    for (const ShaderBinding& b : shader->bindings) listed.insert(b.binding);
+    EXPECT_EQ(listed, Module(shader->words).bindings) << "probe " << probe;
+    EXPECT_EQ(library.load("surface.vert", values), shader) << "an equal request is answered from memory";
+  }
+}
+
+// Every shader that ships, at every combination of its flags. The control: a module with a broken word is refused.
+TEST(Specialisation, EveryCombinationOfFlagsIsValid) {
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
+  std::string fault;
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { fault = text; });
+  int modules = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ShaderLibrary::default_directory())) {
+    if (entry.path().extension() != ".spv") continue;
+    const std::string name = entry.path().stem().string();
+    const auto raw = read_spirv(entry.path());
+    const Module module(raw);
+    std::vector<std::uint32_t> flags;
+    for (const std::uint32_t id : module.flags)
+      if (module.ids.contains(id)) flags.push_back(module.ids.at(id));
+    ASSERT_LE(flags.size(), 6u) << name << ": too many combinations for this test";
+    for (unsigned chosen = 0; chosen < 1u << flags.size(); ++chosen) {
+      std::vector<SpecValue> values;
+      for (std::size_t i = 0; i < flags.size(); ++i) values.push_back({flags[i], chosen >> i & 1u});
+      const auto result = specialise(raw, values, name);
+      EXPECT_TRUE(tools.Validate(result)) << name << " at flags " << chosen << ": " << fault;
+      ++modules;
+    }
+  }
+  EXPECT_GE(modules, 40) << "the folder of shaders is not what this test takes it for";
+  auto broken = words("surface.vert", surface_values(false, true, false, false));
+  broken.resize(broken.size() - 4);  // the end of its last function is missing
+  EXPECT_FALSE(tools.Validate(broken));
+}
+
+}  // namespace
+
+}  // namespace seascape

@@ -1,0 +1,119 @@
+// Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU.
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "ocean/lod/patch_mesh.h"
+#include "ocean/waves/wave_tiles.h"
+#include "tests/support/gpu/gpu_test.h"
+#include "tests/support/gpu/sea_shot.h"
+
+namespace seascape {
+
+namespace {
+
+using test::pose;
+using test::SeaShot;
+
+class DrawnSurface : public test::GpuTest {
+ protected:
+  void SetUp() override {
+    GpuTest::SetUp();
+    if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
+  }
+};
+
+struct Errors {
+  double worst_m = 0.0, hs_m = 0.0;
+  int points = 0, resolved = 0;  // resolved: whose displacement passes the tolerance's own size
+  std::string where;
+};
+
+// Draws `scene` and compares `count` random vertices; `late_s` shifts the field's time (a control).
+Errors errors(const std::string& scene, const std::string& preset, std::vector<std::pair<std::string, std::string>> set, const Pose& head,
+              double time_s, int count, double late_s = 0.0) {
+  SeaShot shot({.scene = scene, .preset = preset, .width = 64, .height = 36, .probe = true, .set = std::move(set)});
+  shot.draw(head, time_s);
+  const Settings& settings = shot.scene().settings;
+  const SurfaceSelection& selection = shot.experience().ocean().select(shot.viewpoint(head));
+  const auto bytes = read_buffer(test::device(), shot.experience().surface().probed());
+  const auto side = std::size_t(settings.lod.patch_quads + 1), vertices = side * side;
+  Errors result;
+  if (selection.patches.size() > Surface::probe_patches || selection.patches.empty()) {
+    ADD_FAILURE() << selection.patches.size() << " patches for a probe of " << Surface::probe_patches;
+    return result;
+  }
+  const WaveField field(settings.sea, settings.waves);
+  WaveTiles tiles;
+  field.evaluate(ticks_from_seconds(time_s + late_s), tiles);
+  result.hs_m = 4.0 * std::sqrt(field.statistics().height_variance);
+  const glm::dvec2 viewer(head.position_m.x - selection.grid_origin_m.x, head.position_m.z - selection.grid_origin_m.y);
+  std::mt19937 random(7);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = (random() % selection.patches.size()) * vertices + random() % vertices;
+    glm::vec4 rest, drawn;
+    std::memcpy(&rest, &bytes[at * 32], 16);
+    std::memcpy(&drawn, &bytes[at * 32 + 16], 16);
+    const glm::dvec3 want = field.sea(tiles, selection.grid_origin_m + glm::dvec2(rest), double(rest.z)).displacement;
+    const glm::dvec2 from_viewer = glm::dvec2(rest) - viewer;
+    const glm::dvec3 got(double(drawn.x) - from_viewer.x, drawn.z, double(drawn.y) - from_viewer.y);
+    // A single float's spacing beyond the patches, 2 mm at 20 km, is no error of the sea.
+    const glm::dvec2 spacing = 0x1p-24 * glm::abs(from_viewer);
+    const double error = glm::length(glm::max(glm::abs(got - want) - glm::dvec3(spacing.x, 0.0, spacing.y), 0.0));
+    ++result.points;
+    result.resolved += glm::length(want) > 0.05 * result.hs_m;
+    if (error > result.worst_m || std::isnan(error)) {
+      result.worst_m = std::isnan(error) ? 1e9 : error;
+      result.where = scene + " " + preset + ": rest " + std::to_string(rest.x) + ", " + std::to_string(rest.y) + " m, footprint " +
+                     std::to_string(rest.z) + " m, " + std::to_string(glm::length(from_viewer)) + " m away";
+    }
+  }
+  return result;
+}
+
+const Pose near_water = pose({12.3, 2.0, -45.6}, 30.0, -12.0);
+
+// A thousand points a scene where the tiles are 32-bit floats: within 1/1000 of the significant height, and 5 mm.
+TEST_F(DrawnSurface, StandsWhereTheWaveFieldSays) {
+  for (const char* preset : {"high", "ultra"})
+    for (const char* scene : {"open_sea", "calm", "storm", "swell"}) {
+      const Errors e = errors(scene, preset, {}, near_water, 33.3, 1000);
+      EXPECT_EQ(e.points, 1000);
+      EXPECT_GT(e.resolved, 300) << "too few of the points are moved by waves";
+      EXPECT_LE(e.worst_m, 1e-3 * e.hs_m) << e.where;
+      EXPECT_LE(e.worst_m, 5e-3) << e.where;
+      RecordProperty(std::string(preset) + "_" + scene, std::to_string(e.worst_m) + " m of Hs " + std::to_string(e.hs_m));
+    }
+}
+
+// The presets of standalone headsets keep their tiles in half floats, each of which is off by up to 1/2048 of a crest, in
+// five numbers added: within 1/200 of the significant height. With 32-bit tiles they meet the tolerance of the others.
+TEST_F(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
+  for (const char* preset : {"low", "medium"})
+    for (const char* scene : {"open_sea", "calm", "storm", "swell"}) {
+      const Errors half = errors(scene, preset, {}, near_water, 33.3, 1000);
+      EXPECT_LE(half.worst_m, 5e-3 * half.hs_m) << half.where;
+      const Errors single = errors(scene, preset, {{"waves.half_storage", "false"}}, near_water, 33.3, 1000);
+      EXPECT_LE(single.worst_m, 1e-3 * single.hs_m) << single.where;
+      EXPECT_LE(single.worst_m, 5e-3) << single.where;
+    }
+}
+
+// The control: a field that is a twentieth of a second late does not agree.
+TEST_F(DrawnSurface, AFieldAtAnotherTimeDoesNotAgree) {
+  const Errors e = errors("open_sea", "high", {}, near_water, 33.3, 1000, 0.05);
+  EXPECT_GT(e.worst_m, 1e-3 * e.hs_m);
+  EXPECT_GT(e.worst_m, 5e-3);
+}
+
+// A thousand kilometres from the world's origin, from high above, and late in a long run: as exact.
+TEST_F(DrawnSurface, StandsThereFarFromTheOriginAndLate) {
+  const Errors far = errors("open_sea", "high", {}, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0), 33.3, 500);
+  EXPECT_LE(far.worst_m, std::min(1e-3 * far.hs_m, 5e-3)) << far.where;
+  const Errors late = errors("storm", "high", {}, pose({-700.0, 60.0, 300.0}, 100.0, -30.0), 1e7, 500);
+  EXPECT_LE(late.worst_m, std::min(1e-3 * late.hs_m, 5e-3)) << late.where;
+}
+
+}  // namespace
+
+}  // namespace seascape

@@ -1,0 +1,89 @@
+#include "tests/support/gpu/gpu_test.h"
+
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+#include <mutex>
+
+namespace seascape::test {
+
+namespace {
+
+// Collects the lines by which a device tells a message of the validation layer (engine/device.cpp).
+class MessageSink final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  std::vector<std::string> take() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+  }
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& line) override {
+    const std::string text(line.payload.data(), line.payload.size());
+    if (text.starts_with("validation: ")) messages_.push_back(text);
+  }
+  void flush_() override {}
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+struct Shared {
+  std::shared_ptr<MessageSink> sink = std::make_shared<MessageSink>();
+  std::unique_ptr<Device> device;
+  ShaderLibrary shaders;
+};
+
+Shared& shared() {
+  static Shared all;
+  return all;
+}
+
+// The device goes at the end of the program, and its end must be clean too: nothing alive, no message.
+class DeviceEnd final : public ::testing::Environment {
+ public:
+  void SetUp() override {
+    spdlog::default_logger()->sinks().push_back(shared().sink);
+    spdlog::set_level(spdlog::level::warn);
+  }
+  void TearDown() override {
+    if (shared().device) {
+      shared().device->wait_idle();
+      EXPECT_TRUE(shared().device->objects().empty())
+          << shared().device->objects().size() << " objects are alive at the device's end, the first: "
+          << shared().device->objects().front().name;
+      shared().device.reset();
+    }
+    for (const std::string& message : take_validation_messages()) ADD_FAILURE() << message;
+  }
+};
+
+[[maybe_unused]] const auto* const environment = ::testing::AddGlobalTestEnvironment(new DeviceEnd);
+
+}  // namespace
+
+Device& device() {
+  if (!shared().device) {
+    DeviceOptions options;
+    options.validation = true;
+    shared().device = std::make_unique<Device>(options);
+  }
+  return *shared().device;
+}
+
+ShaderLibrary& shaders() { return shared().shaders; }
+
+std::vector<std::string> take_validation_messages() {
+  if (shared().device) shared().device->clear_validation_messages();
+  return shared().sink->take();
+}
+
+void GpuTest::SetUp() { (void)device(); }
+
+void GpuTest::TearDown() {
+  device().wait_idle();
+  for (const std::string& message : take_validation_messages()) ADD_FAILURE() << message;
+}
+
+}  // namespace seascape::test

@@ -1,0 +1,56 @@
+#include "tests/support/gpu/sea_shot.h"
+
+#include "app/frame.h"
+#include "app/program.h"
+#include "platform/headless.h"
+#include "tests/support/gpu/gpu_test.h"
+
+namespace seascape::test {
+
+Pose pose(glm::dvec3 position_m, double yaw_deg, double pitch_deg, double roll_deg) {
+  return {position_m, orientation_from_angles({yaw_deg, pitch_deg, roll_deg})};
+}
+
+SeaShot::SeaShot(const ShotOptions& options) : SeaShot(test::device(), options) {}
+
+SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), options_(options) {
+  Scene scene = load_scene(options.scene, options.preset);
+  for (const auto& [key, value] : options.set) set_from_text(scene.settings, key, value, "test");
+  experience_ = std::make_unique<Experience>(
+      device, shaders(), scene, ExperienceOptions{options.width, options.height, options.views, options.per_eye, options.probe});
+}
+
+Viewpoint SeaShot::viewpoint(const Pose& head) const {
+  const RenderSettings& render = scene().settings.render;
+  HeadlessOptions display;
+  display.width = options_.width;
+  display.height = options_.height;
+  display.views = options_.views;
+  display.vertical_fov_deg = render.vertical_fov_deg;
+  display.eye_distance_m = render.eye_distance_m;
+  display.eye = options_.eye;
+  return Headless(display).viewpoint(head);
+}
+
+void SeaShot::draw(const Pose& head, double time_s) {
+  Frame& frame = experience_->frame();
+  frame.begin();
+  draw_frame(*experience_, frame, viewpoint(head), time_s);
+  frame.submit();
+  frame.finish();
+}
+
+std::vector<Image8> SeaShot::pictures(const Pose& head, double time_s) {
+  draw(head, time_s);
+  std::vector<Image8> views;
+  for (int view = 0; view < options_.views; ++view) views.push_back(picture_of(device_, *experience_, view));
+  return views;
+}
+
+void SeaShot::set(const std::string& key, const std::string& value) {
+  Settings settings = scene().settings;
+  set_from_text(settings, key, value, "test");
+  experience_->apply(settings);
+}
+
+}  // namespace seascape::test

@@ -1,0 +1,51 @@
+// A scene at a preset, drawn for a pose and a time into pictures, as the program's commands do it.
+#pragma once
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/camera_path.h"
+#include "app/experience.h"
+#include "engine/image_file.h"
+
+namespace seascape::test {
+
+struct ShotOptions {
+  std::string scene = "open_sea", preset = "medium";
+  std::uint32_t width = 160, height = 90;
+  int views = 1;
+  int eye = 0;  // of one view: -1 left, 0 centre, 1 right
+  bool per_eye = false, probe = false;
+  std::vector<std::pair<std::string, std::string>> set;  // as by --set
+};
+
+// A pose from metres and degrees.
+Pose pose(glm::dvec3 position_m, double yaw_deg, double pitch_deg, double roll_deg = 0.0);
+
+class SeaShot {
+ public:
+  explicit SeaShot(const ShotOptions& options);
+  SeaShot(Device& device, const ShotOptions& options);
+  // The views of a head, as a headless display hands them out.
+  Viewpoint viewpoint(const Pose& head) const;
+  // Draws one frame and waits for it.
+  void draw(const Pose& head, double time_s);
+  // The same, read back: one picture a view.
+  std::vector<Image8> pictures(const Pose& head, double time_s);
+  Image8 picture(const Pose& head, double time_s) { return pictures(head, time_s).front(); }
+  // Takes a setting, as by --set.
+  void set(const std::string& key, const std::string& value);
+
+  Experience& experience() { return *experience_; }
+  Device& device() { return device_; }
+  const Scene& scene() const { return experience_->scene(); }
+  const FrameCounts& counts() { return experience_->frame().counts(); }
+
+ private:
+  Device& device_;
+  ShotOptions options_;
+  std::unique_ptr<Experience> experience_;
+};
+
+}  // namespace seascape::test
