@@ -50,9 +50,11 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
 
 void Experience::build() {
   RenderSettings& render = scene_.settings.render;
-  if (render.msaa > device_.facts().max_samples) {
-    spdlog::warn("msaa {}: {} has at most {}; using that", render.msaa, device_.facts().name, device_.facts().max_samples);
-    render.msaa = device_.facts().max_samples;
+  int samples = render.msaa;  // software drivers have 1 and 4 but not 2
+  while (samples > 1 && !(device_.facts().sample_counts & std::uint32_t(samples))) samples /= 2;
+  if (samples != render.msaa) {
+    spdlog::warn("msaa {}: {} has not that many; using {}", render.msaa, device_.facts().name, samples);
+    render.msaa = samples;
   }
   const Settings& s = scene_.settings;
   ocean_.reset();

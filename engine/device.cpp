@@ -184,6 +184,7 @@ void Device::choose_physical(const DeviceOptions& options) {
   facts_.shared_memory = options.core_only ? 16384 : p.limits.maxComputeSharedMemorySize;
   facts_.uniform_alignment = std::uint32_t(p.limits.minUniformBufferOffsetAlignment);
   const VkSampleCountFlags samples = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts;
+  facts_.sample_counts = samples | 1u;
   for (int s : {2, 4, 8})
     if (samples & VkSampleCountFlags(s)) facts_.max_samples = s;
   VkFormatProperties format;

@@ -29,6 +29,7 @@ struct DeviceFacts {
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
   float max_anisotropy = 1.0f;
   int max_samples = 1;          // of a colour and depth target
+  std::uint32_t sample_counts = 1;  // those that it has: a bit each, 2 | 8 say
   bool timestamps = false;
   double timestamp_period_ns = 1.0;
   std::uint32_t max_workgroup = 128, shared_memory = 16384;
