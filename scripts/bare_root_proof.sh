@@ -79,13 +79,15 @@ inside() {
     HOME="$home" USER="$user" CI=true bash -c "cd \"\$1\" && $1" bash "$place" < /dev/null
 }
 failed=0
+export LC_ALL=C
+TIMEFORMAT="proof: %U s user and %S s system time"  # of all cores: what the wall clock would be on idle ones
 for what in $only; do
   begin=$(date +%s)
+  command=./check
   if [ "$what" = run ]; then
-    inside 'rm -rf out && ./run && for f in out/left.png out/right.png out/report.html; do [ -s "$f" ] || { echo "$f is not there"; exit 1; }; done'
-  else
-    inside ./check
+    command='rm -rf out && ./run && for f in out/left.png out/right.png out/report.html; do [ -s "$f" ] || { echo "$f is not there"; exit 1; }; done'
   fi
+  time inside "$command"
   status=$?
   printf 'proof: ./%s as %s%s: status %s, %s s\n' "$what" "$who" "${offline:+, offline}" "$status" "$(($(date +%s) - begin))"
   if [ "$status" -ne 0 ]; then failed=1; fi

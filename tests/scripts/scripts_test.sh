@@ -280,7 +280,7 @@ EOF
     [ "$status" -eq 0 ] || fail "control: it fails always"
     # Nor does the page of that earlier run pass for one of a capture that writes none.
     sed -i 's/printf page.*;;/;;/' "$tree/build/release/seascape"
-    touch -d '-1 minute' "$work/caller/out/report.html"
+    touch -d "-1 minute" "$work/caller/out/report.html"
     start
     [ "$status" -eq 1 ] && says err 'report.html: the capture did not write it' || { show; fail "an old report was taken for new"; }
     ;;
