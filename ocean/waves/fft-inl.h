@@ -42,39 +42,66 @@ HWY_INLINE void dft_4(Complex& a, Complex& b, Complex& c, Complex& d) {
   d = minus_i(diff_ac, diff_bd);
 }
 
-// One butterfly over R values `in_step` floats apart, `out_step` floats apart afterwards. `before` turns value j by its
-// factor at j * before_step, `after` turns result q likewise; null leaves them.
-template <int R, bool Before, bool After>
-HWY_INLINE void butterfly(const float* HWY_RESTRICT in_re, const float* HWY_RESTRICT in_im, std::ptrdiff_t in_step,
-                          const float* before, int before_step, float* HWY_RESTRICT out_re, float* HWY_RESTRICT out_im,
-                          std::ptrdiff_t out_step, const float* after, int after_step) {
+// Functions, not lambdas: GCC leaves lambdas of this size out of line, which costs a third of the transform.
+template <bool Turn>
+HWY_INLINE Complex loaded(const float* HWY_RESTRICT re, const float* HWY_RESTRICT im, std::ptrdiff_t at, const float* factor) {
   const Lanes d;
-  const auto load = [&](int j) HWY_ATTR {
-    const Complex v{hn::LoadU(d, in_re + j * in_step), hn::LoadU(d, in_im + j * in_step)};
-    if constexpr (Before) return turned(v, before + j * before_step);
-    return v;
-  };
-  const auto store = [&](int q, Complex v) HWY_ATTR {
-    if constexpr (After) v = turned(v, after + q * after_step);
-    hn::StoreU(v.re, d, out_re + q * out_step);
-    hn::StoreU(v.im, d, out_im + q * out_step);
-  };
-  Complex a = load(0), b = load(R / 4), c = load(R / 2), e = load(3 * R / 4);
-  dft_4(a, b, c, e);
+  const Complex v{hn::LoadU(d, re + at), hn::LoadU(d, im + at)};
+  if constexpr (Turn) return turned(v, factor);
+  return v;
+}
+
+// Where a butterfly leaves its results: value q at q * step, turned by the factor at q * factor_step where Turn.
+template <bool Turn>
+struct Results {
+  float* HWY_RESTRICT re;
+  float* HWY_RESTRICT im;
+  std::ptrdiff_t step;
+  const float* factors;
+  int factor_step;
+  HWY_INLINE void put(int q, Complex v) const {
+    const Lanes d;
+    if constexpr (Turn) v = turned(v, factors + q * factor_step);
+    hn::StoreU(v.re, d, re + q * step);
+    hn::StoreU(v.im, d, im + q * step);
+  }
+};
+
+// One butterfly over R values `step` floats apart, value j first turned by its factor at j * factor_step where Before.
+template <int R, bool Before, bool After>
+HWY_INLINE void butterfly(const float* in_re, const float* in_im, std::ptrdiff_t step, const float* factors, int factor_step,
+                          const Results<After>& out) {
+  const Lanes d;
+  Complex v[R];
+  v[0] = loaded<Before>(in_re, in_im, 0, factors);
+  v[1] = loaded<Before>(in_re, in_im, (R / 4) * step, factors + (R / 4) * factor_step);
+  v[2] = loaded<Before>(in_re, in_im, (R / 2) * step, factors + (R / 2) * factor_step);
+  v[3] = loaded<Before>(in_re, in_im, (3 * R / 4) * step, factors + (3 * R / 4) * factor_step);
+  dft_4(v[0], v[1], v[2], v[3]);
   if constexpr (R == 4) {
-    store(0, a), store(1, b), store(2, c), store(3, e);
+    out.put(0, v[0]);
+    out.put(1, v[1]);
+    out.put(2, v[2]);
+    out.put(3, v[3]);
   } else {
     static_assert(R == 8);
-    Complex f = load(1), g = load(3), h = load(5), i = load(7);
-    dft_4(f, g, h, i);
+    v[4] = loaded<Before>(in_re, in_im, step, factors + factor_step);
+    v[5] = loaded<Before>(in_re, in_im, 3 * step, factors + 3 * factor_step);
+    v[6] = loaded<Before>(in_re, in_im, 5 * step, factors + 5 * factor_step);
+    v[7] = loaded<Before>(in_re, in_im, 7 * step, factors + 7 * factor_step);
+    dft_4(v[4], v[5], v[6], v[7]);
     // Odd results turned by q eighths of a turn; the quarter turn of the upper two is left to plus_i.
     const Vector half_root = hn::Set(d, 0.70710678118654752f);
-    g = {hn::Mul(half_root, hn::Sub(g.re, g.im)), hn::Mul(half_root, hn::Add(g.re, g.im))};
-    i = {hn::Mul(half_root, hn::Sub(i.re, i.im)), hn::Mul(half_root, hn::Add(i.re, i.im))};
-    store(0, a + f), store(4, a - f);
-    store(1, b + g), store(5, b - g);
-    store(2, plus_i(c, h)), store(6, minus_i(c, h));
-    store(3, plus_i(e, i)), store(7, minus_i(e, i));
+    v[5] = {hn::Mul(half_root, hn::Sub(v[5].re, v[5].im)), hn::Mul(half_root, hn::Add(v[5].re, v[5].im))};
+    v[7] = {hn::Mul(half_root, hn::Sub(v[7].re, v[7].im)), hn::Mul(half_root, hn::Add(v[7].re, v[7].im))};
+    out.put(0, v[0] + v[4]);
+    out.put(4, v[0] - v[4]);
+    out.put(1, v[1] + v[5]);
+    out.put(5, v[1] - v[5]);
+    out.put(2, plus_i(v[2], v[6]));
+    out.put(6, minus_i(v[2], v[6]));
+    out.put(3, plus_i(v[3], v[7]));
+    out.put(7, minus_i(v[3], v[7]));
   }
 }
 
@@ -85,10 +112,10 @@ HWY_INLINE void band_stages(const float* outer, const float* inner, const float*
   alignas(64) float work_re[band * width], work_im[band * width];
   for (int j2 = 0; j2 < R2; ++j2)
     butterfly<R1, Outer, true>(in_re + j2 * in_step, in_im + j2 * in_step, R2 * in_step, outer + 2 * j2, 2 * R2,
-                               work_re + j2 * width, work_im + j2 * width, R2 * width, inner + 2 * j2, 2 * R2);
+                               Results<true>{work_re + j2 * width, work_im + j2 * width, R2 * width, inner + 2 * j2, 2 * R2});
   for (int q1 = 0; q1 < R1; ++q1)
-    butterfly<R2, false, false>(work_re + q1 * R2 * width, work_im + q1 * R2 * width, width, nullptr, 0,
-                                out_re + q1 * out_step, out_im + q1 * out_step, R1 * out_step, nullptr, 0);
+    butterfly<R2, false, false>(work_re + q1 * R2 * width, work_im + q1 * R2 * width, width, inner, 0,
+                                Results<false>{out_re + q1 * out_step, out_im + q1 * out_step, R1 * out_step, nullptr, 0});
 }
 
 // Results x = repeats q + r, for all q, of Lanes(Lanes()) transforms side by side. Value j (wave number j modulo band) lies

@@ -59,6 +59,19 @@ HWY_INLINE void cos_sin_turns(hn::Vec<Ints> turns, Vector& cosine, Vector& sine)
   sine = hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sign_y));
 }
 
+// Four rows of four floats into four columns.
+HWY_INLINE void transpose_4(const float* from, std::ptrdiff_t from_row, float* to, std::ptrdiff_t to_row) {
+  const hn::FixedTag<float, 4> d;
+  const auto a = hn::LoadU(d, from), b = hn::LoadU(d, from + from_row), c = hn::LoadU(d, from + 2 * from_row),
+             e = hn::LoadU(d, from + 3 * from_row);
+  const auto ac_low = hn::InterleaveLower(d, a, c), be_low = hn::InterleaveLower(d, b, e);
+  const auto ac_high = hn::InterleaveUpper(d, a, c), be_high = hn::InterleaveUpper(d, b, e);
+  hn::StoreU(hn::InterleaveLower(d, ac_low, be_low), d, to);
+  hn::StoreU(hn::InterleaveUpper(d, ac_low, be_low), d, to + to_row);
+  hn::StoreU(hn::InterleaveLower(d, ac_high, be_high), d, to + 2 * to_row);
+  hn::StoreU(hn::InterleaveUpper(d, ac_high, be_high), d, to + 3 * to_row);
+}
+
 HWY_INLINE Vector reversed(const float* last) {  // last[0], last[-1], ...
   const Lanes d;
   return hn::Reverse(d, hn::LoadU(d, last - (hn::Lanes(d) - 1)));
@@ -149,8 +162,9 @@ void along_z(const FftPlan& plan, const float* workspace, bool velocity, int fir
   for (int x = first_x; x < first_x + strip_width; x += lanes) {
     for (int p = 0; p < planes; ++p) {
       const float* rows = workspace + layout.half_done + (std::ptrdiff_t(p) * plan.n + x) * layout.row;
-      for (int j = 0; j < band; ++j)
-        for (int lane = 0; lane < lanes; ++lane) column[p][((j + half) % band) * width + lane] = rows[lane * layout.row + j];
+      for (int j = 0; j < band; j += 4)
+        for (int lane = 0; lane < lanes; lane += 4)
+          transpose_4(rows + lane * layout.row + j, layout.row, column[p] + ((j + half) % band) * width + lane, width);
     }
     for (int r = 0; r < plan.repeats; ++r) {
       for (int p = 0; p < planes; p += 2)
