@@ -1,2 +1,197 @@
+// `seascape capture`: measures frame times along a camera path, at one preset or at all of them.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <thread>
+
 #include "app/commands.h"
-namespace seascape { int run_capture(const Arguments&) { return 0; } }
+#include "app/frame.h"
+#include "app/program.h"
+#include "app/progress.h"
+#include "app/quality.h"
+#include "app/report.h"
+#include "app/statistics.h"
+#include "app/trace.h"
+#include "engine/error.h"
+#include "engine/files.h"
+
+namespace seascape {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+// One run and, apart from what the files hold, the time from one frame's begin to the next: all there is of both CPU and GPU.
+struct Measured {
+  CaptureRun run;
+  std::vector<double> interval_ms;
+};
+
+std::size_t index_of(std::vector<std::string>& names, const char* name) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return i;
+  names.emplace_back(name);
+  return names.size() - 1;
+}
+
+// Takes the GPU times that `frame` holds, which are of an earlier frame. Passes of one name count together.
+void take_gpu_times(const Frame& frame, CaptureRun& run, CaptureFrame& measured) {
+  measured.gpu_ms = frame.gpu_ms();
+  for (const PassTime& pass : frame.times()) {
+    const std::size_t column = index_of(run.pass_names, pass.name);
+    if (measured.pass_ms.size() <= column) measured.pass_ms.resize(column + 1, 0.0);
+    measured.pass_ms[column] += pass.ms;
+  }
+}
+
+std::vector<MemoryUse> memory_of(const Device& device) {
+  std::map<std::string, std::uint64_t> bytes;
+  for (const ObjectRecord& object : device.objects())
+    if (object.type == VK_OBJECT_TYPE_BUFFER || object.type == VK_OBJECT_TYPE_IMAGE) bytes[object.effect] += object.bytes;
+  std::vector<MemoryUse> uses;
+  for (const auto& [tag, sum] : bytes) uses.push_back({tag, sum});
+  return uses;
+}
+
+Measured measure(const Arguments& arguments, Program& program) {
+  Device& device = *program.device;
+  const RenderSettings& render = program.scene.settings.render;
+  const CameraPath path = path_from(arguments, program.scene);
+  const HeadlessOptions options = headless_options(arguments, render);
+  Headless display(options);
+  const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
+  Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Frame& frame = experience.frame();
+
+  Measured result;
+  CaptureRun& run = result.run;
+  run.scene = program.scene.name;
+  run.path = path.name;
+  run.preset = program.preset;
+  run.width = int(options.width);
+  run.height = int(options.height);
+  run.views = options.views;
+  run.msaa = experience.scene().settings.render.msaa;
+  run.warmup = arguments.warmup;
+  const int count = arguments.frames > 0 ? arguments.frames : frames_of(path, arguments.fps);
+  run.frames.resize(std::size_t(count));
+  result.interval_ms.resize(std::size_t(count));
+
+  // A frame's GPU times are read when its slot comes round again: so many frames more are drawn, and none is waited for.
+  const int all = arguments.warmup + count + Frame::slots;
+  Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
+  std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
+  for (int i = 0; i < all; ++i) {
+    const int number = i < arguments.warmup ? i : i - arguments.warmup;  // of the path, which the warm-up walks too
+    const bool measured = i >= arguments.warmup && number < count;
+    const double path_time_s = number / arguments.fps;
+    const PathSample sample = path.at(path_time_s);
+    const auto interval = Clock::now();
+    display.begin();
+    frame.begin();  // waits for the slot; its frame's times are there now
+    const auto cpu = Clock::now();
+    draw_frame(experience, frame, display.viewpoint(sample.pose), sea_time_s(program.scene.settings, sample));
+    display.end(frame, &experience.picture());
+    const double cpu_ms = ms_since(cpu);
+
+    if (measured) {
+      if (number == 0) first_number = frame.number();
+      CaptureFrame& now = run.frames[std::size_t(number)];
+      now.frame = number;
+      now.time_s = path_time_s;
+      now.cpu_ms = cpu_ms;
+      now.gpu_ms = std::numeric_limits<double>::quiet_NaN();  // until it is read, and on a device that cannot tell
+      now.draws = frame.counts().draws;
+      now.triangles = frame.counts().triangles;
+      now.dispatches = frame.counts().dispatches;
+    }
+    if (device.facts().timestamps && first_number && frame.timed_frame() >= first_number &&
+        frame.timed_frame() < first_number + std::uint64_t(count))
+      take_gpu_times(frame, run, run.frames[std::size_t(frame.timed_frame() - first_number)]);
+    progress.step(std::size_t(i) + 1);
+    if (measured) result.interval_ms[std::size_t(number)] = ms_since(interval);
+  }
+  for (CaptureFrame& one : run.frames) one.pass_ms.resize(run.pass_names.size(), 0.0);
+  run.memory = memory_of(device);
+  expect_no_validation_messages(device);
+  return result;
+}
+
+std::string processor_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name"))
+      if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return {};
+}
+
+std::string date_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min);
+}
+
+Machine machine_of(const Program& program) {
+  const DeviceFacts& facts = program.device->facts();
+  Machine machine;
+  machine.device = facts.name;
+  machine.driver = facts.driver;
+  machine.cpu = processor_name();
+  machine.cores = int(std::thread::hardware_concurrency());
+  machine.build = build_name();
+  machine.date = date_utc();
+  machine.seed = program.scene.settings.sea.seed;
+  return machine;
+}
+
+void print_table(const std::vector<Measured>& all) {
+  fmt::print("frame time in ms (the longer of CPU and GPU); interval: from one frame's begin to the next\n");
+  fmt::print("{:<8} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {:>6} {:>6} {:>6} {:>6}  of frames\n", "preset", "frames", "min",
+             "median", "p95", "p99", "max", "interval", "72 Hz", "80 Hz", "90 Hz", "120 Hz");
+  for (const Measured& measured : all) {
+    const std::vector<double> times = frame_times_ms(measured.run);
+    const Summary s = summarise(times);
+    fmt::print("{:<8} {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} ", measured.run.preset, times.size(), s.min, s.median,
+               s.p95, s.p99, s.max, summarise(measured.interval_ms).median);
+    for (const int rate : display_rates_hz) fmt::print(" {:>6}", count_missed(times, rate));
+    fmt::print("  missed\n");
+  }
+}
+
+}  // namespace
+
+int run_capture(const Arguments& arguments) {
+  if (arguments.display != DisplayKind::automatic && arguments.display != DisplayKind::headless)
+    throw Error("--display", "capture measures without a screen in this version", "leave --display out, or take headless", 2);
+  std::vector<std::string> presets{arguments.preset};
+  if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
+  const std::filesystem::path out = arguments.out;
+
+  std::vector<Measured> all;
+  Machine machine;
+  for (const std::string& preset : presets) {
+    Program program = make_program(arguments, preset, device_options());
+    if (all.empty()) {  // every fault that can be known is told before the long work
+      (void)path_from(arguments, program.scene);
+      make_output_directory(out);
+      machine = machine_of(program);
+    }
+    all.push_back(measure(arguments, program));
+  }
+  std::vector<CaptureRun> runs;
+  for (const Measured& measured : all) runs.push_back(measured.run);
+  write_capture_csv(out / "capture.csv", runs);
+  write_trace(out / "trace.json", runs);
+  write_report(out / "report.html", machine, runs);
+  print_table(all);
+  return 0;
+}
+
+}  // namespace seascape

@@ -1,2 +1,177 @@
+// `seascape plan`: builds a scene and says what is there, why, and what it costs. It reads the objects and not the request.
+#include "app/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/commands.h"
-namespace seascape { int run_plan(const Arguments&) { return 0; } }
+#include "app/frame.h"
+#include "app/program.h"
+#include "app/progress.h"
+#include "app/quality.h"
+#include "engine/error.h"
+#include "engine/files.h"
+#include "ocean/effects.h"
+
+namespace seascape {
+
+namespace {
+
+// Parts that every scene has, by the tag of their EffectScope.
+struct Part {
+  const char *name, *because;
+};
+constexpr Part parts[] = {
+    {"surface", "the sea is drawn by it"},
+    {"sky", "the sea mirrors it and is lit by it"},
+    {"frame", "every frame needs targets and a ring for uploads"},
+};
+
+PlanEffect& effect_named(Plan& plan, const std::string& name) {
+  const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == name; });
+  if (found != plan.effects.end()) return *found;
+  plan.effects.push_back({});
+  plan.effects.back().name = name;
+  plan.effects.back().because = "built, though the scene does not name it";
+  return plan.effects.back();
+}
+
+void add_object(PlanEffect& effect, const ObjectRecord& object) {
+  switch (object.type) {
+    case VK_OBJECT_TYPE_PIPELINE: effect.pipelines.push_back(object.name); break;
+    case VK_OBJECT_TYPE_SHADER_MODULE: effect.modules.push_back({object.name, object.bytes / 4, ""}); break;
+    case VK_OBJECT_TYPE_IMAGE:
+    case VK_OBJECT_TYPE_BUFFER:
+      effect.resources.push_back({object.type == VK_OBJECT_TYPE_IMAGE ? "image" : "buffer", object.name, object.bytes});
+      effect.bytes += object.bytes;
+      break;
+    default: ++effect.other_objects;
+  }
+}
+
+// The effect a pass works for is the one its pipeline belongs to; a pass that binds none belongs to the frame.
+std::string owner_of(VkPipeline pipeline, const std::vector<ObjectRecord>& objects) {
+  for (const ObjectRecord& object : objects)
+    if (object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(pipeline)) return object.effect;
+  return "frame";
+}
+
+// Adds what one frame recorded. `first`: it is the first of the experience.
+void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vector<ObjectRecord>& objects, bool first) {
+  std::vector<PlanEffect> found;  // this frame's passes by effect, for a pass may come several times
+  std::vector<std::pair<std::uint32_t, std::string>> counted;
+  for (const PipelineWork& work : frame) {
+    const std::string owner = owner_of(work.pipeline, objects);
+    auto effect = std::find_if(found.begin(), found.end(), [&](const PlanEffect& e) { return e.name == owner; });
+    if (effect == found.end()) {
+      found.push_back({});
+      found.back().name = owner;
+      effect = found.end() - 1;
+    }
+    auto pass = std::find_if(effect->passes.begin(), effect->passes.end(), [&](const PlanPass& p) { return p.name == work.pass; });
+    if (pass == effect->passes.end()) {
+      effect->passes.push_back({work.pass, first});
+      pass = effect->passes.end() - 1;
+    }
+    if (const std::pair key(work.pass_number, owner); std::find(counted.begin(), counted.end(), key) == counted.end()) {
+      counted.push_back(key);
+      ++pass->times;
+    }
+    pass->draws += work.draws;
+    pass->triangles += work.triangles;
+    pass->dispatches += work.dispatches;
+  }
+  for (const PlanEffect& part : found)
+    for (const PlanPass& pass : part.passes) {
+      std::vector<PlanPass>& passes = effect_named(plan, part.name).passes;
+      const auto same = std::find_if(passes.begin(), passes.end(), [&](const PlanPass& p) { return p.name == pass.name; });
+      if (same == passes.end()) passes.push_back(pass);
+      else *same = pass;  // the second frame has it too: it is every frame's
+    }
+}
+
+// Foam of this version is code in the surface's fragment shader and nothing else: its words are what the shader would lack
+// without it.
+void add_foam(Plan& plan, ShaderLibrary& library, const Surface& surface) {
+  for (const auto& shader : surface.pipeline().shaders()) {
+    if (shader->stage != VK_SHADER_STAGE_FRAGMENT_BIT) continue;
+    std::vector<SpecValue> without = shader->values;
+    for (SpecValue& value : without)
+      if (value.id == Surface::foam_constant) value.value = 0;
+    const std::size_t lacking = library.load(shader->name, without)->words.size();
+    if (lacking < shader->words.size())
+      effect_named(plan, "foam").modules.push_back({shader->name, shader->words.size() - lacking, "surface"});
+  }
+}
+
+void draw_once(Experience& experience, Headless& display, double time_s) {
+  Frame& frame = experience.frame();
+  display.begin();
+  frame.begin();
+  draw_frame(experience, frame, display.viewpoint(experience.scene().start), time_s);
+  display.end(frame, &experience.picture());
+  frame.finish();
+}
+
+Plan plan_of(const Arguments& arguments, const std::string& preset) {
+  Program program = make_program(arguments, preset, device_options());
+  const HeadlessOptions options = headless_options(arguments, program.scene.settings.render);
+  const bool per_eye = draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
+  Experience experience(*program.device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Plan plan = make_plan(*program.device, program.shaders, experience, program.preset);
+  expect_no_validation_messages(*program.device);
+  return plan;
+}
+
+}  // namespace
+
+Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, const std::string& preset) {
+  const Scene& scene = experience.scene();
+  Plan plan;
+  plan.scene = scene.name;
+  plan.preset = preset;
+  plan.device = device.facts().name;
+  plan.width = int(experience.options().width);
+  plan.height = int(experience.options().height);
+  plan.views = experience.options().views;
+  plan.msaa = scene.settings.render.msaa;
+  for (const EffectEntry& entry : closure(scene.effects)) effect_named(plan, entry.name).because = entry.because;
+  for (const Part& part : parts) effect_named(plan, part.name).because = part.because;
+
+  HeadlessOptions options;
+  options.width = experience.options().width;
+  options.height = experience.options().height;
+  options.views = plan.views;
+  options.vertical_fov_deg = scene.settings.render.vertical_fov_deg;
+  options.eye_distance_m = scene.settings.render.eye_distance_m;
+  Headless display(options);
+  const std::vector<ObjectRecord> objects = device.objects();
+  for (const bool first : {true, false}) {
+    draw_once(experience, display, scene.settings.time_start_s + (first ? 0.0 : 0.1));
+    add_work(plan, experience.frame().work(), objects, first);
+  }
+  plan.passes = experience.frame().counts().passes;
+  for (const ObjectRecord& object : device.objects()) add_object(effect_named(plan, object.effect), object);
+  add_foam(plan, shaders, experience.surface());
+  return plan;
+}
+
+int run_plan(const Arguments& arguments) {
+  if (!arguments.matrix.empty()) {  // a faulty scene is told before a folder is made
+    (void)scene_from(arguments, "high");
+    make_output_directory(arguments.matrix);
+    Progress progress("plan: preset", preset_names().size());
+    std::size_t done = 0;
+    for (const std::string_view preset : preset_names()) {
+      const Plan plan = plan_of(arguments, std::string(preset));
+      write_atomically(std::filesystem::path(arguments.matrix) / fmt::format("plan_{}_{}.csv", plan.scene, preset), plan_csv(plan));
+      progress.step(++done);
+    }
+  }
+  const Plan plan = plan_of(arguments, arguments.preset);
+  fmt::print("{}", arguments.json ? plan_json(plan) : plan_text(plan));
+  return 0;
+}
+
+}  // namespace seascape

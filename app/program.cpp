@@ -82,4 +82,35 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
 
 const char* view_suffix(int views, int view) { return views == 1 ? "" : view == 0 ? "_left" : "_right"; }
 
+int frames_of(const CameraPath& path, double fps) { return int(std::floor(path.duration_s() * fps + 1e-9)) + 1; }
+
+double sea_time_s(const Settings& settings, const PathSample& sample) {
+  return settings.time_start_s + sample.scene_time_s * settings.time_scale;
+}
+
+HeadlessOptions headless_options(const Arguments& arguments, const RenderSettings& render) {
+  HeadlessOptions options;
+  if (arguments.width) options.width = std::uint32_t(arguments.width);
+  if (arguments.height) options.height = std::uint32_t(arguments.height);
+  options.views = arguments.views;
+  options.vertical_fov_deg = render.vertical_fov_deg;
+  options.eye_distance_m = render.eye_distance_m;
+  options.eye = arguments.eye == Eye::left ? -1 : arguments.eye == Eye::right ? 1 : 0;
+  return options;
+}
+
+std::string build_name() {
+#ifndef SEASCAPE_DEBUG
+  const char* configuration = "release";
+#else
+  const char* configuration = "debug";
+#endif
+#ifdef __clang__
+  const char* compiler = "Clang " __clang_version__;
+#else
+  const char* compiler = "GCC " __VERSION__;
+#endif
+  return fmt::format("seascape " SEASCAPE_VERSION ", {}, {}", configuration, compiler);
+}
+
 }  // namespace seascape

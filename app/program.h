@@ -5,8 +5,8 @@
 
 #include "app/arguments.h"
 #include "app/experience.h"
-#include "app/progress.h"
 #include "engine/image_file.h"
+#include "platform/headless.h"
 
 namespace seascape {
 
@@ -31,5 +31,16 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
 
 // "left" and "right" of two views; empty for one.
 const char* view_suffix(int views, int view);
+
+// Frames of a path at so many a second: the first lies on its start, the last on its end or just before.
+int frames_of(const CameraPath& path, double fps);
+// The sea's time, seconds, at a sample of a path.
+double sea_time_s(const Settings& settings, const PathSample& sample);
+
+// The size, eyes and field of view that the command line and the scene ask of a display without a screen.
+HeadlessOptions headless_options(const Arguments& arguments, const RenderSettings& render);
+
+// "seascape 0.1, release, GCC 12.2.0".
+std::string build_name();
 
 }  // namespace seascape

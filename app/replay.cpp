@@ -1,58 +1,104 @@
 // `seascape replay`: draws a camera path frame by frame into files; its time comes from the path, never from the clock.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <chrono>
 
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/program.h"
+#include "app/progress.h"
+#include "app/report_replay.h"
 #include "engine/error.h"
 #include "engine/files.h"
-#include "platform/headless.h"
 
 namespace seascape {
+
+namespace {
+
+std::string setting_text(const Settings& settings, std::string_view key) { return value_text(settings, *find_setting(key)); }
+
+ReplayRecord record_of(const Arguments& arguments, const Program& program, const Experience& experience, const CameraPath& path) {
+  const Settings& settings = experience.scene().settings;
+  ReplayRecord record;
+  record.scene = program.scene.name;
+  record.path = path.name;
+  record.preset = program.preset;
+  record.seed = settings.sea.seed;
+  record.width = int(experience.options().width);
+  record.height = int(experience.options().height);
+  record.msaa = settings.render.msaa;
+  record.fps = arguments.fps;
+  record.stereo = experience.options().per_eye ? "per-eye" : "single";
+  record.debug = setting_text(settings, "debug.view");
+  record.format = arguments.format == PictureFormat::png ? "png" : "exr";
+  record.device = program.device->facts().name;
+  record.driver = program.device->facts().driver;
+  record.build = build_name();
+  return record;
+}
+
+// Writes a picture an eye and returns their names.
+std::vector<std::string> write_pictures(const std::filesystem::path& out, int number, PictureFormat format, Device& device,
+                                        const Experience& experience) {
+  std::vector<std::string> names;
+  const int views = experience.options().views;
+  for (int view = 0; view < views; ++view) {
+    const bool png = format == PictureFormat::png;
+    names.push_back(fmt::format("frame_{:04}{}.{}", number, view_suffix(views, view), png ? "png" : "exr"));
+    if (png) write_png(out / names.back(), picture_of(device, experience, view));
+    else write_exr(out / names.back(), linear_picture_of(device, experience, view));
+  }
+  return names;
+}
+
+}  // namespace
 
 int run_replay(const Arguments& arguments) {
   Program program = make_program(arguments, device_options());
   Device& device = *program.device;
   const CameraPath path = path_from(arguments, program.scene);
-  const int path_frames = int(std::floor(path.duration_s() * arguments.fps + 1e-9)) + 1;
-  const int end = arguments.frames > 0 ? arguments.start + arguments.frames : path_frames;
+  const int path_frames = frames_of(path, arguments.fps);
   if (arguments.start >= path_frames)
     throw Error("--start", fmt::format("{} is past the path's last frame, {}", arguments.start, path_frames - 1), "choose an earlier one", 2);
-  const std::filesystem::path out = arguments.out.empty() ? "out/replay" : arguments.out;
+  const int count = arguments.frames > 0 ? arguments.frames : path_frames - arguments.start;
+  const std::filesystem::path out = arguments.out;
   make_output_directory(out);
 
   const RenderSettings& render = program.scene.settings.render;
-  HeadlessOptions options;
-  if (arguments.width) options.width = std::uint32_t(arguments.width);
-  if (arguments.height) options.height = std::uint32_t(arguments.height);
-  options.views = arguments.views;
-  options.vertical_fov_deg = render.vertical_fov_deg;
-  options.eye_distance_m = render.eye_distance_m;
-  options.eye = arguments.eye == Eye::left ? -1 : arguments.eye == Eye::right ? 1 : 0;
+  const HeadlessOptions options = headless_options(arguments, render);
   Headless display(options);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
   Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
-  Progress progress("replay: frame", end - arguments.start);
-  for (int number = arguments.start; number < end; ++number) {
-    const PathSample sample = path.at(number / arguments.fps);
-    const double time_s = program.scene.settings.time_start_s + sample.scene_time_s * program.scene.settings.time_scale;
+  ReplayRecord record = record_of(arguments, program, experience, path);
+  Progress progress("replay: frame", std::size_t(count));
+  for (int done = 0; done < count; ++done) {
+    ReplayFrame drawn;
+    drawn.frame = arguments.start + done;
+    drawn.time_s = drawn.frame / arguments.fps;
+    const PathSample sample = path.at(drawn.time_s);
+    drawn.scene_time_s = sea_time_s(program.scene.settings, sample);
+
     display.begin();
+    drawn.views = display.viewpoint(sample.pose);
     frame.begin();
-    draw_frame(experience, frame, display.viewpoint(sample.pose), time_s);
+    const auto begun = std::chrono::steady_clock::now();
+    draw_frame(experience, frame, drawn.views, drawn.scene_time_s);
     display.end(frame, &experience.picture());
+    drawn.cpu_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     frame.finish();
-    for (int view = 0; view < options.views; ++view) {
-      const std::string name = fmt::format("frame_{:04}{}", number, view_suffix(options.views, view));
-      if (arguments.format == PictureFormat::png) write_png(out / (name + ".png"), picture_of(device, experience, view));
-      else write_exr(out / (name + ".exr"), linear_picture_of(device, experience, view));
-    }
-    progress.step(number - arguments.start + 1);
+    drawn.gpu_ms = frame.gpu_ms();
+
+    drawn.draws = frame.counts().draws;
+    drawn.triangles = frame.counts().triangles;
+    drawn.dispatches = frame.counts().dispatches;
+    drawn.patches = experience.ocean().selection()->patches.size();
+    drawn.files = write_pictures(out, drawn.frame, arguments.format, device, experience);
+    record.frames.push_back(std::move(drawn));
+    progress.step(std::size_t(done) + 1);
   }
   expect_no_validation_messages(device);
+  write_replay_record(out / "replay.json", record);
   return 0;
 }
 

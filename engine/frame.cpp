@@ -17,6 +17,9 @@ void Commands::bind(const Pipeline& pipeline, const Bindings& bindings, std::ini
   pipeline_ = &pipeline;
   vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.get());
   note(pipeline.hash());
+  PipelineWork& last = work_->back();
+  if (!last.pipeline) last.pipeline = pipeline.get();
+  else if (last.pipeline != pipeline.get()) work_->push_back({last.pass, last.pass_number, pipeline.get()});
   if (VkDescriptorSet set = bindings.get()) {
     assert(uniform_offsets.size() >= pipeline.dynamic_uniforms());
     vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, pipeline.dynamic_uniforms(),
@@ -37,6 +40,7 @@ void Commands::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   vkCmdDispatch(commands_, x, y, z);
   note(4 + (std::uint64_t(x) << 8) + (std::uint64_t(y) << 28) + (std::uint64_t(z) << 48));
   ++counts_->dispatches;
+  ++work_->back().dispatches;
 }
 
 void Commands::bind_vertices(const Upload& upload) {
@@ -54,15 +58,20 @@ void Commands::bind_indices(const Buffer& buffer, VkIndexType type) {
 void Commands::draw(std::uint32_t vertices, std::uint32_t instances) {
   vkCmdDraw(commands_, vertices, instances, 0, 0);
   note(7 + (std::uint64_t(vertices) << 8) + (std::uint64_t(instances) << 32));
-  ++counts_->draws;
-  counts_->triangles += std::uint64_t(vertices / 3) * instances;
+  count_draw(std::uint64_t(vertices / 3) * instances);
 }
 
 void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances) {
   vkCmdDrawIndexed(commands_, indices, instances, 0, 0, 0);
   note(8 + (std::uint64_t(indices) << 8) + (std::uint64_t(instances) << 32));
+  count_draw(std::uint64_t(indices / 3) * instances);
+}
+
+void Commands::count_draw(std::uint64_t triangles) {
   ++counts_->draws;
-  counts_->triangles += std::uint64_t(indices / 3) * instances;
+  ++work_->back().draws;
+  counts_->triangles += triangles;
+  work_->back().triangles += triangles;
 }
 
 Frame::Frame(Device& device, std::uint32_t ring_bytes)
@@ -72,6 +81,7 @@ Frame::Frame(Device& device, std::uint32_t ring_bytes)
             HostAccess::write),
       ring_bytes_(ring_bytes) {
   times_.reserve(max_passes);
+  work_.reserve(4 * max_passes);
   for (Slot& slot : slots_) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.queueFamilyIndex = device.queue_family();
@@ -127,6 +137,7 @@ void Frame::begin() {
   slot.passes = 0;
   ring_used_ = 0;
   counts_ = {};
+  work_.clear();
   device_.frame_begun(number_);
   const VkFence fence = slot.fence.get();
   check(vkResetFences(device_.handle(), 1, &fence), "vkResetFences");
@@ -137,6 +148,7 @@ void Frame::begin() {
   if (slot.queries) vkCmdResetQueryPool(slot.commands, slot.queries.get(), 0, 2 * max_passes);
   commands_.commands_ = slot.commands;
   commands_.counts_ = &counts_;
+  commands_.work_ = &work_;
   commands_.eye_ = 0;
 }
 
@@ -159,6 +171,7 @@ void Frame::open(const char* name, BarrierBatch& barriers) {
     commands_.note(1);
   }
   slot.names[slot.passes] = name;
+  work_.push_back({name, slot.passes});
   if (slot.queries)
     vkCmdWriteTimestamp(slot.commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, slot.queries.get(), 2 * slot.passes);
   ++counts_.passes;

@@ -28,6 +28,14 @@ struct FrameCounts {
   std::uint64_t hash = 1469598103934665603ull;
 };
 
+// What one pass recorded with one pipeline.
+struct PipelineWork {
+  const char* pass;
+  std::uint32_t pass_number = 0;       // in program order: passes may share a name
+  VkPipeline pipeline = VK_NULL_HANDLE;  // null: the pass has bound none yet
+  std::uint64_t draws = 0, triangles = 0, dispatches = 0;
+};
+
 struct PassTime {
   const char* name;
   double ms;
@@ -60,10 +68,12 @@ class Commands {
  private:
   friend class Frame;
   void note(std::uint64_t what);
+  void count_draw(std::uint64_t triangles);
   void push_bytes(const void* data, std::uint32_t bytes);
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   const Pipeline* pipeline_ = nullptr;
   FrameCounts* counts_ = nullptr;
+  std::vector<PipelineWork>* work_ = nullptr;
   std::uint32_t eye_ = 0;
 };
 
@@ -105,6 +115,8 @@ class Frame {
   void finish();  // waits for all frames, reads their timers
 
   const FrameCounts& counts() const { return counts_; }  // of the frame recorded last
+  // The same by pass and pipeline, in program order.
+  const std::vector<PipelineWork>& work() const { return work_; }
   // GPU times of the newest frame that has finished, by pass in program order; empty without timestamps.
   const std::vector<PassTime>& times() const { return times_; }
   double gpu_ms() const { return gpu_ms_; }
@@ -136,6 +148,7 @@ class Frame {
   std::uint32_t ring_bytes_, ring_used_ = 0;
   Commands commands_;
   FrameCounts counts_;
+  std::vector<PipelineWork> work_;
   std::vector<PassTime> times_;
   double gpu_ms_ = 0.0;
   std::uint64_t number_ = 0, timed_frame_ = 0;

@@ -15,7 +15,7 @@ class Device;
 struct ObjectRecord {
   VkObjectType type = VK_OBJECT_TYPE_UNKNOWN;
   std::uint64_t handle = 0;
-  std::uint64_t bytes = 0;  // device memory, for buffers and images
+  std::uint64_t bytes = 0;  // device memory of a buffer or image; code of a shader module
   std::string name;
   std::string effect;  // the EffectScope it was made in, "frame" outside any
 };

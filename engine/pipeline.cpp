@@ -17,7 +17,7 @@ Owned<VkShaderModule> make_module(Device& device, const Shader& shader) {
   info.pCode = shader.words.data();
   VkShaderModule module = VK_NULL_HANDLE;
   check(vkCreateShaderModule(device.handle(), &info, nullptr, &module), "vkCreateShaderModule");
-  return Owned<VkShaderModule>(device, module, shader.name);
+  return Owned<VkShaderModule>(device, module, shader.name, info.codeSize);
 }
 
 }  // namespace

@@ -118,6 +118,7 @@ std::shared_ptr<const Shader> ShaderLibrary::load(const std::string& name, std::
   shader->name = name;
   shader->stage = stage_of(name);
   shader->words = specialise(read_spirv(file), values, name);
+  shader->values.assign(values.begin(), values.end());
   shader->hash = hash_words(shader->words);
   reflect(*shader);
   std::error_code ignored;

@@ -31,7 +31,8 @@ struct Shader {
   std::vector<std::uint32_t> words;
   std::vector<ShaderBinding> bindings;  // of descriptor set 0, the only one
   std::uint32_t push_bytes = 0;
-  std::uint64_t hash = 0;  // of the words
+  std::vector<SpecValue> values;  // what it was specialised with
+  std::uint64_t hash = 0;         // of the words
 };
 
 // Loads from `shaders/` beside the executable. Equal requests give the same Shader.

@@ -30,6 +30,8 @@ class Ocean {
 
   // The patches for a viewpoint. The result stays until the next call.
   const SurfaceSelection& select(const Viewpoint& viewpoint);
+  // The patches selected last, null before the first.
+  const SurfaceSelection* selection() const { return selection_; }
 
   // Fills what the surface's shaders are told of sea, place and water.
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const;

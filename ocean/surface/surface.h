@@ -31,6 +31,10 @@ class Surface {
   // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
 
+  // Its fragment shader holds the code of foam where the constant `foam_constant` is true.
+  const Pipeline& pipeline() const { return pipeline_; }
+  static constexpr std::uint32_t foam_constant = 3;
+
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
   static constexpr std::uint32_t probe_patches = 256;

@@ -79,7 +79,7 @@ TEST(Files, FullDiskLeavesTheOldFileAndNoOther) {
   EXPECT_THAT(folder.names(), ElementsAre("a.txt"));
 }
 
-// Control: a writer that ignores fflush's answer is silent on /dev/full.
+// Control: a writer that ignores what fflush and fclose answer is silent on /dev/full.
 TEST(Files, DevicesAreWrittenToAndStay) {
   EXPECT_THAT(error_of([] { write_atomically("/dev/full", std::string_view("x")); }), HasSubstr("the disk is full"));
   write_atomically("/dev/null", std::string_view("x"));

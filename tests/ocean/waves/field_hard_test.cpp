@@ -64,7 +64,8 @@ TEST(WaveFieldHard, hard_1_wind_0) {
 }
 
 TEST(WaveFieldHard, hard_2_wind_60) {
-  // Finite, and Hs = the sum of its own bins to 1 %, over times since opposed waves beat. Control: chop counted as height.
+  // Finite, and Hs = the sum of its own bins to 1 %, over times since opposed waves beat. Control: horizontal displacement taken
+  // for height, or spectra halved once more.
   SeaState sea;
   sea.wind_speed_mps = 60;
   sea.fetch_m = 1e6;
@@ -91,7 +92,7 @@ TEST(WaveFieldHard, hard_2_wind_60) {
 }
 
 TEST(WaveFieldHard, hard_3_refused_by_name) {
-  // A refused sea leaves a field as it was. Control: validation after the bins are made would loop on infinity.
+  // A refused sea leaves a field as it was. Control: without the check ticks of infinity are taken.
   SeaState bad;
   bad.wind_speed_mps = std::numeric_limits<double>::quiet_NaN();
   try {
@@ -135,7 +136,7 @@ TEST(WaveFieldHard, hard_12_time_jumps_backwards) {
 
 TEST(WaveFieldHard, hard_15_a_thousand_kilometres_out) {
   // A sample at 1e6 m equals the sample at its place within the tile to 1 mm, and moves with it: 1 mm steps there give
-  // the differences that the derivatives promise. Control: tile coordinates in float miss by 60 m.
+  // the differences that the derivatives promise. Control: tile coordinates in float miss by 1.6 mm.
   SeaState sea;
   const WaveField field(sea, {.resolution = 256, .cascades = 4});
   WaveTiles tiles;
@@ -162,7 +163,7 @@ TEST(WaveFieldHard, hard_15_a_thousand_kilometres_out) {
 
 TEST(WaveFieldHard, hard_24_folded_crests) {
   // Chop 2 in a steep sea: every query ends, is finite, and one that has not converged says so; some do not. Control:
-  // `converged` left true passes only while nothing folds.
+  // `converged` left true fails.
   SeaState sea;
   sea.wind_speed_mps = 20;
   sea.chop = 2;
@@ -190,7 +191,7 @@ TEST(WaveFieldHard, hard_24_folded_crests) {
 
 TEST(WaveFieldHard, hard_34_no_variance_twice) {
   // Variance of the drawn sea with all cascades against the spectrum's own integral over the same wave numbers, mean of 40
-  // seeds, 1 %. Control: shares of amplitude instead of energy in the overlaps, or bands that meet without sharing.
+  // seeds, 1 %. Control: a band that rises but does not fall counts the overlaps twice.
   SeaState sea;
   sea.wind_speed_mps = 8;
   double sum = 0, square = 0;

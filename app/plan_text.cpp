@@ -1,0 +1,156 @@
+#include "app/plan_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/csv.h"
+
+namespace seascape {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string mebibytes(std::uint64_t bytes) { return fmt::format("{:.2f}", double(bytes) / 1048576.0); }
+
+std::string pass_line(const PlanPass& pass) {
+  std::string text = fmt::format("    {:<18}", pass.name);
+  text += pass.once ? "once         " : "every frame  ";
+  if (pass.times > 1) text += fmt::format("{} passes, ", pass.times);
+  if (pass.draws) text += fmt::format("{} draw{}, {} triangles", pass.draws, pass.draws > 1 ? "s" : "", pass.triangles);
+  if (pass.draws && pass.dispatches) text += ", ";
+  if (pass.dispatches) text += fmt::format("{} dispatch{}", pass.dispatches, pass.dispatches > 1 ? "es" : "");
+  return text + "\n";
+}
+
+std::string effect_text(const PlanEffect& effect) {
+  std::string text = fmt::format("{}: {}\n", effect.name, effect.because);
+  if (effect.passes.empty()) text += "  passes     none of its own\n";
+  else text += "  passes\n";
+  for (const PlanPass& pass : effect.passes) text += pass_line(pass);
+  if (!effect.pipelines.empty()) {
+    text += "  pipelines  ";
+    for (std::size_t i = 0; i < effect.pipelines.size(); ++i) text += (i ? ", " : "") + effect.pipelines[i];
+    text += '\n';
+  }
+  if (!effect.modules.empty()) text += "  modules\n";
+  for (const PlanModule& module : effect.modules)
+    text += fmt::format("    {:<24} {:>7} words{}\n", module.name, module.words,
+                        module.part_of.empty() ? "" : ", within the module of " + module.part_of);
+  if (!effect.resources.empty()) text += "  memory\n";
+  for (const PlanResource& resource : effect.resources)
+    text += fmt::format("    {:<6} {:<24} {:>9} MiB\n", resource.kind, resource.name, mebibytes(resource.bytes));
+  return text + '\n';
+}
+
+std::string total_line(const std::string& name, const PlanTotals& t) {
+  return fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", name, t.passes, t.draws, t.triangles,
+                     t.dispatches, t.pipelines, t.modules, t.words, t.resources, mebibytes(t.bytes));
+}
+
+ordered_json totals_json(const PlanTotals& t) {
+  return {{"passes", t.passes},       {"draws", t.draws},     {"triangles", t.triangles},
+          {"dispatches", t.dispatches}, {"pipelines", t.pipelines}, {"modules", t.modules},
+          {"words", t.words},         {"resources", t.resources}, {"other_objects", t.other_objects},
+          {"bytes", t.bytes}};
+}
+
+ordered_json effect_json(const PlanEffect& effect) {
+  ordered_json passes = ordered_json::array(), modules = ordered_json::array(), resources = ordered_json::array();
+  for (const PlanPass& pass : effect.passes)
+    passes.push_back({{"name", pass.name},
+                      {"when", pass.once ? "once" : "every frame"},
+                      {"times", pass.times},
+                      {"draws", pass.draws},
+                      {"triangles", pass.triangles},
+                      {"dispatches", pass.dispatches}});
+  for (const PlanModule& module : effect.modules) {
+    ordered_json entry = {{"name", module.name}, {"words", module.words}};
+    if (!module.part_of.empty()) entry["part_of"] = module.part_of;
+    modules.push_back(std::move(entry));
+  }
+  for (const PlanResource& resource : effect.resources)
+    resources.push_back({{"kind", resource.kind}, {"name", resource.name}, {"bytes", resource.bytes}});
+  return {{"name", effect.name},
+          {"because", effect.because},
+          {"passes", std::move(passes)},
+          {"pipelines", effect.pipelines},
+          {"modules", std::move(modules)},
+          {"resources", std::move(resources)},
+          {"other_objects", effect.other_objects},
+          {"bytes", effect.bytes}};
+}
+
+}  // namespace
+
+PlanTotals totals_of(const PlanEffect& effect) {
+  PlanTotals t;
+  for (const PlanPass& pass : effect.passes) {
+    if (pass.once) continue;
+    t.passes += pass.times;
+    t.draws += pass.draws;
+    t.triangles += pass.triangles;
+    t.dispatches += pass.dispatches;
+  }
+  t.pipelines = effect.pipelines.size();
+  for (const PlanModule& module : effect.modules) {
+    if (!module.part_of.empty()) continue;  // counted with that part
+    ++t.modules;
+    t.words += module.words;
+  }
+  t.resources = effect.resources.size();
+  t.other_objects = effect.other_objects;
+  t.bytes = effect.bytes;
+  return t;
+}
+
+PlanTotals totals_of(const Plan& plan) {
+  PlanTotals sum;
+  sum.passes = plan.passes;
+  for (const PlanEffect& effect : plan.effects) {
+    const PlanTotals t = totals_of(effect);
+    sum.draws += t.draws;
+    sum.triangles += t.triangles;
+    sum.dispatches += t.dispatches;
+    sum.pipelines += t.pipelines;
+    sum.modules += t.modules;
+    sum.words += t.words;
+    sum.resources += t.resources;
+    sum.other_objects += t.other_objects;
+    sum.bytes += t.bytes;
+  }
+  return sum;
+}
+
+std::string plan_text(const Plan& plan) {
+  std::string text = fmt::format("{} at {}: {}x{}, {} view{}, {} x MSAA, on {}\n\n", plan.scene, plan.preset, plan.width, plan.height,
+                                 plan.views, plan.views > 1 ? "s" : "", plan.msaa, plan.device);
+  for (const PlanEffect& effect : plan.effects) text += effect_text(effect);
+  text += fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", "a frame", "passes", "draws", "triangles",
+                      "dispatches", "pipelines", "modules", "words", "resources", "MiB");
+  for (const PlanEffect& effect : plan.effects) text += total_line(effect.name, totals_of(effect));
+  return text + total_line("all", totals_of(plan));
+}
+
+std::string plan_json(const Plan& plan) {
+  ordered_json effects = ordered_json::array();
+  for (const PlanEffect& effect : plan.effects) effects.push_back(effect_json(effect));
+  const ordered_json json = {{"version", 1},          {"scene", plan.scene},   {"preset", plan.preset}, {"device", plan.device},
+                             {"width", plan.width},   {"height", plan.height}, {"views", plan.views},   {"msaa", plan.msaa},
+                             {"effects", std::move(effects)}, {"totals", totals_json(totals_of(plan))}};
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string plan_csv(const Plan& plan) {
+  std::string text = "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes\n";
+  for (const PlanEffect& effect : plan.effects) {
+    const PlanTotals t = totals_of(effect);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(plan.scene), plan.preset, effect.name,
+                        csv_cell(effect.because), t.passes, t.draws, t.triangles, t.dispatches, t.pipelines, t.modules, t.words,
+                        t.resources, t.bytes);
+  }
+  return text;
+}
+
+}  // namespace seascape
