@@ -24,11 +24,20 @@ std::string text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string program_file() { return SEASCAPE_BUILD_DIR "/seascape"; }
+
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
                           const std::string& out_file) {
-  const std::string program = SEASCAPE_BUILD_DIR "/seascape";
-  std::vector<char*> arguments{const_cast<char*>(program.c_str())};
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  std::vector<std::string> command{program_file()};
+  command.insert(command.end(), words.begin(), words.end());
+  return run_command(command, environment, out_file);
+}
+
+ProgramResult run_command(const std::vector<std::string>& command, const std::vector<std::string>& environment,
+                          const std::string& out_file) {
+  const std::string& program = command.front();
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   std::vector<char*> variables;
   for (const std::string& one : environment) variables.push_back(const_cast<char*>(one.c_str()));
@@ -44,7 +53,7 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::vect
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), create, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), create, 0600);
   pid_t child = 0;
-  const int fault = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), variables.data());
+  const int fault = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), variables.data());
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) throw std::runtime_error("cannot run " + program);
   int status = 0;

@@ -15,4 +15,11 @@ struct ProgramResult {
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
                           const std::string& out_file = "");
 
+// Another program of the machine, found in PATH: `command` is its name and its words.
+ProgramResult run_command(const std::vector<std::string>& command, const std::vector<std::string>& environment = {},
+                          const std::string& out_file = "");
+
+// The built program's file.
+std::string program_file();
+
 }  // namespace seascape::test

@@ -1,0 +1,203 @@
+// `seascape capture` and `seascape plan` from outside: the files they leave and what stands in them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace seascape {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProgramResult;
+using test::run_program;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  return parts;
+}
+
+// The patches are coarse: what is tested is what is written, and every preset has to be drawn.
+const std::vector<std::string> coarse{"--set", "lod.patch_quads=16", "--set", "lod.threshold=4", "--set", "waves.resolution=64"};
+
+ProgramResult run(std::vector<std::string> words) {
+  words.insert(words.end(), coarse.begin(), coarse.end());
+  words.insert(words.end(), {"--log-level", "error"});
+  return run_program(words);
+}
+
+const char* fixed_columns = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
+
+class CaptureOfAllPresets : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    result_ = new ProgramResult(run({"capture", "--scene", "swell", "--preset", "all", "--size", "48x27", "--views", "2", "--frames",
+                                     "3", "--warmup", "1", "--fps", "10", "--out", *folder_ / "new" / "out"}));
+  }
+  static void TearDownTestSuite() {
+    delete result_;
+    delete folder_;
+  }
+  static fs::path file(const std::string& name) { return *folder_ / "new" / "out" / name; }
+  static inline TemporaryFolder* folder_ = nullptr;
+  static inline ProgramResult* result_ = nullptr;
+};
+
+TEST_F(CaptureOfAllPresets, LeavesThreeFilesAndATable) {
+  ASSERT_EQ(result_->exit_code, 0) << result_->err;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(file(""))) names.push_back(entry.path().filename());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("capture.csv", "trace.json", "report.html"));
+  for (const char* word : {"low", "medium", "high", "ultra", "median", "p95", "p99", "max", "72 Hz", "90 Hz", "120 Hz"})
+    EXPECT_THAT(result_->out, HasSubstr(word));
+}
+
+// Controls: a capture that counts its warm-up has frames 0 to 3; one that reads the times of a frame where they arrive, and
+// not where they belong, leaves nan in gpu_ms of the last.
+TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
+  ASSERT_EQ(result_->exit_code, 0) << result_->err;
+  const std::vector<std::string> lines = split(text_of(file("capture.csv")), '\n');
+  ASSERT_EQ(lines.size(), 1u + 4u * 3u);
+  EXPECT_THAT(lines[0], testing::StartsWith(std::string(fixed_columns) + ",gpu_"));
+  const std::vector<std::string> columns = split(lines[0], ',');
+  for (std::size_t i = 12; i < columns.size(); ++i) {
+    EXPECT_THAT(columns[i], testing::MatchesRegex("gpu_.+_ms"));
+    EXPECT_EQ(std::count(columns.begin(), columns.end(), columns[i]), 1) << columns[i];
+  }
+  for (const char* pass : {"gpu_wave rows_ms", "gpu_wave columns_ms", "gpu_wave mips_ms", "gpu_surface_ms", "gpu_tone_ms"})
+    EXPECT_THAT(columns, testing::Contains(pass));
+  const char* presets[] = {"low", "medium", "high", "ultra"};
+  for (std::size_t row = 0; row < 12; ++row) {
+    const std::vector<std::string> cells = split(lines[row + 1], ',');
+    ASSERT_EQ(cells.size(), columns.size()) << lines[row + 1];
+    EXPECT_EQ(cells[0], "swell");
+    EXPECT_EQ(cells[1], presets[row / 3]);
+    EXPECT_EQ(cells[2], std::to_string(row % 3));
+    EXPECT_NEAR(std::stod(cells[3]), 0.1 * double(row % 3), 1e-6);
+    const double cpu = std::stod(cells[4]), gpu = std::stod(cells[5]), frame = std::max(cpu, gpu);
+    EXPECT_GT(cpu, 0.0);
+    EXPECT_GT(gpu, 0.0) << lines[row + 1];
+    EXPECT_GE(std::stoi(cells[6]), 2);
+    EXPECT_GT(std::stoi(cells[7]), 100);
+    EXPECT_GE(std::stoi(cells[8]), 3);
+    const int rates[] = {72, 90, 120};
+    for (std::size_t r = 0; r < 3; ++r)
+      if (std::abs(frame - 1000.0 / rates[r]) > 1e-3) {
+        EXPECT_EQ(cells[9 + r], frame > 1000.0 / rates[r] ? "1" : "0") << lines[row + 1];
+      }
+    double passes = 0.0;
+    for (std::size_t i = 12; i < cells.size(); ++i) passes += std::stod(cells[i]);
+    EXPECT_LE(passes, gpu * 1.01 + 0.1);
+    EXPECT_GT(passes, 0.0);
+  }
+}
+
+TEST_F(CaptureOfAllPresets, TheTraceIsJsonWithEveryFrameOfEveryRun) {
+  ASSERT_EQ(result_->exit_code, 0) << result_->err;
+  const nlohmann::json trace = nlohmann::json::parse(text_of(file("trace.json")));
+  std::size_t slices = 0, processes = 0;
+  for (const auto& event : trace.at("traceEvents")) {
+    if (event.at("ph") == "X") ++slices;
+    if (event.at("ph") == "M" && event.at("name") == "process_name") ++processes;
+  }
+  EXPECT_EQ(processes, 4u);
+  EXPECT_GE(slices, 4u * 3u * 6u);  // CPU, GPU and at least four passes a frame
+}
+
+// Control: a page with a link to a style sheet elsewhere fails here.
+TEST_F(CaptureOfAllPresets, TheReportLoadsNothingAndNamesTheMachine) {
+  ASSERT_EQ(result_->exit_code, 0) << result_->err;
+  const std::string page = text_of(file("report.html"));
+  for (const char* load : {"http://", "https://", "<script", "src=", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(load)));
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("waves"));
+  for (const char* preset : {"low", "medium", "high", "ultra"}) EXPECT_THAT(page, HasSubstr(preset));
+  EXPECT_THAT(page, HasSubstr("seascape 0.1"));
+}
+
+TEST(Capture, WalksTheWholePathUnlessTold) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "short.json";
+  std::ofstream(path) << R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 3, 0]}, {"time_s": 2, "position_m": [0, 3, -4]}]})";
+  const ProgramResult result = run({"capture", "--preset", "low", "--path", path, "--size", "32x18", "--views", "1", "--fps", "2",
+                                    "--warmup", "0", "--out", folder / "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
+  ASSERT_EQ(lines.size(), 6u);  // 0 s to 2 s at 2 a second, both ends
+  EXPECT_THAT(lines[5], testing::StartsWith("open_sea,low,4,2.0"));
+}
+
+// Controls: a plan that lists the scene's request names no "frame"; one that takes a pass for two counts 7 of 6 passes.
+TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
+  const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json plan = nlohmann::json::parse(result.out);
+  std::uint64_t bytes = 0, draws = 0, passes = 0;
+  std::map<std::string, nlohmann::json> effects;
+  for (const auto& effect : plan.at("effects")) {
+    effects[effect.at("name")] = effect;
+    for (const char* key : {"because", "passes", "pipelines", "modules", "bytes"}) EXPECT_TRUE(effect.contains(key)) << key;
+    EXPECT_FALSE(effect.at("because").get<std::string>().empty());
+    bytes += effect.at("bytes").get<std::uint64_t>();
+    for (const auto& pass : effect.at("passes"))
+      if (pass.at("when") == "every frame") {
+        draws += pass.at("draws").get<std::uint64_t>();
+        passes += pass.at("times").get<std::uint64_t>();
+      }
+  }
+  EXPECT_EQ(plan.at("totals").at("bytes"), bytes);
+  EXPECT_EQ(plan.at("totals").at("draws"), draws);
+  EXPECT_EQ(plan.at("totals").at("passes"), passes - 1) << "the sky is drawn in the surface's pass";
+  ASSERT_THAT(effects, testing::SizeIs(5));
+  EXPECT_EQ(effects.at("waves").at("because"), "the scene names it");
+  EXPECT_GT(effects.at("waves").at("bytes"), 1000);
+  EXPECT_GE(effects.at("waves").at("pipelines").size(), 3u);
+  EXPECT_TRUE(effects.at("foam").at("passes").empty());  // it is code in the surface's shader and has no pass of its own
+  ASSERT_EQ(effects.at("foam").at("modules").size(), 1u);
+  EXPECT_EQ(effects.at("foam").at("modules")[0].at("name"), "surface.frag");
+  EXPECT_EQ(effects.at("foam").at("modules")[0].at("part_of"), "surface");
+  EXPECT_GT(effects.at("foam").at("modules")[0].at("words"), 100);
+  EXPECT_GT(effects.at("surface").at("modules").size(), 1u);
+}
+
+TEST(Plan, OfASceneWithoutFoamHasNone) {
+  const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, Not(HasSubstr("foam")));
+  EXPECT_THAT(result.out, HasSubstr("waves: the scene names it"));
+}
+
+TEST(Plan, MatrixHasATableOfEachPreset) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* preset : {"low", "medium", "high", "ultra"}) {
+    const auto lines = split(text_of(folder / "m" / ("plan_calm_" + std::string(preset) + ".csv")), '\n');
+    ASSERT_EQ(lines.size(), 5u) << preset;
+    EXPECT_EQ(lines[0], "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes");
+    EXPECT_THAT(lines[1], testing::StartsWith("calm," + std::string(preset) + ",waves,the scene names it,"));
+  }
+}
+
+}  // namespace
+}  // namespace seascape
