@@ -88,7 +88,9 @@ Measured measure(const Arguments& arguments, Program& program) {
   Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
   for (int i = 0; i < all; ++i) {
-    const int number = i < arguments.warmup ? i : i - arguments.warmup;  // of the path, which the warm-up walks too
+    // Of the path, which the warm-up walks too, from 1: its last frame is never the first that counts, whose waves would then
+    // be there already.
+    const int number = i < arguments.warmup ? i + 1 : i - arguments.warmup;
     const bool measured = i >= arguments.warmup && number < count;
     const double path_time_s = number / arguments.fps;
     const PathSample sample = path.at(path_time_s);
