@@ -9,8 +9,9 @@ namespace seascape {
 namespace {
 
 TEST(WaveFieldHard, bits_do_not_depend_on_the_instruction_set) {
-  // The tiles of every vector instruction set that this processor has are the same to the bit, so that a sea is the same on
-  // every machine. Control: one multiply-add in place of a product and a sum differs in the last bit.
+  // The tiles of every vector instruction set that this processor has are the same to the bit, so that the
+  // same table of waves is the same sea on every machine. Control: one multiply-add in place of a product and a sum differs in the last bit
+  // (seen between SSE4 and AVX2).
   const SeaState sea{.swell_height_m = 1};
   const WaveField field(sea, {.resolution = 128, .cascades = 2});
   WaveTiles best(true);
