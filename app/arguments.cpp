@@ -119,9 +119,11 @@ void add_explore(Options& options, Arguments& arguments) {
   add_scene(options, arguments);
   add_display(options, arguments);
   add_size(options, arguments, "1280x720");
+  arguments.views = 1;
+  options.whole("--views", arguments.views, 1, 2, "One picture, or left and right side by side");
   add_stereo(options, arguments);
   add_debug(options, arguments);
-  options.whole("--frames", arguments.frames, 0, 1'000'000, "Closes after so many frames; 0 runs until it is closed");
+  options.whole("--frames", arguments.frames, 0, 1'000'000, "Closes after so many frames; 0 runs until it is closed, or draws one headless");
   options.text("--out", "DIR", arguments.out, "Folder of screenshots, recorded paths and headless pictures");
 }
 

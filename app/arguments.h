@@ -29,7 +29,7 @@ struct Arguments {
   std::string path;                 // a file or a name in content/paths; empty: named like the scene
   DisplayKind display = DisplayKind::automatic;
   int width = 0, height = 0;        // pixels an eye; 0: the display's own choice
-  int views = 2;                    // 1: one picture from `eye`; 2: left and right
+  int views = 2;                    // 1: one picture from `eye`, the default of explore; 2: left and right
   Eye eye = Eye::centre;
   double fps = 30.0;                // frames a second of simulated time
   int frames = 0;                   // how many; 0: to the path's end (replay, capture), until closed (explore)

@@ -1,2 +1,93 @@
+// `seascape explore`: the sea in a window to fly, walk and ride over, or a few pictures of it without a display.
+#include "app/explore.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
 #include "app/commands.h"
-namespace seascape { int run_explore(const Arguments&) { return 0; } }
+#include "app/frame.h"
+#include "engine/error.h"
+#include "engine/files.h"
+#include "platform/headless.h"
+
+namespace seascape {
+
+namespace {
+
+bool has_value(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+DisplayKind resolve_display(DisplayKind wanted) {
+  if (wanted != DisplayKind::automatic) return wanted;
+  return has_value("DISPLAY") || has_value("WAYLAND_DISPLAY") ? DisplayKind::window : DisplayKind::headless;
+}
+
+void explore_in_window(const Arguments& arguments) {
+  WindowSystem system;
+  DeviceOptions options = device_options();
+  options.present = true;
+  options.instance_extensions = system.instance_extensions();
+  Program program = make_program(arguments, options);
+  {
+    WindowOptions window_options;
+    window_options.views = arguments.views;
+    if (arguments.views == 2) window_options.width = 800;  // both side by side fit a desktop
+    if (arguments.width) window_options.width = std::uint32_t(arguments.width);
+    if (arguments.height) window_options.height = std::uint32_t(arguments.height);
+    Window window(system, *program.device, window_options);
+    Explorer(arguments, program, window).run();
+  }
+  expect_no_validation_messages(*program.device);
+}
+
+// Draws as many frames as asked for, one by default, and keeps the last as pictures.
+void explore_headless(const Arguments& arguments) {
+  Program program = make_program(arguments, device_options());
+  make_output_directory(arguments.out);
+  const Settings& settings = program.scene.settings;
+  HeadlessOptions options;
+  if (arguments.width) options.width = std::uint32_t(arguments.width);
+  if (arguments.height) options.height = std::uint32_t(arguments.height);
+  options.views = arguments.views;
+  options.vertical_fov_deg = settings.render.vertical_fov_deg;
+  options.eye_distance_m = settings.render.eye_distance_m;
+  Headless display(options);
+  const bool per_eye = draw_per_eye(*program.device, program.shaders, settings.render.stereo, options.views);
+  Experience experience(*program.device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Frame& frame = experience.frame();
+  const int frames = std::max(1, arguments.frames);
+  Progress progress("explore: frame", frames);
+  for (int number = 0; number < frames; ++number) {
+    display.begin();
+    frame.begin();
+    draw_frame(experience, frame, display.viewpoint(program.scene.start),
+               settings.time_start_s + settings.time_scale * number / arguments.fps);
+    display.end(frame, &experience.picture());
+    progress.step(number + 1);
+  }
+  frame.finish();
+  for (int view = 0; view < options.views; ++view) {
+    const std::filesystem::path file = std::filesystem::path(arguments.out) / fmt::format("explore{}.png", view_suffix(options.views, view));
+    write_png(file, picture_of(*program.device, experience, view));
+    fmt::print("{}\n", file.string());
+  }
+  expect_no_validation_messages(*program.device);
+}
+
+}  // namespace
+
+int run_explore(const Arguments& arguments) {
+  switch (resolve_display(arguments.display)) {
+    case DisplayKind::headset:
+      throw Error("--display headset", "this version draws to windows and to files, not yet to headsets",
+                  "take --display window or headless");
+    case DisplayKind::headless: explore_headless(arguments); break;
+    default: explore_in_window(arguments); break;
+  }
+  return 0;
+}
+
+}  // namespace seascape

@@ -4,5 +4,5 @@ string(CONCAT VULKAN_SOURCES_REGEX "^("
   "engine/(barrier|device|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
   "platform/.*|"
   "ocean/ocean|ocean/surface/surface|ocean/waves/wave_compute|"
-  "app/(capture|doctor|experience|explore[a-z_]*|frame|panel|plan|program|replay|sky)"
+  "app/(capture|doctor|experience|explore|explore_window|frame|panel|plan|program|replay|sky)"
   ")\\.cpp$")

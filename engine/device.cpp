@@ -333,6 +333,7 @@ void Device::destroy(const Retired& object) {
     case VK_OBJECT_TYPE_SEMAPHORE: vkDestroySemaphore(device_, VkSemaphore(h), nullptr); break;
     case VK_OBJECT_TYPE_QUERY_POOL: vkDestroyQueryPool(device_, VkQueryPool(h), nullptr); break;
     case VK_OBJECT_TYPE_SWAPCHAIN_KHR: vkDestroySwapchainKHR(device_, VkSwapchainKHR(h), nullptr); break;
+    case VK_OBJECT_TYPE_SURFACE_KHR: vkDestroySurfaceKHR(instance_, VkSurfaceKHR(h), nullptr); break;
     default: break;
   }
 }

@@ -37,6 +37,7 @@ template <> inline constexpr VkObjectType object_type<VkFence> = VK_OBJECT_TYPE_
 template <> inline constexpr VkObjectType object_type<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE;
 template <> inline constexpr VkObjectType object_type<VkQueryPool> = VK_OBJECT_TYPE_QUERY_POOL;
 template <> inline constexpr VkObjectType object_type<VkSwapchainKHR> = VK_OBJECT_TYPE_SWAPCHAIN_KHR;
+template <> inline constexpr VkObjectType object_type<VkSurfaceKHR> = VK_OBJECT_TYPE_SURFACE_KHR;
 
 namespace detail {
 void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes);

@@ -68,6 +68,11 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec) : dev
   if (spec.usage & viewable) view_ = make_view(0, spec.levels, 0, spec.layers, spec.array);
 }
 
+Image::Image(Device& device, std::string_view name, VkImage borrowed, const ImageSpec& spec)
+    : device_(&device), name_(name), spec_(spec), borrowed_(borrowed) {
+  view_ = make_view(0, spec.levels, 0, spec.layers, spec.array);
+}
+
 VkImageAspectFlags Image::aspect() const {
   return spec_.format == VK_FORMAT_D32_SFLOAT || spec_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT
                                                                                     : VK_IMAGE_ASPECT_COLOR_BIT;
@@ -76,7 +81,7 @@ VkImageAspectFlags Image::aspect() const {
 Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
                                     bool array) {
   VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-  info.image = image_.get();
+  info.image = get();
   info.viewType = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
   info.format = spec_.format;
   info.subresourceRange = {aspect(), level, levels, layer, layers};

@@ -56,14 +56,16 @@ class Image {
  public:
   Image() = default;
   Image(Device& device, std::string_view name, const ImageSpec& spec);
-  VkImage get() const { return image_.get(); }
+  // An image that another owns, such as a swapchain's: only its view is ours. `spec` says what it was made with.
+  Image(Device& device, std::string_view name, VkImage borrowed, const ImageSpec& spec);
+  VkImage get() const { return borrowed_ ? borrowed_ : image_.get(); }
   VkImageView view() const { return view_.get(); }
   const ImageSpec& spec() const { return spec_; }
   VkImageAspectFlags aspect() const;
   // A further view of `levels` levels from `level` and `layers` layers from `layer`, owned by the image.
   VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array = true);
   UseState& state() const { return state_; }
-  explicit operator bool() const { return bool(image_); }
+  explicit operator bool() const { return get() != VK_NULL_HANDLE; }
 
  private:
   Owned<VkImageView> make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array);
@@ -72,6 +74,7 @@ class Image {
   ImageSpec spec_;
   Allocation allocation_;
   Owned<VkImage> image_;
+  VkImage borrowed_ = VK_NULL_HANDLE;
   Owned<VkImageView> view_;
   std::vector<Owned<VkImageView>> subviews_;
   mutable UseState state_;

@@ -1,0 +1,67 @@
+// Explore in a window: the loop that turns keys, mouse and panel into the camera's and the sea's movement.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/explore_camera.h"
+#include "app/panel.h"
+#include "app/path_recorder.h"
+#include "app/program.h"
+#include "app/water_height.h"
+#include "platform/overlay.h"
+
+namespace seascape {
+
+class Explorer {
+ public:
+  // The program and the window must outlive it.
+  Explorer(const Arguments& arguments, Program& program, Window& window);
+  // Until the window is closed, or --frames pictures have been shown. Throws Error.
+  void run();
+
+ private:
+  void build();  // the experience of program_.scene
+  void keys(const Input& input);
+  void look(const Input& input);
+  void move(const Input& input, double dt_s);
+  void draw(const DisplayFrame& shown);
+  PanelFacts facts(const DisplayFrame& shown) const;
+  void obey(const PanelWish& wish);
+  void apply(const Settings& settings);
+  void change_scene(const std::string& name, const std::string& preset);
+  void set_travel(Travel travel);
+  void toggle_pause();
+  void scale_time(double factor);
+  void next_debug_view();
+  void take_screenshot();
+  void toggle_recording();
+  // On the terminal and, for a few seconds, in the window.
+  void tell(const std::string& line);
+  void tell_fault(const std::string& line);
+  std::filesystem::path free_name(const std::string& stem, const std::string& ending) const;
+
+  double sea_time_s() const;
+  double scene_time_s() const;  // as a path of this scene counts it
+  const Settings& settings() const { return experience_->scene().settings; }
+
+  const Arguments& arguments_;
+  Program& program_;
+  Window& window_;
+  std::unique_ptr<Experience> experience_;
+  std::unique_ptr<WaterHeight> water_;
+  Overlay overlay_;
+  Panel panel_;
+  ExploreCamera camera_;
+  PathRecorder recorder_;
+  std::vector<std::string> scenes_;
+  bool paused_ = false, look_by_button_ = false, look_by_tab_ = false, button_was_down_ = false;
+  bool screenshot_wanted_ = false, leaving_ = false;
+  double now_s_ = 0.0;            // the display's clock, what a hidden window waited left out
+  double sea_elapsed_s_ = 0.0;    // the sea's time since time.start_s
+  double recording_began_s_ = 0.0, message_until_s_ = 0.0;
+  double frame_ms_ = 0.0, cpu_ms_ = 0.0;
+  std::string message_;
+};
+
+}  // namespace seascape

@@ -1,0 +1,92 @@
+#include "app/explore_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/camera_path.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double response_per_s = 8.0;      // how fast the velocity follows the keys
+constexpr double height_per_s = 4.0;        // how fast a change of travel comes to its height
+constexpr double fast_factor = 5.0;
+constexpr double notch_factor = 1.2, slowest_factor = 0.05, fastest_factor = 200.0;
+
+// Metres per second at full push.
+double base_speed(Travel travel) {
+  switch (travel) {
+    case Travel::fly: return 12.0;
+    case Travel::walk: return 1.6;
+    case Travel::ride: return 3.0;
+  }
+  return 0.0;
+}
+
+double wrapped_deg(double deg) {
+  const double turned = std::remainder(deg, 360.0);
+  return turned == 180.0 ? -180.0 : turned;
+}
+
+}  // namespace
+
+const char* travel_name(Travel travel) {
+  switch (travel) {
+    case Travel::fly: return "fly";
+    case Travel::walk: return "walk at deck height";
+    case Travel::ride: return "ride the waves";
+  }
+  return "";
+}
+
+ExploreCamera::ExploreCamera(const Pose& start) : position_m_(start.position_m) {
+  const ViewAngles angles = angles_from_orientation(start.orientation);
+  yaw_deg_ = wrapped_deg(angles.yaw_deg);
+  pitch_deg_ = std::clamp(angles.pitch_deg, -largest_pitch_deg, largest_pitch_deg);
+}
+
+double ExploreCamera::speed_mps() const { return base_speed(travel_) * speed_factor_; }
+
+double ExploreCamera::rest_height(double water_m) const {
+  return travel_ == Travel::walk ? deck_height_m : water_m + ride_height_m;
+}
+
+void ExploreCamera::set_travel(Travel travel) {
+  travel_ = travel;
+  height_known_ = false;
+  if (travel != Travel::fly) velocity_mps_.y = 0.0;
+}
+
+void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
+  speed_factor_ = std::clamp(speed_factor_ * std::pow(notch_factor, wish.faster_notches), slowest_factor, fastest_factor);
+  yaw_deg_ = wrapped_deg(yaw_deg_ + wish.turn_deg.x);
+  pitch_deg_ = std::clamp(pitch_deg_ + wish.turn_deg.y, -largest_pitch_deg, largest_pitch_deg);
+
+  // Where the keys push: along the view when flying, along the sea else. Two keys together are no faster than one.
+  const bool flying = travel_ == Travel::fly;
+  const glm::dquat along = orientation_from_angles({yaw_deg_, flying ? pitch_deg_ : 0.0, 0.0});
+  glm::dvec3 push = along * glm::dvec3(wish.move.x, 0.0, -wish.move.z);
+  if (flying) push.y += wish.move.y;
+  if (const double length = glm::length(push); length > 1.0) push /= length;
+  const glm::dvec3 wanted = push * (speed_mps() * (wish.fast ? fast_factor : 1.0));
+
+  // dv/dt = (wanted - v) response, solved exactly: the velocity and its integral over the step.
+  const double decay = std::exp(-response_per_s * dt_s);
+  const glm::dvec3 lag = velocity_mps_ - wanted;
+  position_m_ += wanted * dt_s + lag * ((1.0 - decay) / response_per_s);
+  velocity_mps_ = wanted + lag * decay;
+
+  if (!flying) {
+    const double rest = rest_height(water_m);
+    if (!height_known_) height_above_rest_m_ = position_m_.y - rest;
+    height_known_ = true;
+    height_above_rest_m_ *= std::exp(-height_per_s * dt_s);
+    position_m_.y = rest + height_above_rest_m_;
+  }
+  position_m_.y = std::max(position_m_.y, water_m + clearance_m);
+}
+
+Pose ExploreCamera::pose() const { return {position_m_, orientation_from_angles({yaw_deg_, pitch_deg_, 0.0})}; }
+
+}  // namespace seascape

@@ -1,0 +1,315 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/explore.h"
+#include "app/frame.h"
+#include "app/quality.h"
+#include "engine/error.h"
+#include "engine/files.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double degrees_a_pixel = 0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
+constexpr double longest_step_s = 1.0;      // a pause of the machine is no journey
+constexpr double message_s = 4.0;
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "scenes", ignored))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+double axis(const Input& input, Key plus, Key minus) { return double(input.is_held(plus)) - double(input.is_held(minus)); }
+
+}  // namespace
+
+Explorer::Explorer(const Arguments& arguments, Program& program, Window& window)
+    : arguments_(arguments), program_(program), window_(window), overlay_(*program.device, window), camera_(program.scene.start),
+      scenes_(scene_names()) {
+  build();
+}
+
+void Explorer::build() {
+  const RenderSettings& render = program_.scene.settings.render;
+  const bool per_eye = draw_per_eye(*program_.device, program_.shaders, render.stereo, window_.views());
+  if (experience_) {
+    experience_.reset();
+    program_.device->wait_idle();  // the next one counts its frames anew: nothing of this one may wait for a number
+  }
+  experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene,
+                                             ExperienceOptions{64, 64, window_.views(), per_eye, false});
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves);
+  window_.set_title("Seascape: " + program_.scene.title);
+}
+
+double Explorer::sea_time_s() const { return settings().time_start_s + sea_elapsed_s_; }
+
+double Explorer::scene_time_s() const {
+  // Replay counts from the scene's own start at the scene's own speed (see replay.cpp).
+  const Settings& own = program_.scene.settings;
+  return own.time_scale > 0.0 ? (sea_time_s() - own.time_start_s) / own.time_scale : 0.0;
+}
+
+void Explorer::tell(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+  message_ = line;
+  message_until_s_ = now_s_ + message_s;
+}
+
+void Explorer::tell_fault(const std::string& line) {
+  spdlog::error("{}", line);
+  message_ = line;
+  message_until_s_ = now_s_ + 2.0 * message_s;
+}
+
+std::filesystem::path Explorer::free_name(const std::string& stem, const std::string& ending) const {
+  for (int number = 1;; ++number) {
+    const std::filesystem::path file = std::filesystem::path(arguments_.out) / fmt::format("{}_{:03}{}", stem, number, ending);
+    if (!std::filesystem::exists(file)) return file;
+  }
+}
+
+void Explorer::apply(const Settings& wanted) {
+  const Settings before = settings();
+  if (wanted.render.stereo != before.render.stereo && window_.views() == 2) {
+    // Whether each eye has a pass of its own goes through everything.
+    Scene now = experience_->scene();
+    now.settings = wanted;
+    std::swap(program_.scene, now);
+    build();
+    std::swap(program_.scene, now);
+    return;
+  }
+  try {
+    experience_->apply(wanted);
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+    experience_->apply(before);
+  }
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves);
+}
+
+void Explorer::change_scene(const std::string& name, const std::string& preset) {
+  try {
+    Arguments asked = arguments_;  // what the command line sets stays set
+    asked.scene = name;
+    program_.scene = scene_from(asked, preset);
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+    return;
+  }
+  camera_ = ExploreCamera(program_.scene.start);
+  sea_elapsed_s_ = 0.0;
+  build();
+  tell("scene: " + program_.scene.name);
+}
+
+void Explorer::set_travel(Travel travel) {
+  camera_.set_travel(travel);
+  tell(fmt::format("travel: {}", travel_name(travel)));
+}
+
+void Explorer::toggle_pause() {
+  paused_ = !paused_;
+  tell(paused_ ? "time: stopped" : "time: running");
+}
+
+void Explorer::scale_time(double factor) {
+  Settings changed = settings();
+  const Setting& row = *find_setting("time.scale");
+  constexpr double least = 0.125;  // below it time stands still, and comes back from there
+  double scale = changed.time_scale == 0.0 && factor > 1.0 ? least : changed.time_scale * factor;
+  if (scale < least) scale = 0.0;
+  changed.time_scale = std::clamp(scale, row.least, row.most);
+  apply(changed);
+  tell(fmt::format("time scale: {:g}", changed.time_scale));
+}
+
+void Explorer::next_debug_view() {
+  Settings changed = settings();
+  const std::size_t count = find_setting("debug.view")->choices.size();
+  changed.render.debug = DebugView((std::size_t(changed.render.debug) + 1) % count);
+  apply(changed);
+  tell(fmt::format("debug view: {}", value_text(settings(), *find_setting("debug.view"))));
+}
+
+void Explorer::take_screenshot() {
+  try {
+    make_output_directory(arguments_.out);
+    experience_->frame().finish();
+    const int views = window_.views();
+    std::filesystem::path file = free_name("screenshot", views == 1 ? ".png" : "_left.png");
+    const std::string first = file.string();
+    write_png(file, picture_of(*program_.device, *experience_, 0));
+    if (views == 2) {
+      file = first.substr(0, first.size() - std::string_view("_left.png").size()) + "_right.png";
+      write_png(file, picture_of(*program_.device, *experience_, 1));
+    }
+    tell("screenshot: " + first);
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+  }
+}
+
+void Explorer::toggle_recording() {
+  if (!recorder_.recording()) {
+    recorder_.start(now_s_, camera_.pose(), scene_time_s());
+    recording_began_s_ = now_s_;
+    tell("path: recording");
+    return;
+  }
+  try {
+    make_output_directory(arguments_.out);
+    const std::filesystem::path file = free_name("recorded", ".json");
+    save_camera_path(recorder_.stop(now_s_, camera_.pose(), scene_time_s(), file.stem().string()), file);
+    tell("path: " + file.string());
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+  }
+}
+
+void Explorer::keys(const Input& input) {
+  if (overlay_.wants_keyboard()) return;
+  if (input.was_pressed(Key::one)) set_travel(Travel::fly);
+  if (input.was_pressed(Key::two)) set_travel(Travel::walk);
+  if (input.was_pressed(Key::three)) set_travel(Travel::ride);
+  if (input.was_pressed(Key::space)) toggle_pause();
+  if (input.was_pressed(Key::left_bracket)) scale_time(0.5);
+  if (input.was_pressed(Key::right_bracket)) scale_time(2.0);
+  if (input.was_pressed(Key::v)) next_debug_view();
+  if (input.was_pressed(Key::f1)) panel_.visible = !panel_.visible;
+  if (input.was_pressed(Key::p) || input.was_pressed(Key::f2)) screenshot_wanted_ = true;
+  if (input.was_pressed(Key::r)) toggle_recording();
+  if (input.was_pressed(Key::tab)) look_by_tab_ = !look_by_tab_;
+  if (input.was_pressed(Key::escape)) {
+    if (look_by_tab_) look_by_tab_ = false;
+    else leaving_ = true;
+  }
+}
+
+void Explorer::look(const Input& input) {
+  // The button looks around when it went down over the sea, wherever it goes then.
+  if (input.right_button && !button_was_down_ && !overlay_.wants_mouse()) look_by_button_ = true;
+  if (!input.right_button) look_by_button_ = false;
+  button_was_down_ = input.right_button;
+  window_.hold_mouse(look_by_button_ || look_by_tab_);
+}
+
+void Explorer::move(const Input& input, double dt_s) {
+  CameraWish wish;
+  if (!overlay_.wants_keyboard()) {
+    wish.move = {axis(input, Key::d, Key::a), axis(input, Key::e, Key::q), axis(input, Key::w, Key::s)};
+    wish.fast = input.is_held(Key::shift);
+  }
+  if (look_by_button_ || look_by_tab_)
+    wish.turn_deg = glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) * (degrees_a_pixel * settings().render.vertical_fov_deg);
+  if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
+  const glm::dvec3 place = camera_.pose().position_m;
+  camera_.step(wish, dt_s, water_->at({place.x, place.z}, sea_time_s()));
+  recorder_.sample(now_s_, camera_.pose(), scene_time_s());
+}
+
+PanelFacts Explorer::facts(const DisplayFrame& shown) const {
+  PanelFacts facts;
+  const Frame& frame = experience_->frame();
+  const Scene& scene = experience_->scene();
+  facts.title = scene.title;
+  facts.scene = scene.name;
+  facts.preset = program_.preset;
+  facts.device = program_.device->facts().name;
+  facts.scenes = scenes_;
+  facts.width = shown.width;
+  facts.height = shown.height;
+  facts.views = window_.views();
+  facts.travel = camera_.travel();
+  facts.speed_mps = camera_.speed_mps();
+  facts.sea_time_s = sea_time_s();
+  facts.paused = paused_;
+  facts.recording = recorder_.recording();
+  facts.recorded_s = now_s_ - recording_began_s_;
+  facts.frame_ms = frame_ms_;
+  facts.cpu_ms = cpu_ms_;
+  facts.gpu_ms = frame.gpu_ms();
+  facts.passes = frame.times();
+  facts.counts = frame.counts();
+  const SurfaceSelection* selection = experience_->ocean().selection();
+  facts.patches = selection ? selection->patches.size() : 0;
+  return facts;
+}
+
+void Explorer::obey(const PanelWish& wish) {
+  if (wish.settings) apply(*wish.settings);
+  if (wish.preset) {
+    Settings changed = settings();
+    apply_preset(changed, *wish.preset);
+    program_.preset = *wish.preset;
+    apply(changed);
+    tell("quality: " + *wish.preset);
+  }
+  if (wish.travel) set_travel(*wish.travel);
+  if (wish.pause) toggle_pause();
+  if (wish.record) toggle_recording();
+  if (wish.screenshot) screenshot_wanted_ = true;
+  if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene, program_.preset);
+}
+
+void Explorer::draw(const DisplayFrame& shown) {
+  const double began_s = seconds();
+  overlay_.begin(!look_by_button_ && !look_by_tab_);
+  const PanelWish wish = panel_.draw(settings(), program_.scene.settings, facts(shown));
+  if (now_s_ < message_until_s_) Panel::draw_message(message_);
+  overlay_.end();
+  obey(wish);
+
+  window_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
+  experience_->resize(shown.width, shown.height);
+  Frame& frame = experience_->frame();
+  const double waited_s = seconds();
+  frame.begin();  // waits for the frame before the last
+  const double ready_s = seconds();
+  draw_frame(*experience_, frame, window_.viewpoint(camera_.pose()), sea_time_s());
+  window_.end(frame, &experience_->picture());
+  cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
+  if (std::exchange(screenshot_wanted_, false)) take_screenshot();
+}
+
+void Explorer::run() {
+  for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
+  std::fflush(stdout);
+  double last_s = window_.begin().time_s;
+  window_.end(experience_->frame(), nullptr);
+  for (int drawn = 0; !leaving_ && (arguments_.frames == 0 || drawn < arguments_.frames);) {
+    const DisplayFrame shown = window_.begin();
+    if (shown.closed) break;
+    const double dt_s = std::clamp(shown.time_s - last_s, 0.0, longest_step_s);
+    last_s = shown.time_s;
+    keys(window_.input());
+    look(window_.input());
+    if (!shown.should_render) {  // time stands still meanwhile
+      window_.end(experience_->frame(), nullptr);
+      continue;
+    }
+    frame_ms_ = 1000.0 * dt_s;
+    now_s_ += dt_s;
+    if (!paused_) sea_elapsed_s_ += dt_s * settings().time_scale;
+    move(window_.input(), dt_s);
+    draw(shown);
+    ++drawn;
+  }
+  if (recorder_.recording()) toggle_recording();  // what was recorded is kept
+  experience_->frame().finish();
+}
+
+}  // namespace seascape

@@ -1,0 +1,264 @@
+#include "app/panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/quality.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr std::array<const char*, 2> keys[] = {
+    {"W A S D", "move"},
+    {"E Q", "up and down, when flying"},
+    {"right mouse button", "look around while it is held"},
+    {"Tab", "look around without it, on and off"},
+    {"Shift", "faster"},
+    {"wheel", "change the speed"},
+    {"1 2 3", "fly, walk at deck height, ride the waves"},
+    {"Space", "stop and start the sea's time"},
+    {"[ ]", "slower and faster time"},
+    {"V", "next debug view"},
+    {"P or F2", "screenshot"},
+    {"R", "start and end recording a camera path"},
+    {"F1", "this panel on and off"},
+    {"Esc", "free the mouse, then close"},
+};
+
+std::string_view group_of(std::string_view key) {
+  const std::size_t point = key.find('.');
+  return point == std::string_view::npos ? "frame" : key.substr(0, point);
+}
+
+std::string group_title(std::string_view group) {
+  if (group == "lod") return "Level of detail";
+  std::string title(group);
+  title[0] = char(title[0] - 'a' + 'A');
+  return title;
+}
+
+// "waves.wind_speed_mps" is "wind speed" beside a widget that shows the unit.
+std::string label_of(const Setting& setting) {
+  std::string_view name = setting.key.substr(std::min(setting.key.size(), setting.key.find('.') + 1));
+  if (!setting.unit.empty())
+    for (const std::string_view unit : {"_mps2", "_mps", "_mg_m3", "_deg", "_ev", "_m", "_s"})
+      if (name.ends_with(unit)) {
+        name.remove_suffix(unit.size());
+        break;
+      }
+  std::string label(name);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  return label;
+}
+
+struct Edit {
+  bool changed = false;   // the value differs from before
+  bool settled = true;    // and nobody is dragging or typing any more
+};
+
+// One of several names. The list is open for one frame at least, so a choice is settled at once.
+Edit pick(const char* id, const std::string& current, std::span<const std::string_view> choices, std::string& chosen) {
+  Edit edit;
+  if (!ImGui::BeginCombo(id, current.c_str())) return edit;
+  for (const std::string_view choice : choices) {
+    const std::string name(choice);
+    if (ImGui::Selectable(name.c_str(), name == current) && name != current) {
+      chosen = name;
+      edit.changed = true;
+    }
+  }
+  ImGui::EndCombo();
+  return edit;
+}
+
+// The scalar under the pointer or the keyboard, told when it has come to rest.
+Edit scalar_state(bool changed) {
+  return {changed || ImGui::IsItemDeactivatedAfterEdit(), !ImGui::IsItemActive()};
+}
+
+Edit edit_row(Settings& settings, const Setting& row) {
+  const std::string id = "##" + std::string(row.key);
+  if (!row.choices.empty()) {
+    std::string chosen;
+    const Edit edit = pick(id.c_str(), value_text(settings, row), row.choices, chosen);
+    if (edit.changed) set_from_text(settings, row.key, chosen, "the panel");
+    return edit;
+  }
+  if (const auto* flag = std::get_if<FlagMember>(&row.member)) return {ImGui::Checkbox(id.c_str(), &(*flag)(settings)), true};
+  if (const auto* seed = std::get_if<SeedMember>(&row.member)) {
+    const std::uint32_t one = 1;
+    return scalar_state(ImGui::InputScalar(id.c_str(), ImGuiDataType_U32, &(*seed)(settings), &one));
+  }
+  if (const auto* whole = std::get_if<IntegerMember>(&row.member))
+    return scalar_state(ImGui::SliderInt(id.c_str(), &(*whole)(settings), int(row.least), int(row.most), "%d",
+                                         ImGuiSliderFlags_AlwaysClamp));
+  double& value = std::get<RealMember>(row.member)(settings);
+  const std::string unit = row.unit.empty() ? "" : " " + std::string(row.unit);
+  if (row.least < -1e6) {  // no slider can set this
+    const bool changed = ImGui::InputDouble(id.c_str(), &value, 1.0, 60.0, ("%.1f" + unit).c_str());
+    value = std::clamp(value, row.least, row.most);
+    return scalar_state(changed);
+  }
+  const bool wide = row.least >= 0.0 && row.most > 1000.0 * std::max(row.least, 1.0);
+  const bool small = !wide && row.most - row.least <= 20.0;
+  const std::string format = (wide ? "%.0f" : row.most <= 0.5 ? "%.3f" : small ? "%.2f" : "%.1f") + unit;
+  const bool logarithmic = wide || (row.least > 0.0 && row.most / row.least >= 100.0);
+  return scalar_state(ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &row.least, &row.most, format.c_str(),
+                                          ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0)));
+}
+
+void tooltip(const Setting& row) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
+  ImGui::TextUnformatted(std::string(row.sentence).c_str());
+  ImGui::TextDisabled("%s", (std::string(row.key) + ": " + range_text(row)).c_str());
+  if (row.rebuild) ImGui::TextDisabled("A change takes a moment: it makes things anew.");
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool preset_holds(const Settings& settings, std::string_view preset) {
+  Settings fresh = settings;
+  apply_preset(fresh, preset);
+  for (const PresetRow& row : preset_rows())
+    if (const Setting* setting = find_setting(row.key); value_of(settings, *setting) != value_of(fresh, *setting)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::span<const std::array<const char*, 2>> key_help() { return keys; }
+
+void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWish& wish) {
+  ImGui::TextWrapped("%s", std::string(facts.title).c_str());
+  ImGui::PushItemWidth(-ImGui::GetFontSize() * 5.0f);
+  std::string chosen;
+  const std::vector<std::string_view> scenes(facts.scenes.begin(), facts.scenes.end());
+  if (pick("scene", std::string(facts.scene), scenes, chosen).changed) wish.scene = chosen;
+  // The preset whose values are all in force, if there is one.
+  const auto holds = std::find_if(preset_names().begin(), preset_names().end(),
+                                  [&](std::string_view name) { return preset_holds(settings, name); });
+  const std::string preset = holds == preset_names().end() ? std::string(facts.preset) + ", changed" : std::string(*holds);
+  if (pick("quality", preset, preset_names(), chosen).changed) wish.preset = chosen;
+  constexpr std::string_view travels[] = {"fly", "walk at deck height", "ride the waves"};
+  if (pick("travel", travel_name(facts.travel), travels, chosen).changed)
+    wish.travel = Travel(std::find(std::begin(travels), std::end(travels), chosen) - std::begin(travels));
+  ImGui::PopItemWidth();
+  if (ImGui::Button(facts.paused ? "Run" : "Pause")) wish.pause = true;
+  ImGui::SameLine();
+  if (ImGui::Button("Screenshot")) wish.screenshot = true;
+  ImGui::SameLine();
+  if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str() : "Record path###record"))
+    wish.record = true;
+  ImGui::Text("sea time %.1f s x %.3g   speed %.1f m/s", facts.sea_time_s, facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
+}
+
+void Panel::draw_times(const PanelFacts& facts) {
+  history_ms_[std::size_t(history_at_)] = float(facts.frame_ms);
+  history_at_ = (history_at_ + 1) % int(history_ms_.size());
+  if (!ImGui::CollapsingHeader("Frame times", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  const float most = *std::max_element(history_ms_.begin(), history_ms_.end());
+  ImGui::PlotLines("##history", history_ms_.data(), int(history_ms_.size()), history_at_, nullptr, 0.0f, most * 1.1f,
+                   {-1.0f, ImGui::GetFontSize() * 2.5f});
+  ImGui::Text("%.1f ms a frame (%.0f a second)", facts.frame_ms, facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
+  ImGui::Text("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
+  if (!facts.passes.empty() && ImGui::BeginTable("passes", 2)) {
+    for (const PassTime& pass : facts.passes) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(pass.name);
+      ImGui::TableNextColumn();
+      ImGui::Text("%.3f ms", pass.ms);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Separator();
+  ImGui::Text("%llu draws, %llu triangles, %zu patches", static_cast<unsigned long long>(facts.counts.draws),
+              static_cast<unsigned long long>(facts.counts.triangles), facts.patches);
+  ImGui::Text("%llu dispatches, %llu barriers, %llu commands", static_cast<unsigned long long>(facts.counts.dispatches),
+              static_cast<unsigned long long>(facts.counts.barriers), static_cast<unsigned long long>(facts.counts.commands));
+  ImGui::TextWrapped("%ux%u, %d view%s, %s", facts.width, facts.height, facts.views, facts.views == 1 ? "" : "s",
+                     std::string(facts.device).c_str());
+}
+
+// Returns whether the edited settings are to be taken now.
+bool Panel::draw_rows(const Settings& initial) {
+  bool take = false;
+  dragging_ = false;
+  std::string_view group;
+  bool open = false;
+  for (const Setting& row : settings_table()) {
+    if (group_of(row.key) != group) {
+      if (open) ImGui::EndTable();
+      group = group_of(row.key);
+      open = ImGui::CollapsingHeader(group_title(group).c_str(), group == "waves" || group == "sky" ? ImGuiTreeNodeFlags_DefaultOpen : 0) &&
+             ImGui::BeginTable(std::string(group).c_str(), 2);
+      if (open) {
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
+        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
+      }
+    }
+    if (!open) continue;
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label_of(row).c_str());
+    tooltip(row);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0f);
+    const Edit edit = edit_row(edited_, row);
+    tooltip(row);
+    if (!edit.settled) dragging_ = true;
+    if (edit.changed && (edit.settled || !row.rebuild)) take = true;
+    if (ImGui::BeginPopupContextItem(("back##" + std::string(row.key)).c_str())) {
+      if (ImGui::Selectable(("Back to " + value_text(initial, row)).c_str())) {
+        set_value(edited_, row, value_of(initial, row), "the panel");
+        take = true;
+      }
+      ImGui::EndPopup();
+    }
+  }
+  if (open) ImGui::EndTable();
+  return take;
+}
+
+PanelWish Panel::draw(const Settings& settings, const Settings& initial, const PanelFacts& facts) {
+  PanelWish wish;
+  if (!visible) return wish;
+  if (!dragging_) edited_ = settings;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.0f, 0.0f});
+  ImGui::SetNextWindowSize({std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 28.0f), window.y});
+  ImGui::Begin("Seascape", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                        ImGuiWindowFlags_NoTitleBar);
+  draw_head(settings, facts, wish);
+  draw_times(facts);
+  if (draw_rows(initial)) wish.settings = edited_;
+  if (ImGui::CollapsingHeader("Keys") && ImGui::BeginTable("keys", 2)) {
+    for (const auto& [key, what] : keys) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(key);
+      ImGui::TableNextColumn();
+      ImGui::TextWrapped("%s", what);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::End();
+  return wish;
+}
+
+void Panel::draw_message(std::string_view message) {
+  if (message.empty()) return;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x * 0.98f, window.y * 0.97f}, ImGuiCond_Always, {1.0f, 1.0f});
+  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::TextUnformatted(std::string(message).c_str());
+  ImGui::End();
+}
+
+}  // namespace seascape

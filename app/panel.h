@@ -1,0 +1,61 @@
+// Explore's panel: every row of the settings table as a widget, with what the frame took and drew.
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/explore_camera.h"
+#include "app/settings.h"
+#include "engine/frame.h"
+
+namespace seascape {
+
+// What the panel shows and does not change.
+struct PanelFacts {
+  std::string_view title, scene, preset, device, message;
+  std::span<const std::string> scenes;
+  std::uint32_t width = 0, height = 0;
+  int views = 1;
+  Travel travel = Travel::fly;
+  double speed_mps = 0.0, sea_time_s = 0.0, recorded_s = 0.0;
+  bool paused = false, recording = false;
+  double frame_ms = 0.0, cpu_ms = 0.0, gpu_ms = 0.0;
+  std::span<const PassTime> passes;
+  FrameCounts counts;
+  std::size_t patches = 0;
+};
+
+// What the user has asked for in this frame.
+struct PanelWish {
+  std::optional<Settings> settings;
+  std::optional<std::string> preset, scene;
+  std::optional<Travel> travel;
+  bool screenshot = false, record = false, pause = false;
+};
+
+// The lines that tell the keys, at the start and in the panel: key, then what it does.
+std::span<const std::array<const char*, 2>> key_help();
+
+class Panel {
+ public:
+  // Between Overlay::begin and end. `settings` are those in force, `initial` those that a right click goes back to. A row
+  // that makes GPU objects anew is handed out when the mouse lets go of it, any other at once.
+  PanelWish draw(const Settings& settings, const Settings& initial, const PanelFacts& facts);
+  // A short line at the window's foot, also without the panel.
+  static void draw_message(std::string_view message);
+
+  bool visible = true;
+
+ private:
+  void draw_head(const Settings& settings, const PanelFacts& facts, PanelWish& wish);
+  void draw_times(const PanelFacts& facts);
+  bool draw_rows(const Settings& initial);
+  Settings edited_;        // in force, but for a row that is being dragged
+  bool dragging_ = false;
+  std::array<float, 120> history_ms_{};
+  int history_at_ = 0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,33 @@
+#include "app/water_height.h"
+
+#include <algorithm>
+#include <span>
+
+namespace seascape {
+
+namespace {
+
+constexpr int coarse_resolution = 32;
+constexpr double footprint_m = 1.0;  // of a person's float
+
+WaveQuality coarse(WaveQuality quality) {
+  quality.resolution = std::min(quality.resolution, coarse_resolution);
+  return quality;
+}
+
+}  // namespace
+
+WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality) : field_(sea, coarse(quality)) {}
+
+double WaterHeight::at(glm::dvec2 place_m, double time_s) {
+  const std::int64_t ticks = ticks_from_seconds(time_s);
+  if (!evaluated_ || tiles_.ticks() != ticks) field_.evaluate(ticks, tiles_);
+  evaluated_ = true;
+  QueryAnswer answer;
+  QueryOptions options;
+  options.footprint_m = footprint_m;
+  query(field_, tiles_, std::span(&place_m, 1), std::span(&answer, 1), options);
+  return answer.height_m;
+}
+
+}  // namespace seascape

@@ -1,0 +1,23 @@
+// How high the water stands at the camera, for riding it and for staying above it. Pure.
+#pragma once
+#include "ocean/waves/query.h"
+#include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+// Asks the wave field with coarse tiles: they hold the same waves as the drawn sea down to a few metres, and cost next to
+// nothing. Whoever rides does not feel the shorter ones.
+class WaterHeight {
+ public:
+  WaterHeight(const SeaState& sea, const WaveQuality& quality);
+  // Metres above the still sea at a world x, z at a time of the sea.
+  double at(glm::dvec2 place_m, double time_s);
+
+ private:
+  WaveField field_;
+  WaveTiles tiles_;
+  bool evaluated_ = false;
+};
+
+}  // namespace seascape

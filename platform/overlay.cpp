@@ -1,0 +1,106 @@
+#include "platform/overlay.h"
+
+#include <imgui.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seascape {
+
+namespace {
+
+// ImGui writes its colours as they are, and the window's images are sRGB: the colours must be linear light for that.
+void make_linear(ImVec4& colour) {
+  const auto linear = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
+  colour = {linear(colour.x), linear(colour.y), linear(colour.z), colour.w};
+}
+
+void set_style(float scale) {
+  ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::StyleColorsDark(&style);
+  style.Colors[ImGuiCol_WindowBg] = {0.05f, 0.07f, 0.10f, 0.90f};
+  style.Colors[ImGuiCol_Header] = {0.12f, 0.30f, 0.42f, 1.0f};
+  style.Colors[ImGuiCol_HeaderHovered] = {0.16f, 0.40f, 0.55f, 1.0f};
+  style.Colors[ImGuiCol_FrameBg] = {0.13f, 0.18f, 0.24f, 1.0f};
+  style.Colors[ImGuiCol_FrameBgHovered] = {0.18f, 0.27f, 0.36f, 1.0f};
+  style.Colors[ImGuiCol_TitleBgActive] = {0.10f, 0.26f, 0.38f, 1.0f};
+  for (ImVec4& colour : style.Colors) make_linear(colour);
+  style.WindowRounding = 0.0f;
+  style.FrameRounding = 3.0f;
+  style.WindowBorderSize = 0.0f;
+  style.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+Overlay::Overlay(Device& device, Window& window) : device_(device), window_(window) {
+  const EffectScope scope(device, "window");
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4};
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
+  pool.maxSets = 4;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  VkDescriptorPool handle = VK_NULL_HANDLE;
+  check(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &handle), "vkCreateDescriptorPool");
+  pool_ = Owned<VkDescriptorPool>(device, handle, "overlay");
+
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // nothing is written but what the user asks for
+  io.LogFilename = nullptr;
+  // Half sizes would blur the font, which is a bitmap of 13 pixels.
+  const float scale = float(std::max(1.0, std::round(window.content_scale())));
+  ImFontConfig font;
+  font.SizePixels = 13.0f * scale;
+  io.Fonts->AddFontDefault(&font);
+  set_style(scale);
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // its callbacks call the window's own, which were there first
+  ImGui_ImplVulkan_InitInfo info{};
+  info.Instance = device.instance();
+  info.PhysicalDevice = device.physical();
+  info.Device = device.handle();
+  info.QueueFamily = device.queue_family();
+  info.Queue = device.queue();
+  info.DescriptorPool = handle;
+  info.MinImageCount = info.ImageCount = Frame::slots;  // how many of its vertex buffers may be in flight
+  info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+  info.CheckVkResultFn = [](VkResult result) { check(result, "the panel's drawing"); };
+  ImGui_ImplVulkan_Init(&info, window.overlay_pass());
+  device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+  ImGui_ImplVulkan_DestroyFontUploadObjects();
+  window.set_overlay([](VkCommandBuffer commands, std::uint32_t width, std::uint32_t height) {
+    ImDrawData* data = ImGui::GetDrawData();
+    // A window that has changed since the widgets were laid out: they are drawn when they fit again.
+    if (data && data->DisplaySize.x * data->FramebufferScale.x <= float(width) &&
+        data->DisplaySize.y * data->FramebufferScale.y <= float(height))
+      ImGui_ImplVulkan_RenderDrawData(data, commands);
+  });
+}
+
+Overlay::~Overlay() {
+  window_.set_overlay(nullptr);
+  vkDeviceWaitIdle(device_.handle());
+  ImGui_ImplVulkan_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Overlay::begin(bool mouse_is_free) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (mouse_is_free) io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
+  else io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
+  ImGui_ImplVulkan_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Overlay::end() { ImGui::Render(); }
+
+bool Overlay::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
+bool Overlay::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+
+}  // namespace seascape

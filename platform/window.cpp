@@ -1,0 +1,395 @@
+#include "platform/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/error.h"
+
+namespace seascape {
+
+namespace {
+
+std::string desktop_fault() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "no reason given";
+}
+
+std::optional<Key> key_from(int code) {
+  switch (code) {
+    case GLFW_KEY_W: return Key::w;
+    case GLFW_KEY_A: return Key::a;
+    case GLFW_KEY_S: return Key::s;
+    case GLFW_KEY_D: return Key::d;
+    case GLFW_KEY_Q: return Key::q;
+    case GLFW_KEY_E: return Key::e;
+    case GLFW_KEY_P: return Key::p;
+    case GLFW_KEY_R: return Key::r;
+    case GLFW_KEY_V: return Key::v;
+    case GLFW_KEY_1: return Key::one;
+    case GLFW_KEY_2: return Key::two;
+    case GLFW_KEY_3: return Key::three;
+    case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
+    case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
+    case GLFW_KEY_SPACE: return Key::space;
+    case GLFW_KEY_TAB: return Key::tab;
+    case GLFW_KEY_ESCAPE: return Key::escape;
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL: return Key::control;
+    case GLFW_KEY_F1: return Key::f1;
+    case GLFW_KEY_F2: return Key::f2;
+    default: return std::nullopt;
+  }
+}
+
+Owned<VkSemaphore> make_semaphore(Device& device, const char* name) {
+  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+  VkSemaphore semaphore = VK_NULL_HANDLE;
+  check(vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore), "vkCreateSemaphore");
+  return Owned<VkSemaphore>(device, semaphore, name);
+}
+
+}  // namespace
+
+struct WindowEvents {
+  static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+  static void key(GLFWwindow* window, int code, int, int action, int) {
+    const std::optional<Key> key = key_from(code);
+    if (!key) return;
+    Input& input = of(window).gathering_;
+    if (action == GLFW_PRESS) input.pressed.set(std::size_t(*key));
+    input.held.set(std::size_t(*key), action != GLFW_RELEASE);
+  }
+  static void button(GLFWwindow* window, int which, int action, int) {
+    if (which == GLFW_MOUSE_BUTTON_RIGHT) of(window).gathering_.right_button = action == GLFW_PRESS;
+  }
+  static void moved(GLFWwindow* window, double x, double y) {
+    Window& w = of(window);
+    if (w.mouse_known_) w.gathering_.mouse_pixels += glm::dvec2(x, y) - w.last_mouse_;
+    w.last_mouse_ = {x, y};
+    w.mouse_known_ = true;
+  }
+  static void wheel(GLFWwindow* window, double, double y) { of(window).gathering_.wheel += y; }
+  static void focus(GLFWwindow* window, int focused) {
+    if (focused) return;
+    Input& input = of(window).gathering_;  // releases are not told to a window without the keyboard
+    input.held.reset();
+    input.right_button = false;
+  }
+  static void resized(GLFWwindow* window, int, int) { of(window).stale_ = true; }
+};
+
+WindowSystem::WindowSystem() {
+  if (!glfwInit())
+    throw Error("display", "no display can be reached: " + desktop_fault(),
+                "check DISPLAY and that a desktop runs, or use --display headless");
+  if (!glfwVulkanSupported()) {
+    const std::string fault = desktop_fault();
+    glfwTerminate();
+    throw Error("display", "Vulkan cannot draw to this desktop: " + fault, "run `seascape doctor`, or use --display headless");
+  }
+}
+
+WindowSystem::~WindowSystem() { glfwTerminate(); }
+
+std::vector<std::string> WindowSystem::instance_extensions() const {
+  std::uint32_t count = 0;
+  const char** names = glfwGetRequiredInstanceExtensions(&count);
+  if (!names)
+    throw Error("display", "Vulkan has no extension for this desktop: " + desktop_fault(),
+                "install a driver with a desktop's support, or use --display headless");
+  return {names, names + count};
+}
+
+Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
+    : device_(device), options_(options), start_(std::chrono::steady_clock::now()) {
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+  const int width = int(options.width) * options.views;
+  window_ = glfwCreateWindow(width, int(options.height), options.title.c_str(), nullptr, nullptr);
+  if (!window_)
+    throw Error("display", fmt::format("a window of {}x{} cannot be opened: {}", width, options.height, desktop_fault()),
+                "check the display, or use --display headless");
+  try {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, WindowEvents::key);
+    glfwSetMouseButtonCallback(window_, WindowEvents::button);
+    glfwSetCursorPosCallback(window_, WindowEvents::moved);
+    glfwSetScrollCallback(window_, WindowEvents::wheel);
+    glfwSetWindowFocusCallback(window_, WindowEvents::focus);
+    glfwSetFramebufferSizeCallback(window_, WindowEvents::resized);
+    const EffectScope scope(device_, "window");
+    make_surface();
+    make_overlay_pass();
+    for (auto& semaphore : acquired_) semaphore = make_semaphore(device_, "picture acquired");
+  } catch (...) {
+    surface_.reset();
+    device_.frames_finished_to(~std::uint64_t{0});
+    glfwDestroyWindow(window_);
+    throw;
+  }
+}
+
+Window::~Window() {
+  vkDeviceWaitIdle(device_.handle());  // its result does not matter any more: nothing is drawn after
+  images_.clear();
+  for (auto& semaphore : acquired_) semaphore.reset();
+  swapchain_.reset();
+  surface_.reset();
+  device_.frames_finished_to(~std::uint64_t{0});  // in this order, before the window they belong to
+  glfwDestroyWindow(window_);
+}
+
+void Window::make_surface() {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  check(glfwCreateWindowSurface(device_.instance(), window_, nullptr, &surface), "glfwCreateWindowSurface");
+  surface_ = Owned<VkSurfaceKHR>(device_, surface, "window");
+  VkBool32 presents = VK_FALSE;
+  check(vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queue_family(), surface, &presents),
+        "vkGetPhysicalDeviceSurfaceSupportKHR");
+  if (!presents)
+    throw Error(device_.facts().name, "this device cannot show pictures in a window of this desktop",
+                "name another with SEASCAPE_DEVICE (see `seascape doctor`), or use --display headless");
+  std::uint32_t count = 0;
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface, &count, nullptr), "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  std::vector<VkSurfaceFormatKHR> formats(count);
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface, &count, formats.data()),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  // The picture is sRGB; blitted to a format that is sRGB too, it keeps its values.
+  for (const VkSurfaceFormatKHR& f : formats)
+    if (f.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR &&
+        (f.format == VK_FORMAT_B8G8R8A8_SRGB || f.format == VK_FORMAT_R8G8B8A8_SRGB || f.format == VK_FORMAT_A8B8G8R8_SRGB_PACK32)) {
+      format_ = f;
+      break;
+    }
+  VkSurfaceCapabilitiesKHR can{};
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface, &can), "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  if (format_.format == VK_FORMAT_UNDEFINED || !(can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
+    throw Error(device_.facts().name, "the window takes no sRGB pictures that can be copied into", "use --display headless");
+}
+
+// The panel is drawn over what the copy of the picture left.
+void Window::make_overlay_pass() {
+  VkAttachmentDescription colour{};
+  colour.format = format_.format;
+  colour.samples = VK_SAMPLE_COUNT_1_BIT;
+  colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  colour.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+  colour.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  colour.initialLayout = colour.finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  VkSubpassDescription subpass{};
+  subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+  subpass.colorAttachmentCount = 1;
+  subpass.pColorAttachments = &reference;
+  VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
+  info.attachmentCount = 1;
+  info.pAttachments = &colour;
+  info.subpassCount = 1;
+  info.pSubpasses = &subpass;
+  overlay_pass_ = device_.cached_render_pass(fmt::format("window overlay {}", int(format_.format)), info);
+}
+
+bool Window::make_swapchain() {
+  const EffectScope scope(device_, "window");
+  VkSurfaceCapabilitiesKHR can{};
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_.get(), &can),
+        "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  VkExtent2D extent = can.currentExtent;
+  if (extent.width == UINT32_MAX)  // the surface takes the swapchain's size
+    extent = {std::clamp(std::uint32_t(width_), can.minImageExtent.width, can.maxImageExtent.width),
+              std::clamp(std::uint32_t(height_), can.minImageExtent.height, can.maxImageExtent.height)};
+  if (extent.width == 0 || extent.height == 0) return false;
+  // Neither frames nor presenting use the old images after this. What is given up here lives until the frame that is being
+  // recorded has finished, as everything does.
+  check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle");
+  images_.clear();
+  VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+  info.surface = surface_.get();
+  info.minImageCount = std::max(3u, can.minImageCount);
+  if (can.maxImageCount > 0) info.minImageCount = std::min(info.minImageCount, can.maxImageCount);
+  info.imageFormat = format_.format;
+  info.imageColorSpace = format_.colorSpace;
+  info.imageExtent = extent;
+  info.imageArrayLayers = 1;
+  info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
+  info.preTransform = can.currentTransform;
+  info.compositeAlpha = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                                                                                       : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
+  info.clipped = VK_TRUE;
+  info.oldSwapchain = swapchain_.get();
+  VkSwapchainKHR made = VK_NULL_HANDLE;
+  check(vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &made), "vkCreateSwapchainKHR");
+  swapchain_ = Owned<VkSwapchainKHR>(device_, made, "window");
+  extent_ = extent;
+  ++swapchains_made_;
+
+  std::uint32_t count = 0;
+  check(vkGetSwapchainImagesKHR(device_.handle(), made, &count, nullptr), "vkGetSwapchainImagesKHR");
+  std::vector<VkImage> handles(count);
+  check(vkGetSwapchainImagesKHR(device_.handle(), made, &count, handles.data()), "vkGetSwapchainImagesKHR");
+  ImageSpec spec;
+  spec.width = extent.width;
+  spec.height = extent.height;
+  spec.format = format_.format;
+  spec.usage = info.imageUsage;
+  spec.array = false;
+  for (VkImage handle : handles) {
+    SwapImage& one = images_.emplace_back();
+    one.image = Image(device_, "window", handle, spec);
+    one.drawn = make_semaphore(device_, "picture drawn");
+    const VkImageView view = one.image.view();
+    VkFramebufferCreateInfo framebuffer{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
+    framebuffer.renderPass = overlay_pass_;
+    framebuffer.attachmentCount = 1;
+    framebuffer.pAttachments = &view;
+    framebuffer.width = extent.width;
+    framebuffer.height = extent.height;
+    framebuffer.layers = 1;
+    VkFramebuffer framebuffer_handle = VK_NULL_HANDLE;
+    check(vkCreateFramebuffer(device_.handle(), &framebuffer, nullptr, &framebuffer_handle), "vkCreateFramebuffer");
+    one.framebuffer = Owned<VkFramebuffer>(device_, framebuffer_handle, "window");
+  }
+  stale_ = false;
+  return true;
+}
+
+DisplayFrame Window::begin() {
+  glfwPollEvents();
+  glfwGetFramebufferSize(window_, &width_, &height_);
+  const auto shows = [&] {
+    return window_shows(width_, height_, glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0,
+                        glfwGetWindowAttrib(window_, GLFW_VISIBLE) != 0);
+  };
+  DisplayFrame frame;
+  frame.should_render = shows();
+  if (!frame.should_render && !glfwWindowShouldClose(window_)) {
+    glfwWaitEventsTimeout(0.25);
+    glfwGetFramebufferSize(window_, &width_, &height_);
+    frame.should_render = shows();
+  }
+  input_ = gathering_;
+  gathering_.pressed.reset();
+  gathering_.mouse_pixels = {0.0, 0.0};
+  gathering_.wheel = 0.0;
+  frame.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  frame.closed = glfwWindowShouldClose(window_) != 0;
+  frame.width = std::uint32_t(std::max(1, width_ / options_.views));
+  frame.height = std::uint32_t(std::max(1, height_));
+  return frame;
+}
+
+Viewpoint Window::viewpoint(const Pose& carrier) const {
+  const Fov fov = symmetric_fov(vertical_fov_deg_, std::max(1.0, double(width_) / options_.views) / std::max(1, height_));
+  if (options_.views == 2) return {carrier, stereo_views(carrier, fov, eye_distance_m_)};
+  return {carrier, {{carrier, fov}}};
+}
+
+// The swapchain's next image, or null when the window cannot take a picture at present.
+Window::SwapImage* Window::acquire(std::size_t slot) {
+  constexpr std::uint64_t patience_ns = 1'000'000'000;  // a desktop may withhold images of a hidden window for ever
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    if (stale_ && !make_swapchain()) return nullptr;
+    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_.get(), patience_ns, acquired_[slot].get(),
+                                                  VK_NULL_HANDLE, &image_index_);
+    if (result == VK_ERROR_OUT_OF_DATE_KHR) {
+      stale_ = true;
+      continue;
+    }
+    check(result, "vkAcquireNextImageKHR");
+    if (result == VK_TIMEOUT || result == VK_NOT_READY) return nullptr;
+    if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // still good for this picture
+    SwapImage& image = images_[image_index_];
+    // The semaphore is waited for at the copy: the first barrier continues from there.
+    image.image.state() = {};
+    image.image.state().write_stages = VK_PIPELINE_STAGE_TRANSFER_BIT;
+    return &image;
+  }
+  return nullptr;
+}
+
+void Window::show(Frame& frame, SwapImage& target, const RenderTarget& picture) {
+  frame.pass("mirror", {use(picture.colour(), Access::transfer_read), use(target.image, Access::transfer_write, true)},
+             [&](Commands& c) {
+               const std::uint32_t views = std::uint32_t(picture.spec().views);
+               for (std::uint32_t view = 0; view < views; ++view) {
+                 VkImageBlit blit{};
+                 blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, view, 1};
+                 blit.srcOffsets[1] = {int(picture.spec().width), int(picture.spec().height), 1};
+                 blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+                 blit.dstOffsets[0] = {int(extent_.width * view / views), 0, 0};
+                 blit.dstOffsets[1] = {int(extent_.width * (view + 1) / views), int(extent_.height), 1};
+                 const bool same = blit.dstOffsets[1].x - blit.dstOffsets[0].x == blit.srcOffsets[1].x &&
+                                   blit.dstOffsets[1].y == blit.srcOffsets[1].y;
+                 vkCmdBlitImage(c.raw(), picture.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image.get(),
+                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+               }
+             });
+  if (overlay_)
+    frame.pass("panel", {use(target.image, Access::colour_target)}, [&](Commands& c) {
+      VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
+      begin.renderPass = overlay_pass_;
+      begin.framebuffer = target.framebuffer.get();
+      begin.renderArea = {{0, 0}, extent_};
+      vkCmdBeginRenderPass(c.raw(), &begin, VK_SUBPASS_CONTENTS_INLINE);
+      overlay_(c.raw(), extent_.width, extent_.height);
+      vkCmdEndRenderPass(c.raw());
+    });
+  frame.pass("present", {use(target.image, Access::present)}, [](Commands&) {});
+}
+
+void Window::end(Frame& frame, const RenderTarget* picture) {
+  if (!picture) return;
+  const std::size_t slot = std::size_t(frame.number() % Frame::slots);
+  SwapImage* target = acquire(slot);
+  if (!target) {
+    frame.submit();
+    return;
+  }
+  show(frame, *target, *picture);
+  const VkSemaphore drawn = target->drawn.get();
+  frame.submit(acquired_[slot].get(), drawn);
+  const VkSwapchainKHR swapchain = swapchain_.get();
+  VkPresentInfoKHR present{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+  present.waitSemaphoreCount = 1;
+  present.pWaitSemaphores = &drawn;
+  present.swapchainCount = 1;
+  present.pSwapchains = &swapchain;
+  present.pImageIndices = &image_index_;
+  const VkResult result = vkQueuePresentKHR(device_.queue(), &present);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) stale_ = true;
+  else check(result, "vkQueuePresentKHR");
+}
+
+void Window::set_lens(double vertical_fov_deg, double eye_distance_m) {
+  vertical_fov_deg_ = vertical_fov_deg;
+  eye_distance_m_ = eye_distance_m;
+}
+
+void Window::hold_mouse(bool held) {
+  if (held == mouse_held_) return;
+  mouse_held_ = held;
+  mouse_known_ = false;  // the pointer jumps when its mode changes: that is no movement
+  glfwSetInputMode(window_, GLFW_CURSOR, held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+double Window::content_scale() const {
+  float x = 1.0f, y = 1.0f;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return double(std::max(x, y));
+}
+
+}  // namespace seascape
