@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/frame.h"
+#include "app/progress.h"
 #include "engine/error.h"
 #include "engine/files.h"
 #include "platform/headless.h"

@@ -165,7 +165,7 @@ void Panel::draw_times(const PanelFacts& facts) {
   if (!ImGui::CollapsingHeader("Frame times", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const float most = *std::max_element(history_ms_.begin(), history_ms_.end());
   ImGui::PlotLines("##history", history_ms_.data(), int(history_ms_.size()), history_at_, nullptr, 0.0f, most * 1.1f,
-                   {-1.0f, ImGui::GetFontSize() * 2.5f});
+                   {ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 2.5f});
   ImGui::Text("%.1f ms a frame (%.0f a second)", facts.frame_ms, facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
   ImGui::Text("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
   if (!facts.passes.empty() && ImGui::BeginTable("passes", 2)) {
@@ -199,8 +199,8 @@ bool Panel::draw_rows(const Settings& initial) {
       open = ImGui::CollapsingHeader(group_title(group).c_str(), group == "waves" || group == "sky" ? ImGuiTreeNodeFlags_DefaultOpen : 0) &&
              ImGui::BeginTable(std::string(group).c_str(), 2);
       if (open) {
-        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
-        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48f);
+        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.52f);
       }
     }
     if (!open) continue;
@@ -232,7 +232,7 @@ PanelWish Panel::draw(const Settings& settings, const Settings& initial, const P
   if (!dragging_) edited_ = settings;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
-  ImGui::SetNextWindowSize({std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 28.0f), window.y});
+  ImGui::SetNextWindowSize({std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 30.0f), window.y});
   ImGui::Begin("Seascape", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                         ImGuiWindowFlags_NoTitleBar);
   draw_head(settings, facts, wish);

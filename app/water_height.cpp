@@ -7,11 +7,13 @@ namespace seascape {
 
 namespace {
 
-constexpr int coarse_resolution = 32;
-constexpr double footprint_m = 1.0;  // of a person's float
+// The fourth cascade begins below waves of two metres or so, and 128 samples keep each cascade's whole band.
+constexpr int most_resolution = 128, most_cascades = 3;
+constexpr double footprint_m = 0.5;  // of a person's float
 
 WaveQuality coarse(WaveQuality quality) {
-  quality.resolution = std::min(quality.resolution, coarse_resolution);
+  quality.resolution = std::min(quality.resolution, most_resolution);
+  quality.cascades = std::min(quality.cascades, most_cascades);
   return quality;
 }
 

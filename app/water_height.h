@@ -6,8 +6,8 @@
 
 namespace seascape {
 
-// Asks the wave field with coarse tiles: they hold the same waves as the drawn sea down to a few metres, and cost next to
-// nothing. Whoever rides does not feel the shorter ones.
+// Asks the wave field with the long cascades alone: they hold the same waves as the drawn sea down to a few metres, at a part
+// of its cost. Whoever rides does not feel the shorter ones.
 class WaterHeight {
  public:
   WaterHeight(const SeaState& sea, const WaveQuality& quality);

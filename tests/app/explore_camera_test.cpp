@@ -1,0 +1,190 @@
+// The camera of explore and the recording of its path. Controls are named beside each test; each was seen to fail.
+#include "app/explore_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "app/camera_path.h"
+#include "app/path_recorder.h"
+#include "app/water_height.h"
+
+namespace seascape {
+namespace {
+
+Pose pose_at(double height_m, const ViewAngles& angles = {}) { return {{0.0, height_m, 0.0}, orientation_from_angles(angles)}; }
+
+CameraWish push(double right, double up, double forward) {
+  CameraWish wish;
+  wish.move = {right, up, forward};
+  return wish;
+}
+
+glm::dvec3 after(int steps, double seconds, const CameraWish& wish, Travel travel = Travel::fly, double height_m = 50.0) {
+  ExploreCamera camera(pose_at(height_m, {30.0, -10.0, 0.0}));
+  camera.set_travel(travel);
+  for (int i = 0; i < steps; ++i) camera.step(wish, seconds / steps, 0.4);
+  return camera.pose().position_m;
+}
+
+// Control: a velocity that follows by `response * dt` instead of the exponential fails here.
+TEST(ExploreCamera, MovementDoesNotDependOnTheFrameRate) {
+  for (const Travel travel : {Travel::fly, Travel::walk, Travel::ride}) {
+    const CameraWish wish = push(0.5, 0.3, 1.0);
+    const glm::dvec3 slow = after(4, 2.0, wish, travel), fast = after(288, 2.0, wish, travel);
+    EXPECT_LT(glm::length(slow - fast), 1e-9) << travel_name(travel);
+    EXPECT_GT(glm::length(glm::dvec2(slow.x, slow.z)), 1.0);
+  }
+}
+
+// Control: without the division by the push's length the diagonal is 1.7 times as far.
+TEST(ExploreCamera, TwoKeysAreNoFasterThanOne) {
+  const glm::dvec3 start(0.0, 50.0, 0.0);
+  const double one = glm::length(after(60, 3.0, push(0, 0, 1)) - start), three = glm::length(after(60, 3.0, push(1, 1, 1)) - start);
+  EXPECT_NEAR(one, three, 1e-9);
+  EXPECT_NEAR(one, 12.0 * (3.0 - 1.0 / 8.0), 0.01);  // 12 m/s, less the lag of the start
+}
+
+// Control: a push along +z for W fails here.
+TEST(ExploreCamera, KeysPushWhereTheViewLooks) {
+  ExploreCamera camera(pose_at(50.0, {90.0, 30.0, 0.0}));  // to +x and up
+  camera.step(push(0, 0, 1), 1.0, 0.0);
+  const glm::dvec3 gone = camera.pose().position_m - glm::dvec3(0.0, 50.0, 0.0);
+  EXPECT_GT(gone.x, 5.0);
+  EXPECT_NEAR(gone.y / gone.x, std::tan(glm::radians(30.0)), 1e-9);
+  EXPECT_NEAR(gone.z, 0.0, 1e-9);
+  ExploreCamera sideways(pose_at(50.0));
+  sideways.step(push(1, 0, 0), 1.0, 0.0);
+  EXPECT_GT(sideways.pose().position_m.x, 5.0);
+}
+
+// Control: without the clamp the view turns over.
+TEST(ExploreCamera, LooksNeitherOverTheTopNorBeyond) {
+  ExploreCamera camera(pose_at(5.0));
+  CameraWish wish;
+  wish.turn_deg = {0.0, 400.0};
+  camera.step(wish, 0.01, 0.0);
+  EXPECT_DOUBLE_EQ(camera.pitch_deg(), 89.0);
+  wish.turn_deg = {0.0, -1000.0};
+  camera.step(wish, 0.01, 0.0);
+  EXPECT_DOUBLE_EQ(camera.pitch_deg(), -89.0);
+  wish.turn_deg = {350.0, 0.0};
+  camera.step(wish, 0.01, 0.0);
+  EXPECT_NEAR(camera.yaw_deg(), -10.0, 1e-9);
+}
+
+// Control: a camera that multiplies its orientation by each turn fails here.
+TEST(ExploreCamera, TheHorizonStaysLevel) {
+  ExploreCamera camera(pose_at(5.0, {10.0, 5.0, 20.0}));  // a rolled start is put right
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> turn(-15.0, 15.0);
+  for (int i = 0; i < 100'000; ++i) {
+    CameraWish wish;
+    wish.turn_deg = {turn(random), turn(random)};
+    camera.step(wish, 0.01, 0.0);
+    ASSERT_NEAR((camera.pose().orientation * glm::dvec3(1, 0, 0)).y, 0.0, 1e-12);
+    ASSERT_GT((camera.pose().orientation * glm::dvec3(0, 1, 0)).y, 0.0);
+  }
+}
+
+// Control: a ride without the water's height, or a walk with it, fails here.
+TEST(ExploreCamera, WalkStaysOnDeckAndRideFollowsTheWater) {
+  ExploreCamera camera(pose_at(20.0));
+  camera.set_travel(Travel::walk);
+  camera.step({}, 0.01, 0.0);
+  EXPECT_GT(camera.pose().position_m.y, 15.0);  // no jump
+  for (int i = 0; i < 600; ++i) camera.step(push(0, 1, 0), 0.01, 0.5 * std::sin(0.01 * i));
+  EXPECT_NEAR(camera.pose().position_m.y, 1.7, 1e-6);
+  camera.set_travel(Travel::ride);
+  for (int i = 0; i < 600; ++i) camera.step({}, 0.01, 2.0);
+  EXPECT_NEAR(camera.pose().position_m.y, 3.2, 1e-6);
+  camera.step({}, 0.01, 2.5);
+  EXPECT_NEAR(camera.pose().position_m.y, 3.7, 1e-6);
+}
+
+// Control: without the clearance the fall goes on below the water.
+TEST(ExploreCamera, StaysAboveTheWater) {
+  ExploreCamera camera(pose_at(5.0));
+  for (int i = 0; i < 300; ++i) camera.step(push(0, -1, 0), 0.01, 1.5);
+  EXPECT_NEAR(camera.pose().position_m.y, 1.8, 1e-9);
+  camera.set_travel(Travel::walk);
+  for (int i = 0; i < 300; ++i) camera.step({}, 0.01, 6.0);  // a crest over the deck
+  EXPECT_NEAR(camera.pose().position_m.y, 6.3, 1e-9);
+}
+
+// Control: a factor added instead of multiplied, or no limit, fails here.
+TEST(ExploreCamera, TheWheelChangesTheSpeedWithinLimits) {
+  ExploreCamera camera(pose_at(5.0));
+  CameraWish wish;
+  wish.faster_notches = 3.0;
+  camera.step(wish, 0.0, 0.0);
+  EXPECT_NEAR(camera.speed_mps(), 12.0 * 1.2 * 1.2 * 1.2, 1e-9);
+  wish.faster_notches = 1e3;
+  camera.step(wish, 0.0, 0.0);
+  EXPECT_NEAR(camera.speed_mps(), 2400.0, 1e-9);
+  wish.faster_notches = -1e3;
+  camera.step(wish, 0.0, 0.0);
+  EXPECT_NEAR(camera.speed_mps(), 0.6, 1e-9);
+}
+
+// Control: keys with the clock's time instead of the path's, or no last key, fail here.
+TEST(PathRecorder, TakesAKeyEveryHalfSecondAndTheLastPose) {
+  PathRecorder recorder;
+  EXPECT_FALSE(recorder.recording());
+  recorder.start(100.0, pose_at(0.0), 7.0);
+  for (int i = 1; i <= 130; ++i) recorder.sample(100.0 + i / 100.0, pose_at(i), 7.0 + i / 50.0);
+  EXPECT_TRUE(recorder.recording());
+  const CameraPath path = recorder.stop(101.3, pose_at(130.0), 9.6, "walk");
+  EXPECT_FALSE(recorder.recording());
+  EXPECT_EQ(path.name, "walk");
+  ASSERT_EQ(path.keys.size(), 4u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(path.keys[i].time_s, 0.5 * double(i), 0.011);
+  EXPECT_NEAR(path.keys[3].time_s, 1.3, 1e-9);
+  EXPECT_DOUBLE_EQ(path.keys[3].pose.position_m.y, 130.0);
+  EXPECT_DOUBLE_EQ(path.keys[0].scene_time_s, 7.0);
+  EXPECT_DOUBLE_EQ(path.keys[3].scene_time_s, 9.6);
+  EXPECT_NO_THROW(parse_camera_path(camera_path_text(path), "recorded"));
+}
+
+// A path must have a key, and rising times, however short the recording was. Control: without the removal of a key just
+// before the end there are two keys 1 ms apart.
+TEST(PathRecorder, ShortRecordingsAreWhole) {
+  PathRecorder recorder;
+  recorder.start(5.0, pose_at(1.0), 0.0);
+  EXPECT_EQ(recorder.stop(5.0, pose_at(1.0), 0.0, "moment").keys.size(), 1u);
+  recorder.start(5.0, pose_at(1.0), 0.0);
+  recorder.sample(5.5, pose_at(2.0), 0.5);
+  const CameraPath path = recorder.stop(5.501, pose_at(3.0), 0.501, "half");
+  ASSERT_EQ(path.keys.size(), 2u);
+  EXPECT_DOUBLE_EQ(path.keys[1].pose.position_m.y, 3.0);
+}
+
+// The height that carries is that of the fine sea but for what its short waves add. Control: a time in seconds instead of
+// ticks, or a place in (z, x), fails here.
+TEST(WaterHeight, AgreesWithTheFineSea) {
+  SeaState sea;
+  sea.wind_speed_mps = 12.0;
+  const WaveQuality quality{256, 5, false};
+  WaterHeight coarse(sea, quality);
+  const WaveField fine(sea, quality);
+  WaveTiles tiles;
+  double square = 0.0, error = 0.0;
+  for (const double time_s : {0.0, 3.7}) {
+    fine.evaluate(ticks_from_seconds(time_s), tiles);
+    for (int i = 0; i < 50; ++i) {
+      const glm::dvec2 place(17.0 * i, 5.0 - 11.0 * i);
+      QueryAnswer answer;
+      QueryOptions options;
+      options.footprint_m = 0.05;
+      query(fine, tiles, std::span(&place, 1), std::span(&answer, 1), options);
+      square += answer.height_m * answer.height_m;
+      error += std::pow(answer.height_m - coarse.at(place, time_s), 2);
+    }
+  }
+  EXPECT_GT(square, 1.0);
+  EXPECT_LT(std::sqrt(error / square), 0.1);
+}
+
+}  // namespace
+}  // namespace seascape

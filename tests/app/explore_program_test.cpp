@@ -1,0 +1,238 @@
+// Explore in a window of a virtual display, driven by keys and mouse as a person does. Controls are named beside each test;
+// each was seen to fail.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "app/camera_path.h"
+#include "engine/image_file.h"
+#include "platform/window.h"
+#include "tests/support/desktop.h"
+#include "tests/support/run_program.h"
+
+#include <X11/Xlib.h>  // last: its macros take common names
+#include <X11/Xutil.h>
+
+namespace seascape {
+namespace {
+
+using test::Background;
+using test::run_program;
+using test::TemporaryFolder;
+using test::VirtualDisplay;
+using test::wait_until;
+
+std::size_t colours_of(const Image8& image) {
+  std::set<std::uint32_t> colours;
+  for (std::size_t i = 0; i + 2 < image.pixels.size(); i += std::size_t(image.channels))
+    colours.insert(std::uint32_t(image.pixels[i]) << 16 | std::uint32_t(image.pixels[i + 1]) << 8 | image.pixels[i + 2]);
+  return colours.size();
+}
+
+// What a window manager says to windows, for there is none on the virtual display.
+class WindowManager {
+ public:
+  explicit WindowManager(const VirtualDisplay& display) : x_(XOpenDisplay(display.name().c_str())) {}
+  ~WindowManager() { XCloseDisplay(x_); }
+  void close_button(::Window window) {
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = window;
+    event.xclient.message_type = XInternAtom(x_, "WM_PROTOCOLS", False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = long(XInternAtom(x_, "WM_DELETE_WINDOW", False));
+    XSendEvent(x_, window, False, NoEventMask, &event);
+    XSync(x_, False);
+  }
+  void set_iconic(::Window window, bool iconic) {
+    const long state[] = {iconic ? IconicState : NormalState, 0};
+    const Atom name = XInternAtom(x_, "WM_STATE", False);
+    XChangeProperty(x_, window, name, name, 32, PropModeReplace, reinterpret_cast<const unsigned char*>(state), 2);
+    XSync(x_, False);
+  }
+
+ private:
+  ::Display* x_;
+};
+
+// The program in a small window, with validation on: it ends with exit 1 if there was any message.
+class OnADesktop : public testing::Test {
+ protected:
+  void start(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{SEASCAPE_BUILD_DIR "/seascape", "explore", "--display", "window", "--scene", "calm", "--preset", "low",
+                                   "--set", "msaa=1", "--set", "waves.cascades=3", "--size", "320x200", "--out", (folder_ / "out").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    program_ = std::make_unique<Background>(words, std::vector<std::string>{display_.variable(), "SEASCAPE_VALIDATION=1"});
+    ASSERT_TRUE(wait_until([&] {
+      window_ = display_.xdotool({"search", "--onlyvisible", "--name", "^Seascape: "});
+      window_ = window_.substr(0, window_.find('\n'));
+      return !window_.empty() || !program_->running();
+    }));
+    ASSERT_FALSE(window_.empty()) << program_->err();
+    focus();
+  }
+  void focus() { display_.xdotool({"windowfocus", "--sync", window_}); }
+  void key(const std::string& name) { display_.xdotool({"key", name}); }
+  // What the program says last after this many lines that begin so: their remainder, or "" if they do not come.
+  std::string line(const std::string& beginning, std::size_t which) {
+    std::string found;
+    wait_until([&] {
+      found.clear();
+      const std::string text = program_->out();
+      std::size_t seen = 0, at = 0;
+      for (std::size_t end = text.find('\n'); end != std::string::npos; at = end + 1, end = text.find('\n', at))
+        if (text.compare(at, beginning.size(), beginning) == 0 && seen++ == which) found = text.substr(at + beginning.size(), end - at - beginning.size());
+      return !found.empty() || !program_->running();
+    });
+    return found;
+  }
+  Image8 screenshot() {
+    key("p");
+    const std::string file = line("screenshot: ", screenshots_++);
+    EXPECT_NE(file, "") << program_->err();
+    return file.empty() ? Image8{} : read_png(file);
+  }
+  // Screenshots until one has this size: a resize takes a frame or two to arrive.
+  Image8 screenshot_of(int width, int height) {
+    Image8 image;
+    for (int i = 0; i < 10 && (image.width != width || image.height != height) && program_->running(); ++i) image = screenshot();
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    return image;
+  }
+  void expect_clean_end() {
+    EXPECT_EQ(program_->exit_code(), 0) << program_->err();
+    EXPECT_EQ(program_->err().find("alidation"), std::string::npos) << program_->err();
+  }
+
+  TemporaryFolder folder_;
+  VirtualDisplay display_;
+  std::unique_ptr<Background> program_;
+  std::string window_;
+  std::size_t screenshots_ = 0;
+};
+
+// Controls: without the W key's row in key_from the path stays at its place; without WindowEvents::moved the yaw stays;
+// without the call of resize the second picture keeps its size; with a swapchain image left in colour_target for presenting,
+// validation makes the exit status 1.
+TEST_F(OnADesktop, KeysAndMouseMoveRecordPhotographResizeAndClose) {
+  start();
+  const Image8 first = screenshot_of(320, 200);
+  EXPECT_GT(colours_of(first), 500u);
+
+  key("r");
+  EXPECT_EQ(line("path: ", 0), "recording");
+  display_.xdotool({"keydown", "w"});
+  display_.xdotool({"mousemove", "--window", window_, "280", "100", "mousedown", "3"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  for (int i = 0; i < 10; ++i) {
+    display_.xdotool({"mousemove_relative", "20", "0"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  display_.xdotool({"mouseup", "3"});
+  display_.xdotool({"keyup", "w"});
+  key("r");
+  const std::string file = line("path: ", 1);
+  ASSERT_NE(file, "") << program_->err();
+  const CameraPath path = load_camera_path(file);
+  ASSERT_GE(path.keys.size(), 3u);
+  const Pose from = path.keys.front().pose, to = path.keys.back().pose;
+  EXPECT_GT(glm::dot(to.position_m - from.position_m, from.orientation * glm::dvec3(0, 0, -1)), 1.0);  // forward, at 12 m/s
+  EXPECT_GT(angles_from_orientation(to.orientation).yaw_deg, angles_from_orientation(from.orientation).yaw_deg + 5.0);
+
+  key("3");
+  EXPECT_EQ(line("travel: ", 0), "ride the waves");
+  key("space");
+  EXPECT_EQ(line("time: ", 0), "stopped");
+  key("v");
+  EXPECT_EQ(line("debug view: ", 0), "holes");
+  key("F1");
+
+  display_.xdotool({"windowsize", window_, "420", "260"});
+  EXPECT_GT(colours_of(screenshot_of(420, 260)), 10u);
+  display_.xdotool({"windowsize", window_, "1", "1"});
+  screenshot_of(1, 1);
+  display_.xdotool({"windowsize", window_, "320", "200"});
+  screenshot_of(320, 200);
+  key("Escape");
+  expect_clean_end();
+}
+
+// Controls: a Window whose begin() always says should_render, or an Explorer that counts hidden time, fails here.
+TEST_F(OnADesktop, AHiddenWindowDrawsNothingAndComesBack) {
+  start();
+  WindowManager manager(display_);
+  const ::Window window = std::stoul(window_);
+  screenshot_of(320, 200);
+  key("r");
+  EXPECT_EQ(line("path: ", 0), "recording");
+  const auto began = std::chrono::steady_clock::now();
+  const auto wait = [] { std::this_thread::sleep_for(std::chrono::seconds(2)); };
+  manager.set_iconic(window, true);  // minimised
+  wait();
+  manager.set_iconic(window, false);
+  screenshot_of(320, 200);
+  display_.xdotool({"windowunmap", "--sync", window_});  // taken off the screen
+  wait();
+  display_.xdotool({"windowmap", "--sync", window_});
+  focus();
+  screenshot_of(320, 200);
+  key("r");
+  const std::string file = line("path: ", 1);
+  const double all_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  ASSERT_NE(file, "") << program_->err();
+  // The path's clock stands still meanwhile: of both times more than half must be missing, however slow this machine is.
+  EXPECT_LT(load_camera_path(file).duration_s(), all_s - 2.5);
+  manager.close_button(window);
+  expect_clean_end();
+}
+
+// Control: a mirror that blits layer 0 twice is seen by eye only; a wrong number of layers fails under validation.
+TEST_F(OnADesktop, TwoViewsStandSideBySide) {
+  start({"--views", "2", "--set", "stereo.eye_distance_m=0.2"});
+  key("p");
+  const std::string left = line("screenshot: ", 0);
+  ASSERT_NE(left, "") << program_->err();
+  const Image8 l = read_png(left), r = read_png(left.substr(0, left.size() - 9) + "_right.png");
+  EXPECT_EQ(l.width, 320);
+  EXPECT_EQ(l.pixels.size(), r.pixels.size());
+  EXPECT_NE(l.pixels, r.pixels);
+  key("Escape");
+  expect_clean_end();
+}
+
+// The part of minimising that no virtual display without a window manager shows. Control: && for any of its || fails.
+TEST(Window, ShowsOnlyWithAnAreaOnTheScreen) {
+  EXPECT_TRUE(window_shows(1, 1, false, true));
+  EXPECT_FALSE(window_shows(0, 0, false, true));
+  EXPECT_FALSE(window_shows(640, 0, false, true));
+  EXPECT_FALSE(window_shows(640, 480, true, true));
+  EXPECT_FALSE(window_shows(640, 480, false, false));
+}
+
+// Control: without the check of glfwInit the program ends otherwise than in one line.
+TEST(Explore, SaysWhatToDoWithoutADisplay) {
+  const auto none = run_program({"explore", "--display", "window"}, {"DISPLAY=:9876", "WAYLAND_DISPLAY="});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_EQ(none.err.rfind("seascape: display: no display can be reached", 0), 0u) << none.err;
+  EXPECT_NE(none.err.find("--display headless"), std::string::npos);
+  const auto headset = run_program({"explore", "--display", "headset"});
+  EXPECT_EQ(headset.exit_code, 1);
+  EXPECT_EQ(headset.err.rfind("seascape: --display headset: ", 0), 0u) << headset.err;
+}
+
+// Control: `auto` that always takes a window fails here.
+TEST(Explore, DrawsWithoutADisplay) {
+  const TemporaryFolder folder;
+  const auto result = run_program({"explore", "--scene", "calm", "--preset", "low", "--set", "msaa=1", "--size", "160x120", "--frames", "2",
+                                   "--out", (folder / "out").string()},
+                                  {"DISPLAY=", "WAYLAND_DISPLAY=", "SEASCAPE_VALIDATION=1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Image8 image = read_png(folder / "out/explore.png");
+  EXPECT_EQ(image.width, 160);
+  EXPECT_GT(colours_of(image), 500u);
+}
+
+}  // namespace
+}  // namespace seascape
