@@ -293,7 +293,7 @@ void Explorer::run() {
   for (int drawn = 0; !leaving_ && (arguments_.frames == 0 || drawn < arguments_.frames);) {
     const DisplayFrame shown = window_.begin();
     if (shown.closed) break;
-    const double dt_s = std::clamp(shown.time_s - last_s, 0.0, longest_step_s);
+    const double passed_s = shown.time_s - last_s, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
     last_s = shown.time_s;
     keys(window_.input());
     look(window_.input());
@@ -301,7 +301,7 @@ void Explorer::run() {
       window_.end(experience_->frame(), nullptr);
       continue;
     }
-    frame_ms_ = 1000.0 * dt_s;
+    frame_ms_ = 1000.0 * passed_s;
     now_s_ += dt_s;
     if (!paused_) sea_elapsed_s_ += dt_s * settings().time_scale;
     move(window_.input(), dt_s);
