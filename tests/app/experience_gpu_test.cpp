@@ -63,7 +63,7 @@ TEST_F(ExperienceLife, FiftyRebuildsLeaveAsMuchAsOne) {
 
 // A new size makes new targets and nothing else, and the old ones go.
 TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
-  SeaShot shot({.preset = "high", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"msaa", "1"}}});
+  SeaShot shot({.preset = "high", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", "1"}}});
   shot.draw(at_deck, 0.0);
   const Held before = held();
   const std::uint64_t pipelines = test::device().pipelines_made();
@@ -80,7 +80,7 @@ TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
 // Pipelines are made while loading, never by a frame, whatever it looks at. The control: a rebuild is counted.
 TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
   for (const char* preset : {"medium", "high"}) {
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2, .set = {{"waves.resolution", "32"}}});
+    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
     shot.draw(at_deck, 0.0);
     const std::uint64_t pipelines = test::device().pipelines_made();
     const Held before = held();
@@ -103,7 +103,7 @@ TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
 TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
   for (const char* preset : {"low", "medium", "high", "ultra"})
     for (const char* scene : {"open_sea", "storm"}) {
-      const ShotOptions base{.scene = scene, .preset = preset, .width = 48, .height = 32, .set = {{"waves.resolution", "32"}}};
+      const ShotOptions base{.scene = scene, .preset = preset, .width = 48, .height = 32, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}};
       FrameCounts counts[3];
       std::size_t patches[3];
       for (int kind = 0; kind < 3; ++kind) {
@@ -131,7 +131,7 @@ TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
 TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
   for (const char* preset : {"low", "high"})
     for (const char* samples : {"1", "2", "4", "8"}) {
-      SeaShot shot({.preset = preset, .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"msaa", samples}}});
+      SeaShot shot({.preset = preset, .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", samples}}});
       EXPECT_GT(test::statistics(shot.picture(at_deck, 0.0)).mean, 20.0) << preset << " " << samples;
       EXPECT_LE(shot.scene().settings.render.msaa, std::stoi(samples));
     }
@@ -139,7 +139,7 @@ TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
 
 // A frame that holds the sea still computes no waves and records the same commands each time.
 TEST_F(ExperienceLife, AFrameIsAFunctionOfItsPlaceAndTime) {
-  SeaShot shot({.preset = "medium", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}}});
+  SeaShot shot({.preset = "medium", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
   shot.draw(at_deck, 1.0);
   shot.draw(at_deck, 2.0);
   const FrameCounts moving = shot.counts();
