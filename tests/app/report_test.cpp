@@ -54,7 +54,7 @@ struct Comma : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-// Control: a std::ostringstream in place of fmt gives "3,05" and "123.456" under such a locale.
+// Control: memory formatted with the global locale ({:.1Lf}) makes the page differ.
 TEST(CaptureCsv, NoDecimalComma) {
   const std::vector<CaptureRun> runs{capture_run("low", 3.05, 3, {"a", "b"})};
   const std::string csv = capture_csv(runs), page = report_html(test::machine(), runs);
@@ -173,7 +173,7 @@ TEST(Report, RunsOfSeveralScenesAreTold) {
   EXPECT_EQ(run_label(one[0], one), "low");
 }
 
-// Control: writing without write_atomically leaves the half file.
+// Control: without the write there is no capture.csv to read.
 TEST(Report, FilesAreWritten) {
   const test::TemporaryFolder folder;
   const std::vector<CaptureRun> runs{capture_run("low", 3.0, 5, {"a", "b"})};
