@@ -158,8 +158,9 @@ TEST_F(ExperienceLife, DrawsOnTheFloorOfVulkan) {
   EXPECT_FALSE(floor.facts().float32_linear);
   EXPECT_FALSE(floor.facts().vertex_stores);
   EXPECT_EQ(floor.facts().max_anisotropy, 1.0f);
+  const bool per_eye = draw_per_eye(floor, test::shaders(), StereoMode::automatic, 2);
   for (const char* preset : {"low", "high"}) {
-    SeaShot shot(floor, {.scene = "storm", .preset = preset, .width = 96, .height = 64, .views = 2});
+    SeaShot shot(floor, {.scene = "storm", .preset = preset, .width = 96, .height = 64, .views = 2, .per_eye = per_eye});
     const auto pictures = shot.pictures(pose({0.0, 12.0, 0.0}, 20.0, -8.0), 10.0);
     for (const Image8& picture : pictures) {
       EXPECT_GT(test::statistics(picture).mean, 20.0);

@@ -68,6 +68,21 @@ TEST_F(Validation, SeesAPlantedHazardOfDispatches) {
   }
 }
 
+// The same from one frame to the next, each a submission of its own.
+TEST_F(Validation, SeesAPlantedHazardBetweenFrames) {
+  Dispatcher d;
+  const Buffer more(d.device, "more", d.rows.bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const Bindings second(d.device, d.pipeline, {{.binding = 0, .buffer = &d.rows}, {.binding = 1, .buffer = &more}}, "second");
+  d.frame.begin();
+  d.frame.pass("write", {use(d.bins, Access::compute_read), use(d.rows, Access::compute_write)}, [&](Commands& c) { d.dispatch(c, d.bindings); });
+  d.frame.submit();
+  d.frame.begin();
+  d.frame.pass("read", {use(more, Access::compute_write)}, [&](Commands& c) { d.dispatch(c, second); });
+  d.frame.submit();
+  d.frame.finish();
+  EXPECT_THAT(test::take_validation_messages(), Contains(HasSubstr("SYNC-HAZARD-READ-AFTER-WRITE")));
+}
+
 // Two copies write one buffer and nothing stands between them.
 TEST_F(Validation, SeesAPlantedHazardOfCopies) {
   Device& device = test::device();
