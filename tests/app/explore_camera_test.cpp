@@ -28,7 +28,7 @@ glm::dvec3 after(int steps, double seconds, const CameraWish& wish, Travel trave
   return camera.pose().position_m;
 }
 
-// Control: a velocity that follows by `response * dt` instead of the exponential fails here.
+// Control: a velocity that decays by 1 - response * dt instead of the exponential fails here.
 TEST(ExploreCamera, MovementDoesNotDependOnTheFrameRate) {
   for (const Travel travel : {Travel::fly, Travel::walk, Travel::ride}) {
     const CameraWish wish = push(0.5, 0.3, 1.0);
@@ -38,7 +38,7 @@ TEST(ExploreCamera, MovementDoesNotDependOnTheFrameRate) {
   }
 }
 
-// Control: without the division by the push's length the diagonal is 1.7 times as far.
+// Control: without the division by the push's length the diagonal is farther.
 TEST(ExploreCamera, TwoKeysAreNoFasterThanOne) {
   const glm::dvec3 start(0.0, 50.0, 0.0);
   const double one = glm::length(after(60, 3.0, push(0, 0, 1)) - start), three = glm::length(after(60, 3.0, push(1, 1, 1)) - start);
@@ -74,7 +74,7 @@ TEST(ExploreCamera, LooksNeitherOverTheTopNorBeyond) {
   EXPECT_NEAR(camera.yaw_deg(), -10.0, 1e-9);
 }
 
-// Control: a camera that multiplies its orientation by each turn fails here.
+// Control: a pose whose roll takes a ten thousandth of each turn fails here.
 TEST(ExploreCamera, TheHorizonStaysLevel) {
   ExploreCamera camera(pose_at(5.0, {10.0, 5.0, 20.0}));  // a rolled start is put right
   std::mt19937 random(7);
@@ -88,7 +88,7 @@ TEST(ExploreCamera, TheHorizonStaysLevel) {
   }
 }
 
-// Control: a ride without the water's height, or a walk with it, fails here.
+// Controls: a ride without the water's height and a walk with it each fail here.
 TEST(ExploreCamera, WalkStaysOnDeckAndRideFollowsTheWater) {
   ExploreCamera camera(pose_at(20.0));
   camera.set_travel(Travel::walk);
@@ -113,7 +113,7 @@ TEST(ExploreCamera, StaysAboveTheWater) {
   EXPECT_NEAR(camera.pose().position_m.y, 6.3, 1e-9);
 }
 
-// Control: a factor added instead of multiplied, or no limit, fails here.
+// Control: without the limits it fails here.
 TEST(ExploreCamera, TheWheelChangesTheSpeedWithinLimits) {
   ExploreCamera camera(pose_at(5.0));
   CameraWish wish;
@@ -128,7 +128,7 @@ TEST(ExploreCamera, TheWheelChangesTheSpeedWithinLimits) {
   EXPECT_NEAR(camera.speed_mps(), 0.6, 1e-9);
 }
 
-// Control: keys with the clock's time instead of the path's, or no last key, fail here.
+// Controls: keys with the clock's time instead of the path's, and no last key, each fail here.
 TEST(PathRecorder, TakesAKeyEveryHalfSecondAndTheLastPose) {
   PathRecorder recorder;
   EXPECT_FALSE(recorder.recording());
@@ -160,8 +160,8 @@ TEST(PathRecorder, ShortRecordingsAreWhole) {
   EXPECT_DOUBLE_EQ(path.keys[1].pose.position_m.y, 3.0);
 }
 
-// The height that carries is that of the fine sea but for what its short waves add. Control: a time in seconds instead of
-// ticks, or a place in (z, x), fails here.
+// The height that carries is that of the fine sea but for what its short waves add. Controls: a time in seconds instead of
+// ticks, and a place in (z, x), each fail here.
 TEST(WaterHeight, AgreesWithTheFineSea) {
   SeaState sea;
   sea.wind_speed_mps = 12.0;

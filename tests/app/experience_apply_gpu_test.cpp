@@ -1,0 +1,53 @@
+// Settings taken while the program runs draw what a fresh start with them draws: what explore's panel promises.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/text.h"
+#include "tests/support/gpu/gpu_test.h"
+#include "tests/support/gpu/picture.h"
+#include "tests/support/gpu/sea_shot.h"
+
+namespace seascape {
+
+namespace {
+
+class ExperienceApply : public test::GpuTest {};
+
+// Another value that the row allows, as text.
+std::string another(const Settings& settings, const Setting& row) {
+  if (std::holds_alternative<FlagMember>(row.member)) return value_text(settings, row) == "true" ? "false" : "true";
+  if (!row.choices.empty()) return std::string(row.choices[value_text(settings, row) == row.choices[0] ? 1 : 0]);
+  const double now = std::get<double>(value_of(settings, row));
+  const double wanted = now == 0.0 ? std::min(2.0, row.most) : now * 0.5 >= row.least ? now * 0.5 : now * 2.0;
+  const double value = std::clamp(wanted, row.least, row.most);
+  return text_from(std::holds_alternative<RealMember>(row.member) ? value : std::floor(value));
+}
+
+// Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail here.
+TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
+  const test::ShotOptions common{.scene = "storm", .preset = "low", .width = 64, .height = 48,
+                                 .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"msaa", "1"}}};
+  const Pose head = test::pose({0.0, 9.0, 0.0}, 20.0, -12.0);
+  constexpr double time_s = 2.0;
+  const Image8 plain = test::SeaShot(common).picture(head, time_s);
+  int changed_pictures = 0;
+  for (const Setting& row : settings_table()) {
+    SCOPED_TRACE(row.key);
+    test::SeaShot live(common);
+    EXPECT_EQ(test::differing_pixels(live.picture(head, time_s), plain), 0);
+    const std::string value = another(live.scene().settings, row);
+    live.set(std::string(row.key), value);
+    test::ShotOptions options = common;
+    options.set.emplace_back(std::string(row.key), value);
+    test::SeaShot fresh(options);
+    const Image8 picture = fresh.picture(head, time_s);
+    EXPECT_EQ(test::differing_pixels(live.picture(head, time_s), picture), 0) << value;
+    changed_pictures += test::differing_pixels(picture, plain) > 0;
+  }
+  EXPECT_GE(changed_pictures, 25);  // else nothing was compared
+}
+
+}  // namespace
+
+}  // namespace seascape
