@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "engine/image_file.h"
@@ -100,7 +101,14 @@ TEST(Replay, TwiceIsTheSameToTheBit) {
   EXPECT_NE(text_of(folder / "other" / "frame_0040_left.png"), text_of(folder / "first" / "frame_0040_left.png"));
 }
 
-// Control: an EXR whose channels are written as the display's values has no texel over 1 at the sun.
+std::size_t distinct_greens(const ImageF& image) {
+  std::set<float> values;
+  for (std::size_t i = 1; i < image.pixels.size(); i += 4) values.insert(image.pixels[i]);
+  return values.size();
+}
+
+// The desktop frame's light before tone mapping has more shades than a byte; the tile frame keeps none and gives the picture's,
+// which is the control.
 TEST(Replay, ExrIsLinearLightThatLoads) {
   const TemporaryFolder folder;
   const ProgramResult result = replay(folder / "out", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=desktop"});
@@ -116,6 +124,10 @@ TEST(Replay, ExrIsLinearLightThatLoads) {
   }
   EXPECT_GE(least, 0.0f);
   EXPECT_GT(most, 1.5f * least);
+  EXPECT_GT(distinct_greens(image), 256u);
+  const ProgramResult tile = replay(folder / "tile", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=tile"});
+  ASSERT_EQ(tile.exit_code, 0) << tile.err;
+  EXPECT_LE(distinct_greens(read_exr(folder / "tile" / "frame_0000.exr")), 256u);
   const auto record = nlohmann::json::parse(text_of(folder / "out" / "replay.json"));
   EXPECT_EQ(record.at("format"), "exr");
   EXPECT_EQ(record.at("frames")[0].at("views").size(), 1u);
