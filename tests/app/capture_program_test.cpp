@@ -72,8 +72,8 @@ TEST_F(CaptureOfAllPresets, LeavesThreeFilesAndATable) {
     EXPECT_THAT(result_->out, HasSubstr(word));
 }
 
-// Controls: a capture that counts its warm-up has frames 0 to 3; one that reads the times of a frame where they arrive, and
-// not where they belong, leaves nan in gpu_ms of the last.
+// Control: a capture that reads the times of a frame where they arrive, and not where they belong, gave nan in gpu_ms of frame 1
+// and passes longer than their frame.
 TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
   ASSERT_EQ(result_->exit_code, 0) << result_->err;
   const std::vector<std::string> lines = split(text_of(file("capture.csv")), '\n');
@@ -112,6 +112,7 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
   }
 }
 
+// Control: a trace of the first run alone had one process.
 TEST_F(CaptureOfAllPresets, TheTraceIsJsonWithEveryFrameOfEveryRun) {
   ASSERT_EQ(result_->exit_code, 0) << result_->err;
   const nlohmann::json trace = nlohmann::json::parse(text_of(file("trace.json")));
@@ -124,7 +125,7 @@ TEST_F(CaptureOfAllPresets, TheTraceIsJsonWithEveryFrameOfEveryRun) {
   EXPECT_GE(slices, 4u * 3u * 6u);  // CPU, GPU and at least four passes a frame
 }
 
-// Control: a page with a link to a style sheet elsewhere fails here.
+// Control: a page with a link to a style sheet elsewhere was caught by its "https://".
 TEST_F(CaptureOfAllPresets, TheReportLoadsNothingAndNamesTheMachine) {
   ASSERT_EQ(result_->exit_code, 0) << result_->err;
   const std::string page = text_of(file("report.html"));
@@ -135,6 +136,7 @@ TEST_F(CaptureOfAllPresets, TheReportLoadsNothingAndNamesTheMachine) {
   EXPECT_THAT(page, HasSubstr("seascape 0.1"));
 }
 
+// Control: frames_of without its last frame gave five lines.
 TEST(Capture, WalksTheWholePathUnlessTold) {
   const TemporaryFolder folder;
   const std::string path = folder / "short.json";
@@ -147,7 +149,7 @@ TEST(Capture, WalksTheWholePathUnlessTold) {
   EXPECT_THAT(lines[5], testing::StartsWith("open_sea,low,4,2.0"));
 }
 
-// Controls: a plan that lists the scene's request names no "frame"; one that takes a pass for two counts 7 of 6 passes.
+// Controls: a plan whose passes are the sum of its effects' counted one too many; one without add_foam had no module of foam.
 TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
   const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -180,6 +182,7 @@ TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
   EXPECT_GT(effects.at("surface").at("modules").size(), 1u);
 }
 
+// Control: a plan that always names foam.
 TEST(Plan, OfASceneWithoutFoamHasNone) {
   const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -187,6 +190,7 @@ TEST(Plan, OfASceneWithoutFoamHasNone) {
   EXPECT_THAT(result.out, HasSubstr("waves: the scene names it"));
 }
 
+// Control: a matrix that leaves low out.
 TEST(Plan, MatrixHasATableOfEachPreset) {
   const TemporaryFolder folder;
   const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m"});

@@ -49,8 +49,8 @@ struct BadFile {
 };
 
 // Scenes are read before a driver is looked for: these tests have none.
-// Control: a scene reader that passes unknown keys over (ObjectReader::finish without its body) ends here with the driver's
-// fault and not the key's.
+// Control: a scene reader that passes unknown keys over (ObjectReader::finish without its body) ended with the driver's fault
+// and not the key's.
 TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
   const BadFile scenes[] = {
       {"{\n \"version\": 1,\n \"effects\": [\"waves\"\n", {":3: "}},
@@ -68,7 +68,7 @@ TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
   const std::string out = folder / "out";
   for (const BadFile& bad : scenes) {
     const std::string file = write(folder / "bad.json", bad.text);
-    for (const char* command : {"replay", "capture"}) {
+    for (const char* command : {"replay", "capture", "explore"}) {
       const ProgramResult result = run_program({command, "--scene", file, "--out", out}, no_driver);
       expect_fault(result, 1, bad.parts);
       EXPECT_THAT(result.err, testing::StartsWith("seascape: " + file + ":")) << bad.text;
@@ -84,7 +84,7 @@ TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-// Control: a path reader that sorts its keys by time finds nothing wrong with the second file.
+// Control: the same, with `jaw_deg` of the third file.
 TEST(FaultsOfPaths, NameFileLineKeyValueAndRemedy) {
   const BadFile paths[] = {
       {"{\n \"version\": 1,\n \"keys\": [\n", {":3: "}},
@@ -106,6 +106,7 @@ TEST(FaultsOfPaths, NameFileLineKeyValueAndRemedy) {
   EXPECT_FALSE(fs::exists(out));
 }
 
+// Control: a capture that takes --display window in silence told of the driver.
 TEST(FaultsOfTheCommandLine, NameOptionValueAndRange) {
   expect_fault(run_program({"replay", "--preset", "hihg"}, no_driver), 2, {"--preset", "'hihg'", "high"});
   expect_fault(run_program({"replay", "--preset", "all"}, no_driver), 2, {"--preset", "'all'"});
@@ -117,13 +118,14 @@ TEST(FaultsOfTheCommandLine, NameOptionValueAndRange) {
   expect_fault(run_program({"replay", "--seed", "-4"}, no_driver), 2, {"--seed", "-4"});
 }
 
-// Control: a replay that takes any start draws nothing, ends with 0 and fails here.
+// Control: a replay that takes any start ended with 0 and left a folder.
 TEST(FaultsOfTheCommandLine, AStartPastThePathIsToldBeforeAFolderIsMade) {
   const TemporaryFolder folder;
   expect_fault(run_program({"replay", "--preset", "low", "--start", "100000", "--out", folder / "out"}), 2, {"--start", "100000"});
   EXPECT_TRUE(folder.names().empty());
 }
 
+// Control: a validate that keeps the faults of .json alone.
 TEST(FaultsOfModelsAndImages, NameFileAndPlace) {
   const TemporaryFolder folder;
   ImageF image{4, 4, std::vector<float>(64, 0.5f)};
@@ -140,7 +142,7 @@ TEST(FaultsOfModelsAndImages, NameFileAndPlace) {
   expect_fault(run_program({"validate", model}, no_driver), 1, {model});
 }
 
-// Control: a query that writes its header before it reads the points leaves a file here.
+// Control: a query that writes its header before it reads the points left out.csv.
 TEST(FaultsOfPoints, NameFileLineAndValue) {
   const BadFile tables[] = {{"x,y\n0,0\n", {":1: ", "'x,y'", "x,z"}},
                             {"x,z\n0,0\n1,two\n", {":3: ", "z", "'two'"}},
@@ -157,7 +159,7 @@ TEST(FaultsOfPoints, NameFileLineAndValue) {
   }
 }
 
-// Control: a device that falls back to nothing in silence, or a message without its remedy, fails here.
+// Control: the message without its remedy.
 TEST(FaultsOfTheMachine, NoDriverIsToldWithItsRemedy) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
@@ -171,7 +173,7 @@ TEST(FaultsOfTheMachine, NoDriverIsToldWithItsRemedy) {
 }
 
 // A folder below a file and one below /proc: as unwritable for root as for anyone.
-// Control: a capture that does not make its folder before its long work tells of capture.csv, not of the folder.
+// Control: a capture that does not make its folder before its long work told of capture.csv, not of the folder.
 TEST(FaultsOfTheMachine, AnUnwritableFolderIsToldByName) {
   const TemporaryFolder folder;
   const std::string file = write(folder / "file", "kept");
@@ -213,7 +215,8 @@ ProgramResult on_a_small_disk(const fs::path& folder, const fs::path& kept, cons
   return run_command(command);
 }
 
-// Control: write_atomically without the removal of its temporary file leaves frame_NNNN.png.tmp-... here.
+// Control: write_atomically without the removal of its temporary file left frame_NNNN.png.tmp-... here, and out.csv.tmp-... in
+// the test of a limit below.
 TEST(FaultsOfTheMachine, AFullDiskLeavesNoPartialFile) {
   const TemporaryFolder folder, kept;
   std::vector<std::string> words = long_replay;
@@ -227,6 +230,7 @@ TEST(FaultsOfTheMachine, AFullDiskLeavesNoPartialFile) {
 }
 
 // Where no disk can be mounted: names that lead to a device that is always full. Nothing else may be left.
+// Control: a write to a device whose result is not looked at ended with 0.
 TEST(FaultsOfTheMachine, AFullDeviceBehindANameIsToldByThatName) {
   const TemporaryFolder folder;
   for (const char* name : {"frame_0000.png", "capture.csv", "plan_calm_low.csv"}) fs::create_symlink("/dev/full", folder / name);
@@ -262,7 +266,7 @@ TEST(FaultsOfTheMachine, AFileThatMayNotGrowLeavesNoPartialFile) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"points.csv"});
 }
 
-// Control: an option that is left out of its command's help fails here.
+// Control: replay without --debug.
 TEST(Help, OfEveryCommandNamesItsOptions) {
   const std::pair<const char*, std::vector<std::string>> commands[] = {
       {"explore", {"--scene", "--preset", "--display"}},

@@ -60,8 +60,8 @@ const PlanEffect& named(const Plan& plan, const std::string& name) {
 
 Plan plan_of(SeaShot& shot, const std::string& preset) { return make_plan(shot.device(), test::shaders(), shot.experience(), preset); }
 
-// The control is in it: with an image of no effect planted on the device, the plan made before is found wrong, and the plan made
-// after names the planted one.
+// The control is in it: with a buffer planted on the device, the plan made before is found wrong, and the plan made after names the
+// planted one. Seen besides: a plan that does not count views, samplers and layouts.
 TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   Device& device = test::device();
   ASSERT_TRUE(device.objects().empty());
@@ -94,8 +94,7 @@ TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   }
 }
 
-// Control: work counted for the pass before it (work_.back() taken before the pass is opened) moves the surface's triangles
-// to "wave mips", and the names below find them missing.
+// Control: triangles counted for the frame's first pass instead of the one that draws them.
 TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
   SeaShot shot({.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .views = 2});
   const Plan plan = plan_of(shot, "high");
@@ -123,8 +122,8 @@ TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
       << "its light is made once, while the sun stands";
 }
 
-// A scene that does not call for foam has no word of it. Control: a Surface that is always built with foam adds words to the
-// calm scene's plan.
+// A scene that does not call for foam has no word of it. Control: a Surface that is always built with foam gave
+// both scenes as many words.
 TEST_F(PlanOfADevice, FoamIsWordsOfTheSurfaceOnlyWhereAScenesNamesIt) {
   std::map<std::string, std::uint64_t> words;
   for (const char* scene : {"calm", "storm"}) {

@@ -41,7 +41,7 @@ ProgramResult replay(const fs::path& out, std::vector<std::string> more) {
   return run_program(words);
 }
 
-// Controls: numbers that count from 0 in spite of --start; a replay whose time is the clock's.
+// Control: numbers that count from 0 in spite of --start.
 TEST(Replay, NumbersAreFramesOfThePathFromStart) {
   const TemporaryFolder folder;
   const ProgramResult part = replay(folder / "part", {"--start", "2", "--frames", "2", "--fps", "4"});
@@ -76,7 +76,7 @@ TEST(Replay, NumbersAreFramesOfThePathFromStart) {
   EXPECT_GT(frame.at("taken").at("cpu_ms"), 0.0);
 }
 
-// Control: a random seed that is not the scene's differs between the two.
+// Control: a seed taken from the clock gave two seas.
 TEST(Replay, TwiceIsTheSameToTheBit) {
   const TemporaryFolder folder;
   const std::vector<std::string> words{"--scene", "storm", "--frames", "2", "--start", "40", "--seed", "7"};
@@ -133,6 +133,7 @@ TEST(Replay, ExrIsLinearLightThatLoads) {
   EXPECT_EQ(record.at("frames")[0].at("views").size(), 1u);
 }
 
+// Control: columns z,x.
 TEST(Query, EndToEndHasItsColumnsAndThePointsInOrder) {
   const TemporaryFolder folder;
   const std::string points = folder / "points.csv", out = folder / "out.csv";
