@@ -61,6 +61,7 @@ class Explorer {
   double sea_elapsed_s_ = 0.0;    // the sea's time since time.start_s
   double recording_began_s_ = 0.0, message_until_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
+  std::size_t patches_ = 0;
   std::string message_;
 };
 

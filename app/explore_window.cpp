@@ -182,21 +182,25 @@ void Explorer::toggle_recording() {
 
 void Explorer::keys(const Input& input) {
   if (overlay_.wants_keyboard()) return;
-  if (input.was_pressed(Key::one)) set_travel(Travel::fly);
-  if (input.was_pressed(Key::two)) set_travel(Travel::walk);
-  if (input.was_pressed(Key::three)) set_travel(Travel::ride);
-  if (input.was_pressed(Key::space)) toggle_pause();
-  if (input.was_pressed(Key::left_bracket)) scale_time(0.5);
-  if (input.was_pressed(Key::right_bracket)) scale_time(2.0);
-  if (input.was_pressed(Key::v)) next_debug_view();
-  if (input.was_pressed(Key::f1)) panel_.visible = !panel_.visible;
-  if (input.was_pressed(Key::p) || input.was_pressed(Key::f2)) screenshot_wanted_ = true;
-  if (input.was_pressed(Key::r)) toggle_recording();
-  if (input.was_pressed(Key::tab)) look_by_tab_ = !look_by_tab_;
-  if (input.was_pressed(Key::escape)) {
-    if (look_by_tab_) look_by_tab_ = false;
-    else leaving_ = true;
-  }
+  for (const Key key : input.pressed) switch (key) {
+      case Key::one: set_travel(Travel::fly); break;
+      case Key::two: set_travel(Travel::walk); break;
+      case Key::three: set_travel(Travel::ride); break;
+      case Key::space: toggle_pause(); break;
+      case Key::left_bracket: scale_time(0.5); break;
+      case Key::right_bracket: scale_time(2.0); break;
+      case Key::v: next_debug_view(); break;
+      case Key::f1: panel_.visible = !panel_.visible; break;
+      case Key::p:
+      case Key::f2: screenshot_wanted_ = true; break;
+      case Key::r: toggle_recording(); break;
+      case Key::tab: look_by_tab_ = !look_by_tab_; break;
+      case Key::escape:
+        if (look_by_tab_) look_by_tab_ = false;
+        else leaving_ = true;
+        break;
+      default: break;  // held to move
+    }
 }
 
 void Explorer::look(const Input& input) {
@@ -244,8 +248,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.gpu_ms = frame.gpu_ms();
   facts.passes = frame.times();
   facts.counts = frame.counts();
-  const SurfaceSelection* selection = experience_->ocean().selection();
-  facts.patches = selection ? selection->patches.size() : 0;
+  facts.patches = patches_;
   return facts;
 }
 
@@ -280,6 +283,7 @@ void Explorer::draw(const DisplayFrame& shown) {
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
   draw_frame(*experience_, frame, window_.viewpoint(camera_.pose()), sea_time_s());
+  patches_ = experience_->ocean().selection()->patches.size();
   window_.end(frame, &experience_->picture());
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
   if (std::exchange(screenshot_wanted_, false)) take_screenshot();

@@ -153,10 +153,10 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   if (ImGui::Button(facts.paused ? "Run" : "Pause")) wish.pause = true;
   ImGui::SameLine();
   if (ImGui::Button("Screenshot")) wish.screenshot = true;
-  ImGui::SameLine();
+  if (ImGui::GetWindowWidth() > ImGui::GetFontSize() * 22.0f) ImGui::SameLine();
   if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str() : "Record path###record"))
     wish.record = true;
-  ImGui::Text("sea time %.1f s x %.3g   speed %.1f m/s", facts.sea_time_s, facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
+  ImGui::TextWrapped("sea time %.1f s x %.3g   speed %.1f m/s", facts.sea_time_s, facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
 }
 
 void Panel::draw_times(const PanelFacts& facts) {
@@ -166,8 +166,8 @@ void Panel::draw_times(const PanelFacts& facts) {
   const float most = *std::max_element(history_ms_.begin(), history_ms_.end());
   ImGui::PlotLines("##history", history_ms_.data(), int(history_ms_.size()), history_at_, nullptr, 0.0f, most * 1.1f,
                    {ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 2.5f});
-  ImGui::Text("%.1f ms a frame (%.0f a second)", facts.frame_ms, facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
-  ImGui::Text("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
+  ImGui::TextWrapped("%.1f ms a frame (%.0f a second)", facts.frame_ms, facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
+  ImGui::TextWrapped("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
   if (!facts.passes.empty() && ImGui::BeginTable("passes", 2)) {
     for (const PassTime& pass : facts.passes) {
       ImGui::TableNextColumn();
@@ -178,9 +178,9 @@ void Panel::draw_times(const PanelFacts& facts) {
     ImGui::EndTable();
   }
   ImGui::Separator();
-  ImGui::Text("%llu draws, %llu triangles, %zu patches", static_cast<unsigned long long>(facts.counts.draws),
+  ImGui::TextWrapped("%llu draws, %llu triangles, %zu patches", static_cast<unsigned long long>(facts.counts.draws),
               static_cast<unsigned long long>(facts.counts.triangles), facts.patches);
-  ImGui::Text("%llu dispatches, %llu barriers, %llu commands", static_cast<unsigned long long>(facts.counts.dispatches),
+  ImGui::TextWrapped("%llu dispatches, %llu barriers, %llu commands", static_cast<unsigned long long>(facts.counts.dispatches),
               static_cast<unsigned long long>(facts.counts.barriers), static_cast<unsigned long long>(facts.counts.commands));
   ImGui::TextWrapped("%ux%u, %d view%s, %s", facts.width, facts.height, facts.views, facts.views == 1 ? "" : "s",
                      std::string(facts.device).c_str());
@@ -253,11 +253,16 @@ PanelWish Panel::draw(const Settings& settings, const Settings& initial, const P
 
 void Panel::draw_message(std::string_view message) {
   if (message.empty()) return;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const std::string text(message);
+  const ImVec2 window = ImGui::GetIO().DisplaySize, padding = ImGui::GetStyle().WindowPadding;
+  const float width = std::min(ImGui::CalcTextSize(text.c_str()).x, window.x * 0.9f);
+  const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
   ImGui::SetNextWindowPos({window.x * 0.98f, window.y * 0.97f}, ImGuiCond_Always, {1.0f, 1.0f});
-  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::TextUnformatted(std::string(message).c_str());
+  ImGui::SetNextWindowSize({width + 2.0f * padding.x, height + 2.0f * padding.y});
+  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushTextWrapPos(padding.x + width + 1.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <bitset>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace seascape {
 
@@ -17,13 +18,12 @@ enum class Key {
 
 struct Input {
   std::bitset<std::size_t(Key::count)> held;     // down now
-  std::bitset<std::size_t(Key::count)> pressed;  // went down since the last frame, repeats excepted
+  std::vector<Key> pressed;                      // went down since the last frame, in order, repeats excepted
   glm::dvec2 mouse_pixels{0.0};                  // how far the mouse moved, x to the right, y down
   double wheel = 0.0;                            // notches, away from the hand positive
   bool right_button = false;                     // down now
 
   bool is_held(Key key) const { return held[std::size_t(key)]; }
-  bool was_pressed(Key key) const { return pressed[std::size_t(key)]; }
 };
 
 }  // namespace seascape

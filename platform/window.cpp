@@ -63,7 +63,7 @@ struct WindowEvents {
     const std::optional<Key> key = key_from(code);
     if (!key) return;
     Input& input = of(window).gathering_;
-    if (action == GLFW_PRESS) input.pressed.set(std::size_t(*key));
+    if (action == GLFW_PRESS) input.pressed.push_back(*key);
     input.held.set(std::size_t(*key), action != GLFW_RELEASE);
   }
   static void button(GLFWwindow* window, int which, int action, int) {
@@ -278,7 +278,7 @@ DisplayFrame Window::begin() {
     frame.should_render = shows();
   }
   input_ = gathering_;
-  gathering_.pressed.reset();
+  gathering_.pressed.clear();
   gathering_.mouse_pixels = {0.0, 0.0};
   gathering_.wheel = 0.0;
   frame.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
