@@ -59,7 +59,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
                    use(e.sky_->light(), Access::surface_read), probe},
                   [&](Commands& c) {
                     e.surface_->draw(c, frame, selection, uniform);
-                    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform});
+                    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
                     c.push(gpu::DrawPush{c.eye()});
                     c.draw(3);
                   });

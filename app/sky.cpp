@@ -23,7 +23,7 @@ Sky::Sky(Device& device, ShaderLibrary& shaders) {
   map_ = Image(device, "sky map", map);
   sampler_ = make_sampler(device, "sky", {true, true, 1.0f});
   multiple_ = Buffer(device, "sky multiple scattering", gpu::sky_multiple_size * gpu::sky_multiple_size * 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  light_ = Buffer(device, "sky light", sizeof(gpu::SkyLight), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+  light_ = Buffer(device, "sky light", sizeof(gpu::SkyLight), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   multiple_pipeline_ = make_compute_pipeline(device, shaders, "sky_multiple.comp");
   map_pipeline_ = make_compute_pipeline(device, shaders, "sky_map.comp");
   light_pipeline_ = make_compute_pipeline(device, shaders, "sky_light.comp");

@@ -8,7 +8,7 @@
 
 layout(binding = 0) uniform Frame { FrameData frame; };
 layout(binding = 4) uniform sampler2D sky_map;
-layout(std430, binding = 5) readonly buffer Light { SkyLight light; };
+layout(binding = 5) uniform Light { SkyLight light; };
 layout(constant_id = 2) const bool tile_shape = false;
 layout(constant_id = 4) const bool debug = false;
 
@@ -20,9 +20,10 @@ void main() {
   const vec3 ray = normalize(device_xy.x * view.ray_x.xyz + device_xy.y * view.ray_y.xyz + view.ray_z.xyz);
   vec3 sky = textureLod(sky_map, sky_coordinate(ray), 0.0).rgb;
   // The disc, darkened towards its limb (Pierce and Slaughter 1977, 550 nm, first order), with an edge a pixel wide.
-  const float off = acos(clamp(dot(ray, frame.sun.xyz), -1.0, 1.0)), radius = acos(frame.sun.w);
-  const float inside = 1.0 - smoothstep(radius - 0.5 * view.eye.w, radius + 0.5 * view.eye.w, off);
-  if (inside > 0.0 && ray.y > 0.0) {
+  const float cosine = dot(ray, frame.sun.xyz), radius = sqrt(2.0 * (1.0 - frame.sun.w));
+  if (cosine > 0.9995 && ray.y > 0.0) {
+    const float off = length(ray - frame.sun.xyz);  // the chord, which is the angle to 1e-5 here
+    const float inside = 1.0 - smoothstep(radius - 0.5 * view.eye.w, radius + 0.5 * view.eye.w, off);
     const float mu = sqrt(max(1.0 - (off / radius) * (off / radius), 0.0));
     const float solid = 6.2831853 * (1.0 - frame.sun.w);
     sky += inside * light.sun_irradiance.rgb * (0.4 + 0.6 * mu) * 1.25 / solid;

@@ -17,13 +17,15 @@ shared vec3 sums[64];
 void main() {
   const uint lane = gl_LocalInvocationIndex;
   vec3 sum = vec3(0.0);
-  for (uint x = lane; x < uint(sky_map_width); x += 64u)
+  for (uint x = lane; x < uint(sky_map_width); x += 64u) {
+    // The azimuth that a column spans on the square, and dy = 2 v dv for the sine of elevation y = v^2.
+    const float turn = (float(x) + 0.5) / float(sky_map_width) * 4.0, p = abs(fract(turn) - 0.5) + 0.5;
+    const float azimuth = 4.0 / float(sky_map_width) / (p * p + (1.0 - p) * (1.0 - p));
     for (int y = 0; y < sky_map_height; ++y) {
-      // Solid angle of a texel: elevation is (pi / 2) v^2.
-      const float v = (float(y) + 0.5) / float(sky_map_height), elevation = 1.57079633 * v * v;
-      const float solid = 6.2831853 / float(sky_map_width) * 3.14159265 * v / float(sky_map_height) * cos(elevation);
-      sum += imageLoad(sky_map, ivec2(x, y)).rgb * solid * sin(elevation);
+      const float v = (float(y) + 0.5) / float(sky_map_height);
+      sum += imageLoad(sky_map, ivec2(x, y)).rgb * (azimuth * 2.0 * v / float(sky_map_height) * v * v);
     }
+  }
   sums[lane] = sum;
   barrier();
   for (uint half_size = 32u; half_size > 0u; half_size >>= 1) {  // a fixed tree, so that the sum never changes

@@ -12,7 +12,7 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 #include "lib/water_light.glsl"
 
 layout(binding = 4) uniform sampler2D sky_map;
-layout(std430, binding = 5) readonly buffer Light { SkyLight light; };
+layout(binding = 5) uniform Light { SkyLight light; };
 
 layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here, in the tile
 layout(constant_id = 3) const bool foam = false;
@@ -35,7 +35,7 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
   if (frame.grid.w == debug_normals) return 0.5 + 0.5 * normal;
   if (frame.grid.w == debug_wireframe) return vec3(0.9);
   if (frame.grid.w == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
-    const int i = int(mod(floor(rest.x / 16.0), float(frame.sea.shape.x)));
+    const int i = int(mod(floor(rest.x / 16.0), float(cascade_count)));
     CascadeData c = frame.sea.cascade[i];
     const vec3 d = texture(sea_displacement_tiles, vec3(fract(rest / 16.0), float(i))).xyz;
     return 0.5 + 0.5 * d / max(frame.sea.footprint.w, 0.1);

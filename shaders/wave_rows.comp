@@ -48,13 +48,15 @@ void main() {
   const vec2 step_x = push.wave_vector[cascade].xy, step_z = vec2(-step_x.y, step_x.x);
   vec2 w[8];
   twiddles(lane, w);
+  vec2 turn[8];
+  phase_twiddles(lane, phase, log2_n, turn);
   vec2 turned[8];  // height turned by this transform's phase
   vec2 k[8];
   float inverse_k[8];
   for (uint r = 0u; r < 8u; ++r) {
     const uint index = bin_index(lane, r);
     const int mx = bin_number(index);
-    turned[r] = times(heights[held + index], phase_twiddle(mx, phase, log2_n));
+    turned[r] = times(heights[held + index], turn[r]);
     k[r] = float(mx) * step_x + float(mz) * step_z;
     inverse_k[r] = inversesqrt(max(dot(k[r], k[r]), 1e-30));
   }

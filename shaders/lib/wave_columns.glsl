@@ -23,7 +23,7 @@ void main() {
   const uint columns = uint(push.resolution);
   vec2 w[8], turn[8];
   twiddles(lane, w);
-  for (uint r = 0u; r < 8u; ++r) turn[r] = phase_twiddle(bin_number(bin_index(lane, r)), phase, log2_n);
+  phase_twiddles(lane, phase, log2_n, turn);
   vec2 result[wave_fields][8];
   for (uint field = 0u; field < uint(wave_fields); ++field) {
     const uint source = (cascade * uint(wave_fields) + field) * 64u;
