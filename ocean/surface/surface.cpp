@@ -17,12 +17,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
   spec.vertex = "surface.vert";
   spec.fragment = "surface.frag";
   spec.values = {{0, !target.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
-<<<<<<< HEAD
-                 {foam_constant, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)}};
-=======
-                 {3, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
+                 {foam_constant, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
                  {7, waves.displacement().spec().layers}};
->>>>>>> b8c170a (Unroll the loops over cascades; fewer sines a transform)
   spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
   spec.wireframe = look.wireframe && device.facts().wireframe;
