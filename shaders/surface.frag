@@ -21,7 +21,7 @@ layout(constant_id = 5) const float anisotropy = 1.0;
 
 layout(location = 0) in vec3 relative;
 layout(location = 1) in vec2 rest;
-layout(location = 2) in float height;
+layout(location = 2) in vec2 height_shear;
 layout(location = 3) flat in uint flags;
 
 layout(location = 0) out vec4 colour;
@@ -45,10 +45,11 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
 
 void main() {
   const ViewData view = frame.view[eye_index()];
+  const float height = height_shear.x;
   const vec3 to_eye = view.eye.xyz - relative;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
-  const SeaSlopes s = sea_slopes(rest, dFdx(rest), dFdy(rest), anisotropy);
+  const SeaSlopes s = sea_slopes(rest, dFdx(rest), dFdy(rest), anisotropy, height_shear.y);
   // Slopes are over the still sea, which itself leans away with the earth's curve.
   const vec2 slope = sea_slope(s) - relative.xz * frame.skirt.w;
   const vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));

@@ -18,7 +18,7 @@ layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, fla
 
 layout(location = 0) out vec3 relative;    // metres from the viewer, world axes
 layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
-layout(location = 2) out float height;     // above the curved still sea, metres
+layout(location = 2) out vec2 height_shear;      // x: above the curved still sea, metres; y: dDx/dz
 layout(location = 3) flat out uint flags;
 
 // The place above a sphere of curvature `c` that touches the still sea beneath the viewer, of a point `flat_xz` metres away
@@ -40,10 +40,10 @@ void main() {
   // The footprint follows distance alone, never the patch, so that shared vertices agree to the bit.
   const float range = length(vec3(from_viewer, frame.viewer.z));
   const float footprint = max(frame.sea.footprint.x, frame.sea.footprint.y * range);
-  const vec3 d = sea_displacement(rest, footprint);
+  const vec4 d = sea_displacement(rest, footprint);
   relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
-  height = d.y;
+  height_shear = d.yw;
   if (debug) flags = p.flags;
   if (probe) {
     const int n = (quads + 1) * (quads + 1);

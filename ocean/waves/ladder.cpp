@@ -47,4 +47,13 @@ double band_share(const Ladder& ladder, int index, double k) {
   return share_above(k, ladder[index].k_in) * (1.0 - share_above(k, ladder[index].k_out));
 }
 
+double longest_wave(const Cascade& cascade) {
+  const double k = std::max(cascade.k_in[0], 2.0 * std::numbers::pi / cascade.side_m);
+  return 2.0 * std::numbers::pi / k;
+}
+
+double kept_share(const Cascade& cascade, double footprint_m) {
+  return std::clamp(2.0 - 2.0 * footprint_m / longest_wave(cascade), 0.0, 1.0);
+}
+
 }  // namespace seascape

@@ -36,4 +36,9 @@ inline glm::dvec2 rotate_xz(glm::dvec2 v, double angle) {
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
+// The longest wave that a cascade carries, in metres: its side for the first, which has the longest of all. A footprint of half of
+// it begins to fade the cascade, one of all of it leaves nothing (kept_share).
+double longest_wave(const Cascade& cascade);
+double kept_share(const Cascade& cascade, double footprint_m);
+
 }  // namespace seascape

@@ -44,7 +44,7 @@ TexelVector blend(const glm::vec4* texels, const Corner& c) {
 // A trilinear sample's place: two levels and how far between.
 struct Spot {
   int cascade, level;
-  float between;
+  float between, share;
   Corner fine, coarse;
 };
 
@@ -57,7 +57,7 @@ glm::dvec4 sample(const WaveTiles& tiles, const Spot& spot, WavePlane plane) {
   }
   glm::vec4 result;
   hn::StoreU(value, d, &result.x);
-  return glm::dvec4(result);
+  return glm::dvec4(result);  // of the tile; how much of it counts is spot.share
 }
 
 // Sums x, y, z of one plane.
@@ -65,7 +65,7 @@ struct PlaneSum {
   const WaveTiles& tiles;
   WavePlane plane;
   glm::dvec3& to;
-  void resolved(const Spot& spot) { to += glm::dvec3(sample(tiles, spot, plane)); }
+  void resolved(const Spot& spot) { to += double(spot.share) * glm::dvec3(sample(tiles, spot, plane)); }
   void unresolved(int) {}
 };
 
@@ -74,8 +74,10 @@ struct SeaSum {
   const WaveTiles& tiles;
   SeaSample& to;
   void resolved(const Spot& spot) {
-    const glm::dvec4 shift = sample(tiles, spot, WavePlane::shift), slope = sample(tiles, spot, WavePlane::slope),
-                     moments = sample(tiles, spot, WavePlane::moments);
+    const double share = spot.share;
+    const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift), slope = share * sample(tiles, spot, WavePlane::slope);
+    const glm::dvec4 all(*tiles.texels(spot.cascade, WavePlane::moments, tiles.levels() - 1));
+    const glm::dvec4 moments = glm::mix(all, sample(tiles, spot, WavePlane::moments), share);
     to.displacement += glm::dvec3(shift);
     to.height_gradient += glm::dvec2(slope);
     to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
@@ -100,6 +102,7 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
     const double lod = footprint_m > texel ? std::min(std::log2(footprint_m / texel), double(last)) : 0.0;
     result.level[i] = int(lod);
     result.between[i] = float(lod - int(lod));
+    result.share[i] = float(kept_share(bins_.ladder[i], footprint_m));
   }
   return result;
 }
@@ -110,7 +113,7 @@ void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Fi
   assert(tiles.cascades() == quality_.cascades && tiles.resolution() == quality_.resolution);
   const double half_texel = 0.5 / quality_.resolution;
   for (int i = 0; i < quality_.cascades; ++i) {
-    if (filter.level[i] >= tiles.levels() - 1) {
+    if (filter.level[i] >= tiles.levels() - 1 || filter.share[i] <= 0.0f) {
       visit.unresolved(i);
       continue;
     }
@@ -123,6 +126,7 @@ void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Fi
     spot.cascade = i;
     spot.level = filter.level[i];
     spot.between = filter.between[i];
+    spot.share = filter.share[i];
     spot.fine = corner(tiles, spot.level, coordinates);
     if (spot.between > 0.0f) spot.coarse = corner(tiles, spot.level + 1, coordinates);
     visit.resolved(spot);

@@ -139,7 +139,7 @@ gpu::SeaData WaveCompute::sea_data(glm::dvec2 grid_origin_m) const {
     const double half_texel = 0.5 / quality_.resolution;
     d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel), float(origin.y - std::floor(origin.y) + half_texel),
                          float(cascade.side_m / quality_.resolution), float(cascade.side_m));
-    d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), 0.0f);
+    d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), float(longest_wave(cascade)));
   }
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(sea_.chop));
   data.shape = glm::ivec4(int(cascade_moments_.size()), levels_, quality_.resolution, 0);

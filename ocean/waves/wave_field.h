@@ -75,7 +75,8 @@ class WaveField {
 
   // The surface at a rest position (x, z in metres), smoothed over a footprint of `footprint_m`: each cascade is sampled
   // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / resolution, at tile coordinates u + 0.5 / resolution
-  // (texel centres at (i + 0.5) / size on every level). A cascade whose lod reaches its last level adds only its moments.
+  // (texel centres at (i + 0.5) / size on every level). From half a cascade's longest wave on a
+  // footprint fades it (kept_share); one that is gone, or whose lod reaches its last level, adds only its moments.
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
   // Displacement alone, and the velocity of the water at a rest position (tiles with velocity only), sampled alike.
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
@@ -85,6 +86,7 @@ class WaveField {
   struct Filter {
     std::array<int, gpu::max_cascades> level;      // the finer of two levels; the tile's last level: moments only
     std::array<float, gpu::max_cascades> between;  // towards the next, 0 to 1
+    std::array<float, gpu::max_cascades> share;    // of the cascade that the footprint keeps (kept_share)
   };
   Filter filter(double footprint_m) const;
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;

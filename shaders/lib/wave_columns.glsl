@@ -7,12 +7,24 @@
 // Eight neighbouring columns at one phase a workgroup.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Rows { vec2 rows[]; };
-layout(binding = 1, TILE_FORMAT) writeonly uniform image2DArray displacement;  // Dx, h, Dz, 0
+layout(binding = 1, TILE_FORMAT) writeonly uniform image2DArray displacement;  // Dx, h, Dz, dDx/dz
 layout(binding = 2, TILE_FORMAT) writeonly uniform image2DArray derivatives;   // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 3, TILE_FORMAT) writeonly uniform image2DArray moments;       // (dh/dx)^2, (dh/dz)^2, their product, dDx/dz
+layout(binding = 3, TILE_FORMAT) writeonly uniform image2DArray moments;       // (dh/dx)^2, (dh/dz)^2, their product, (dDx/dx + dDz/dz)^2
 layout(push_constant) uniform Push { WavePush push; };
 
 shared vec2 exchanged[8 * 72];
+
+// One field's transform: the values of this lane, at q = lane + 8 c.
+void transform(uint field, uint cascade, uint column, uint columns, uint lane, uint slot, vec2 w[8], vec2 turn[8], out vec2 v[8]) {
+  const uint source = (cascade * uint(wave_fields) + field) * 64u;
+  for (uint r = 0u; r < 8u; ++r) v[r] = times(rows[(source + bin_index(lane, r)) * columns + column], turn[r]);
+  dft8(v);
+  barrier();
+  for (uint c = 0u; c < 8u; ++c) exchanged[slot * 72u + c * 9u + lane] = times(v[c], w[c]);
+  barrier();
+  for (uint t = 0u; t < 8u; ++t) v[t] = exchanged[slot * 72u + lane * 9u + t];
+  dft8(v);
+}
 
 void main() {
   const uint cascade = gl_WorkGroupID.z, phase = gl_WorkGroupID.y;
@@ -21,30 +33,25 @@ void main() {
   const uint lane = gl_LocalInvocationIndex >> 3, slot = gl_LocalInvocationIndex & 7u;
   const uint column = gl_WorkGroupID.x * 8u + slot;
   const uint columns = uint(push.resolution);
-  vec2 w[8], turn[8];
+  const uint shrink = max(1u, 64u / columns);
+  vec2 w[8], turn[8], a[8], b[8];
   twiddles(lane, w);
   phase_twiddles(lane, phase, log2_n, turn);
-  vec2 result[wave_fields][8];
-  for (uint field = 0u; field < uint(wave_fields); ++field) {
-    const uint source = (cascade * uint(wave_fields) + field) * 64u;
-    vec2 v[8];
-    for (uint r = 0u; r < 8u; ++r) v[r] = times(rows[(source + bin_index(lane, r)) * columns + column], turn[r]);
-    dft8(v);
-    barrier();
-    for (uint c = 0u; c < 8u; ++c) exchanged[slot * 72u + c * 9u + lane] = times(v[c], w[c]);
-    barrier();
-    for (uint t = 0u; t < 8u; ++t) v[t] = exchanged[slot * 72u + lane * 9u + t];
-    dft8(v);
-    for (uint c = 0u; c < 8u; ++c) result[field][c] = v[c];
+  // Two fields at a time, written out: a loop over them would keep the results in memory instead of registers.
+  transform(0u, cascade, column, columns, lane, slot, w, turn, a);
+  transform(1u, cascade, column, columns, lane, slot, w, turn, b);
+  for (uint c = 0u; c < 8u; ++c) {
+    const uint q = lane + 8u * c;
+    if (q % shrink == 0u) imageStore(displacement, ivec3(column, q / shrink * phases + phase, cascade), vec4(a[c], b[c]));
   }
-  const uint shrink = max(1u, 64u / uint(push.resolution));
+  transform(2u, cascade, column, columns, lane, slot, w, turn, a);
+  transform(3u, cascade, column, columns, lane, slot, w, turn, b);
   for (uint c = 0u; c < 8u; ++c) {
     const uint q = lane + 8u * c;
     if (q % shrink != 0u) continue;
     const ivec3 at = ivec3(column, q / shrink * phases + phase, cascade);
-    const vec2 slope = result[2][c];
-    imageStore(displacement, at, vec4(result[0][c].x, result[0][c].y, result[1][c].x, 0.0));
-    imageStore(derivatives, at, vec4(slope, result[3][c]));
-    imageStore(moments, at, vec4(slope * slope, slope.x * slope.y, result[1][c].y));
+    const float divergence = b[c].x + b[c].y;
+    imageStore(derivatives, at, vec4(a[c], b[c]));
+    imageStore(moments, at, vec4(a[c] * a[c], a[c].x * a[c].y, divergence * divergence));
   }
 }

@@ -8,7 +8,7 @@ SEASCAPE_SHARED_BEGIN
 struct CascadeData {
   vec4 tile_from_rest;  // xy, zw: rows of the matrix from rest position (metres from the grid origin) to tile coordinates
   vec4 origin;          // xy: tile coordinates of the grid origin, half a texel added; z: metres a texel; w: the side in metres
-  vec4 moments;         // E[hx^2], E[hz^2], E[hx hz] over the whole tile; w: unused
+  vec4 moments;         // E[hx^2], E[hz^2], E[hx hz] over the whole tile; w: its longest wave in metres
 };
 
 struct SeaData {
