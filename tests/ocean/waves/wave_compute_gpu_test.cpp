@@ -86,10 +86,8 @@ Worst compare(GpuTiles& gpu, const WaveField& field, std::int64_t ticks, float s
         if (int(got.size()) != size * size) return {1e9, "a level of another size"};
         const auto wanted = [&](int x, int z) {
           const int at = z * cpu.stride(level) + x;
-          const glm::vec4 shift = cpu.texels(cascade, WavePlane::shift, level)[at];
-          if (image == 0) return glm::dvec4(shift.x, shift.y, shift.z, 0.0);
-          if (image == 1) return glm::dvec4(cpu.texels(cascade, WavePlane::slope, level)[at]);
-          return glm::dvec4(glm::dvec3(cpu.texels(cascade, WavePlane::moments, level)[at]), shift.w);
+          const WavePlane plane = image == 0 ? WavePlane::shift : image == 1 ? WavePlane::slope : WavePlane::moments;
+          return glm::dvec4(cpu.texels(cascade, plane, level)[at]);
         };
         if (level == 0) {
           for (int z = 0; z < size; ++z)
