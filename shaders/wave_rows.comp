@@ -69,7 +69,7 @@ void main() {
       const vec2 n = k[r] * inverse_k[r];
       vec2 factor;  // the complex number that turns h into A + iB
       if (field == 0u) factor = vec2(0.0, push.chop * n.x + 1.0);                          // Dx + i h
-      else if (field == 1u) factor = push.chop * vec2(0.0, n.y) - vec2(0.0, push.chop * k[r].x * n.y);  // Dz + i dDx/dz
+      else if (field == 1u) factor = vec2(0.0, push.chop * n.y * (1.0 - push.wave_vector[cascade].z * k[r].x));  // Dz + i length dDx/dz
       else if (field == 2u) factor = vec2(-k[r].y, k[r].x);                                // dh/dx + i dh/dz
       else factor = -push.chop * vec2(k[r].x * n.x, k[r].y * n.y);                         // dDx/dx + i dDz/dz
       v[r] = times(turned[r], factor);

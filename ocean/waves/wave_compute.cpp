@@ -100,6 +100,10 @@ void WaveCompute::update(Frame& frame, std::int64_t ticks) {
   for (std::uint32_t c = 0; c < cascades; ++c) {
     const double dk = 2.0 * M_PI / ladder_[c].side_m;
     push.wave_vector[c] = glm::vec4(float(dk * std::cos(ladder_[c].rotation_rad)), float(dk * std::sin(ladder_[c].rotation_rad)), 0, 0);
+    // Two fields of one transform share its rounding: the shear is carried at the size of the shift.
+    const float length = std::exp2(std::round(std::log2(float(1.0 / (12.0 * dk)))));
+    push.wave_vector[c].z = length;
+    push.wave_vector[c].w = 1.0f / length;
   }
   const auto n = std::uint32_t(quality_.resolution), phases = std::max(1u, n / 64u);
   frame.pass("wave rows", {use(bins_, Access::compute_read), use(rows_, Access::compute_write)}, [&](Commands& c) {

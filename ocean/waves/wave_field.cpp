@@ -18,6 +18,7 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int b
   const Cascade& cascade = bins.ladder[index];
   const double step = 2.0 * std::numbers::pi / cascade.side_m;
   WaveTable table;
+  table.shear_length_m = std::exp2(std::round(std::log2(float(1.0 / (12.0 * step)))));
   for (int mx = -band / 2; mx < band / 2; ++mx)
     for (int mz = -band / 2; mz < band / 2; ++mz) {
       const gpu::WaveBin& bin = bins.bins[(std::size_t(index) * n + mz + n / 2) * n + mx + n / 2];
@@ -83,7 +84,7 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     const int cascade = i / strips;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    strip_along_z(plan_, &tiles.workspace_[cascade * floats], velocity, i % strips * strip_width, levels);
+    strip_along_z(tables_[cascade], plan_, &tiles.workspace_[cascade * floats], velocity, i % strips * strip_width, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
     for (int level = strip_levels + 1; level < tiles.levels(); ++level)

@@ -57,6 +57,8 @@ struct WaveTable {
   std::vector<float> kx, kz;            // world wave vector, rad/m
   std::vector<float> shift_x, shift_z;  // chop kx / k, chop kz / k
   std::vector<float> frequency;         // rad/s
+  // Two fields of one transform share its rounding: dDx/dz is carried at the size of Dz, times this length, a power of two.
+  float shear_length_m = 1.0f;
 };
 
 // Every deterministic wave of a sea, ready to be evaluated at any time. Immutable: any number of threads may use one field,

@@ -126,7 +126,7 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
       };
       const Vector shift_height = hn::Add(one, sx);                  // i H (1 + sx)
       put(0, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
-      const Vector shift_z = hn::Mul(sz, hn::Sub(one, kx));          // i H sz (1 - kx)
+      const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(hn::Set(d, table.shear_length_m), kx)));  // i H sz (1 - length kx)
       put(1, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
       put(2, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
           hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
@@ -152,7 +152,7 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
   }
 }
 
-void along_z(const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level) {
+void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level) {
   const Lanes d;
   const int band = plan.band, half = band / 2, lanes = int(hn::Lanes(d)), planes = 2 * packed_fields(velocity);
   const Workspace layout(plan, velocity);
@@ -174,7 +174,8 @@ void along_z(const FftPlan& plan, const float* workspace, bool velocity, int fir
         const auto value = [&](int p) HWY_ATTR { return hn::Load(d, result[p] + q * width); };
         const Vector hx = value(4), hz = value(5), xx = value(6), zz = value(7), divergence = hn::Add(xx, zz);
         const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
-        hn::StoreInterleaved4(value(0), value(1), value(2), value(3), d, plane(WavePlane::shift));
+        hn::StoreInterleaved4(value(0), value(1), value(2), hn::Mul(hn::Set(d, 1.0f / table.shear_length_m), value(3)), d,
+                              plane(WavePlane::shift));
         hn::StoreInterleaved4(hx, hz, xx, zz, d, plane(WavePlane::slope));
         hn::StoreInterleaved4(hn::Mul(hx, hx), hn::Mul(hz, hz), hn::Mul(hx, hz), hn::Mul(divergence, divergence), d,
                               plane(WavePlane::moments));
@@ -221,8 +222,8 @@ void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int 
   HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
 }
 
-void strip_along_z(const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
-  HWY_DYNAMIC_DISPATCH(along_z)(plan, workspace, velocity, x, levels[0]);
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
+  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, levels[0]);
   for (int level = 1; level <= strip_levels; ++level)
     average_down(levels[level - 1], levels[level], velocity ? 4 : 3, x >> level, strip_width >> level, plan.n >> level);
 }

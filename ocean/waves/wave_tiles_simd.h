@@ -28,7 +28,8 @@ struct PlaneLevel {
 };
 
 // The transforms along z of columns x to x + strip_width - 1 and their mip chain, into levels[0..strip_levels].
-void strip_along_z(const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels);
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x,
+                   const PlaneLevel* levels);
 
 // Averages two by two texels of columns 2 x to 2 (x + width) - 1 into columns x to x + width - 1 of the next level, `height`
 // rows of it.

@@ -42,7 +42,7 @@ void main() {
   transform(1u, cascade, column, columns, lane, slot, w, turn, b);
   for (uint c = 0u; c < 8u; ++c) {
     const uint q = lane + 8u * c;
-    if (q % shrink == 0u) imageStore(displacement, ivec3(column, q / shrink * phases + phase, cascade), vec4(a[c], b[c]));
+    if (q % shrink == 0u) imageStore(displacement, ivec3(column, q / shrink * phases + phase, cascade), vec4(a[c], b[c].x, b[c].y * push.wave_vector[cascade].w));
   }
   transform(2u, cascade, column, columns, lane, slot, w, turn, a);
   transform(3u, cascade, column, columns, lane, slot, w, turn, b);

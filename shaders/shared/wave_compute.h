@@ -10,7 +10,8 @@ struct WavePush {
   uint ticks_high, ticks_low;  // the time
   int resolution;
   float chop;
-  vec4 wave_vector[max_cascades];  // xy: world wave vector of bin (1, 0) in rad/m; bin (0, 1) is that turned by 90 degrees
+  vec4 wave_vector[max_cascades];  // xy: world wave vector of bin (1, 0) in rad/m; bin (0, 1) is that turned by 90
+                                   // degrees; z: a length, a power of two, that brings dDx/dz to the size of Dz; w: its inverse
 };
 
 // Push constants of wave_mips.comp.
