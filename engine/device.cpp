@@ -371,7 +371,8 @@ VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPa
 }
 
 void Device::debug_name(VkObjectType type, std::uint64_t handle, const char* name) {
-  if (!set_name_) return;
+  // Mesa 22.3 takes a surface for one of its device's objects and crashes when it is named.
+  if (!set_name_ || type == VK_OBJECT_TYPE_SURFACE_KHR) return;
   VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
   info.objectType = type;
   info.objectHandle = handle;
