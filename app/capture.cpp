@@ -6,6 +6,8 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
+#include <optional>
 #include <thread>
 
 #include "app/commands.h"
@@ -18,6 +20,7 @@
 #include "app/trace.h"
 #include "engine/error.h"
 #include "engine/files.h"
+#include "platform/window.h"
 
 namespace seascape {
 
@@ -59,12 +62,26 @@ std::vector<MemoryUse> memory_of(const Device& device) {
   return uses;
 }
 
-Measured measure(const Arguments& arguments, Program& program) {
+// Without a screen by default: a window shows every frame and may hold the loop to the screen's rate.
+std::unique_ptr<Display> make_display(const HeadlessOptions& options, WindowSystem* windows, Device& device) {
+  if (!windows) return std::make_unique<Headless>(options);
+  WindowOptions shown;
+  shown.title = "Seascape: capture";
+  shown.width = options.width;
+  shown.height = options.height;
+  shown.views = options.views;
+  auto window = std::make_unique<Window>(*windows, device, shown);
+  window->set_lens(options.vertical_fov_deg, options.eye_distance_m);
+  return window;
+}
+
+// `windows`: null to measure without a screen.
+Measured measure(const Arguments& arguments, Program& program, WindowSystem* windows) {
   Device& device = *program.device;
   const RenderSettings& render = program.scene.settings.render;
   const CameraPath path = path_from(arguments, program.scene);
   const HeadlessOptions options = headless_options(arguments, render);
-  Headless display(options);
+  const std::unique_ptr<Display> display = make_display(options, windows, device);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
   Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
@@ -74,8 +91,6 @@ Measured measure(const Arguments& arguments, Program& program) {
   run.scene = program.scene.name;
   run.path = path.name;
   run.preset = program.preset;
-  run.width = int(options.width);
-  run.height = int(options.height);
   run.views = options.views;
   run.msaa = experience.scene().settings.render.msaa;
   run.warmup = arguments.warmup;
@@ -87,7 +102,7 @@ Measured measure(const Arguments& arguments, Program& program) {
   const int all = arguments.warmup + count + Frame::slots;
   Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
-  for (int i = 0; i < all; ++i) {
+  for (int i = 0; i < all;) {
     // Of the path, which the warm-up walks too, from 1: its last frame is never the first that counts, whose waves would then
     // be there already.
     const int number = i < arguments.warmup ? i + 1 : i - arguments.warmup;
@@ -95,11 +110,18 @@ Measured measure(const Arguments& arguments, Program& program) {
     const double path_time_s = number / arguments.fps;
     const PathSample sample = path.at(path_time_s);
     const auto interval = Clock::now();
-    display.begin();
+    const DisplayFrame shown = display->begin();
+    if (shown.closed)
+      throw Error("--display window", fmt::format("the window was closed at frame {} of {}", i, all), "let it be, or measure headless");
+    if (!shown.should_render) {  // hidden or minimised: nothing is measured meanwhile
+      display->end(frame, nullptr);
+      continue;
+    }
+    experience.resize(shown.width, shown.height);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
-    draw_frame(experience, frame, display.viewpoint(sample.pose), sea_time_s(program.scene.settings, sample));
-    display.end(frame, &experience.picture());
+    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample));
+    display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
 
     if (measured) {
@@ -116,10 +138,12 @@ Measured measure(const Arguments& arguments, Program& program) {
     if (device.facts().timestamps && first_number && frame.timed_frame() >= first_number &&
         frame.timed_frame() < first_number + std::uint64_t(count))
       take_gpu_times(frame, run, run.frames[std::size_t(frame.timed_frame() - first_number)]);
-    progress.step(std::size_t(i) + 1);
+    progress.step(std::size_t(++i));
     if (measured) result.interval_ms[std::size_t(number)] = ms_since(interval);
   }
   for (CaptureFrame& one : run.frames) one.pass_ms.resize(run.pass_names.size(), 0.0);
+  run.width = int(experience.options().width);
+  run.height = int(experience.options().height);
   run.memory = memory_of(device);
   expect_no_validation_messages(device);
   return result;
@@ -170,22 +194,30 @@ void print_table(const std::vector<Measured>& all) {
 }  // namespace
 
 int run_capture(const Arguments& arguments) {
-  if (arguments.display != DisplayKind::automatic && arguments.display != DisplayKind::headless)
-    throw Error("--display", "capture measures without a screen in this version", "leave --display out, or take headless", 2);
+  if (arguments.display == DisplayKind::headset)
+    throw Error("--display headset", "this version draws to windows and to files, not yet to headsets", "take --display window or headless");
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;
+  (void)scene_from(arguments, presets.front() == "auto" ? "high" : presets.front());  // a fault in it is told first
 
+  std::optional<WindowSystem> windows;
+  DeviceOptions options = device_options();
+  if (arguments.display == DisplayKind::window) {
+    windows.emplace();
+    options.present = true;
+    options.instance_extensions = windows->instance_extensions();
+  }
   std::vector<Measured> all;
   Machine machine;
   for (const std::string& preset : presets) {
-    Program program = make_program(arguments, preset, device_options());
+    Program program = make_program(arguments, preset, options);
     if (all.empty()) {  // every fault that can be known is told before the long work
       (void)path_from(arguments, program.scene);
       make_output_directory(out);
       machine = machine_of(program);
     }
-    all.push_back(measure(arguments, program));
+    all.push_back(measure(arguments, program, windows ? &*windows : nullptr));
   }
   std::vector<CaptureRun> runs;
   for (const Measured& measured : all) runs.push_back(measured.run);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/desktop.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -147,6 +148,26 @@ TEST(Capture, WalksTheWholePathUnlessTold) {
   const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
   ASSERT_EQ(lines.size(), 6u);  // 0 s to 2 s at 2 a second, both ends
   EXPECT_THAT(lines[5], testing::StartsWith("open_sea,low,4,2.0"));
+}
+
+// Control: a capture that takes every display for headless ends with 0 where no desktop answers.
+TEST(Capture, InAWindowNeedsADesktopAndMeasuresThere) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{"capture", "--display", "window", "--preset", "low", "--size", "96x64", "--views", "1",
+                                       "--frames", "2", "--warmup", "1", "--set", "waves.resolution=64", "--log-level", "error",
+                                       "--out", folder / "out"};
+  const ProgramResult without = run_program(words, {"DISPLAY=", "WAYLAND_DISPLAY="});
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_THAT(without.err, testing::StartsWith("seascape: display: "));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+
+  const test::VirtualDisplay display;
+  const ProgramResult result = run_program(words, {display.variable(), "WAYLAND_DISPLAY=", "SEASCAPE_VALIDATION=1"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_THAT(lines[0], HasSubstr("gpu_surface_ms"));
+  EXPECT_THAT(text_of(folder / "out" / "report.html"), HasSubstr("96 × 64"));
 }
 
 // Controls: a plan whose passes are the sum of its effects' counted one too many; one without add_foam had no module of foam.
