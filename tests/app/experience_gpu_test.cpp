@@ -137,6 +137,7 @@ TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
     }
 }
 
+// Control: a use of the moments' tile left out of app/frame.cpp is a validation error and a hazard here.
 // A frame that holds the sea still computes no waves and records the same commands each time.
 TEST_F(ExperienceLife, AFrameIsAFunctionOfItsPlaceAndTime) {
   SeaShot shot({.preset = "medium", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});

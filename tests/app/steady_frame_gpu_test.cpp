@@ -23,7 +23,8 @@ TEST(AllocationCounter, SeesWhatThisProgramAllocates) {
 }
 
 // Frames 5 to 25 of a camera that moves, turns and rises, in both shapes of the frame. No validation here: the layer
-// allocates within our calls. The control: an allocation planted in each frame is counted in each.
+// allocates within our calls. Controls: an allocation planted after each frame is
+// counted, and one planted in draw_frame fails.
 TEST(SteadyFrame, AllocatesNothing) {
   Device device{DeviceOptions{}};
   for (const char* preset : {"medium", "high"}) {

@@ -81,7 +81,8 @@ void expect_one_pass_equals_each_eye(const std::string& preset) {
   }
 }
 
-// The control of all of these: an eye whose distance differs by a millimetre is not equal (AnotherEyeDistanceIsSeen).
+// Controls: a second eye moved by a hundredth of a unit in views of two fails all of these; an eye distance that differs by a
+// millimetre is seen (AnotherEyeDistanceIsSeen).
 TEST_F(Stereo, OnePassEqualsEachEyeAtLow) { expect_one_pass_equals_each_eye("low"); }
 TEST_F(Stereo, OnePassEqualsEachEyeAtMedium) { expect_one_pass_equals_each_eye("medium"); }
 TEST_F(Stereo, OnePassEqualsEachEyeAtHigh) { expect_one_pass_equals_each_eye("high"); }

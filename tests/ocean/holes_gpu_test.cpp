@@ -65,6 +65,7 @@ void expect_no_holes(const std::string& scene, const std::string& preset) {
   }
 }
 
+// Controls: APatchLeftOutIsSeen; and culling by a hundredth of the sea's displacement fails in the storm and the open sea.
 TEST_F(Holes, NoneInCalmWater) { expect_no_holes("calm", "low"); }
 TEST_F(Holes, NoneInAStorm) { expect_no_holes("storm", "low"); }
 TEST_F(Holes, NoneInTheDesktopFrame) { expect_no_holes("open_sea", "high"); }
