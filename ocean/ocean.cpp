@@ -45,7 +45,7 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));
   data.water_backscatter = glm::vec4(glm::vec3(optics.backscatter), float(settings_.water.glitter));
-  data.whitecap = glm::vec4(float(settings_.water.whitecaps), 0.35f, 0.0f, 0.0f);
+  data.whitecap = glm::vec4(float(settings_.water.whitecaps), 0.4f, 0.0f, 0.0f);
 }
 
 }  // namespace seascape

@@ -38,6 +38,6 @@ void main() {
     light.sky_irradiance = vec4(sums[0], 1.0);
     // A picture of sea and sky is mostly sky light; the sun counts by what a rough sea mirrors of it.
     const float key = luminance(sums[0]) / 3.14159265 + 0.03 * luminance(sun) * (0.2 + max(push.sun.y, 0.0));
-    light.exposure = vec4(0.26 / max(key, 2e-6), 0.0, 0.0, 0.0);
+    light.exposure = vec4(0.38 / max(key, 2e-6), 0.0, 0.0, 0.0);
   }
 }

@@ -100,7 +100,7 @@ void main() {
     const float hidden = 1.0 + smith_lambda(max(l.y, 0.0), 0.5 * (xx + zz));
     const float h2 = half_way.y * half_way.y;
     glitter = light.sun_irradiance.rgb * frame.water_backscatter.w * density * fresnel(dot(v, half_way)) /
-              (4.0 * max(seen, 0.02) * h2 * h2 * hidden);
+              (4.0 * max(seen, 0.02) * h2 * h2 * hidden) * min(seen * 50.0, 1.0);  // none from the backs of crests
   }
 
   // Light from below: irradiance that enters, scattered back and out again (Gordon 1975; Mobley 1994, eq. 3.27).
@@ -129,16 +129,18 @@ void main() {
   if (foam) {
     // Share of the footprint whose Jacobian is below the threshold, taken as Gaussian (Dupuy and Bruneton 2012). The spread
     // of the divergence of a linear choppy sea is chop times that of its slope.
-    const float sigma = frame.sea.tail.w * sqrt(var.x + var.y) + 0.03;
+    const float sigma = frame.sea.tail.w * sqrt(max(var.x + var.y - frame.sea.tail.x - frame.sea.tail.y, 0.0)) + 0.06;
     const float cover = 0.5 * erfc_approx((sea_jacobian(s) - frame.whitecap.y) / (1.4142136 * sigma));
-    const vec3 white = 0.55 * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
+    const vec3 white = 0.7 * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
     lit = mix(lit, white, clamp(cover * frame.whitecap.x, 0.0, 0.9));
   }
 
-  // Air between: what it takes away, and what it adds, the sky's light from just above the horizon.
+  // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the
+  // viewer, where no horizon lies behind, the mean of the sky's.
   const float clear = exp(-frame.air.x * range);
   const vec3 horizon = textureLod(sky_map, sky_coordinate(normalize(vec3(-v.x, 0.012, -v.z))), 0.0).rgb;
-  lit = mix(horizon, lit, clear);
+  const vec3 added = mix(horizon, light.sky_irradiance.rgb * (0.5 / pi), smoothstep(0.05, 0.6, v.y));
+  lit = mix(added, lit, clear);
 
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);

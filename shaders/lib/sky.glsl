@@ -6,7 +6,8 @@
 vec2 sky_coordinate(vec3 direction) {
   const float p = direction.x / max(abs(direction.x) + abs(direction.z), 1e-6);
   const float across = direction.z < 0.0 ? 0.25 * p : 0.5 - 0.25 * p;  // 0 towards -z, a quarter towards +x
-  return vec2(across, sqrt(clamp(direction.y, 0.0, 1.0)));
+  // Within the first and last rows' centres: the sampler repeats, and the zenith must not bleed into the horizon.
+  return vec2(across, clamp(sqrt(max(direction.y, 0.0)), 0.5 / 128.0, 1.0 - 0.5 / 128.0));
 }
 
 vec3 sky_direction(vec2 at) {
