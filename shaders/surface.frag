@@ -19,9 +19,10 @@ layout(constant_id = 3) const bool foam = false;
 layout(constant_id = 4) const bool debug = false;
 layout(constant_id = 5) const float anisotropy = 1.0;
 
-layout(location = 0) in vec3 relative;
-layout(location = 1) in vec2 rest;
-layout(location = 2) in vec2 height_shear;
+// Centroid: at the edge of a crest a multisampled pixel would else extrapolate past it, to places without sense.
+layout(location = 0) centroid in vec3 relative;
+layout(location = 1) centroid in vec2 rest;
+layout(location = 2) centroid in vec2 height_shear;
 layout(location = 3) flat in uint flags;
 
 layout(location = 0) out vec4 colour;
@@ -45,7 +46,7 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
 
 void main() {
   const ViewData view = frame.view[eye_index()];
-  const float height = height_shear.x;
+  const float height = clamp(height_shear.x, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
   const vec3 to_eye = view.eye.xyz - relative;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;

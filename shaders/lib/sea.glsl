@@ -66,6 +66,8 @@ void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, fl
 // `along`, `across`: the two axes of the footprint at the rest position, in metres. `shear`: dDx/dz, which vertices carry.
 SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, float shear) {
   SeaSlopes s = SeaSlopes(vec2(0.0), vec3(0.0, 0.0, shear), frame.sea.tail.xyz);
+  along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
+  across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
   add_slopes(s, 0, rest, along, across, blur);
