@@ -13,6 +13,6 @@ vec3 tone_map(vec3 c) {
   const vec3 by_luminance = c * ((1.0 + l / white2) / (1.0 + l));
   const vec3 shown = clamp(mix(per_channel, by_luminance, 0.5), 0.0, 1.0);
   // A gentle S on what is shown, about middle grey: the contrast of a print.
-  return mix(shown, shown * shown * (3.0 - 2.0 * shown), 0.25);
+  return mix(shown, shown * shown * (3.0 - 2.0 * shown), 0.1);
 }
 #endif
