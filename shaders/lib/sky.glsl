@@ -2,12 +2,14 @@
 // up goes the square root of the sine of elevation, which is fine at the horizon.
 #ifndef SEASCAPE_SKY_GLSL
 #define SEASCAPE_SKY_GLSL
+#include "shared/sky_push.h"
 
 vec2 sky_coordinate(vec3 direction) {
   const float p = direction.x / max(abs(direction.x) + abs(direction.z), 1e-6);
   const float across = direction.z < 0.0 ? 0.25 * p : 0.5 - 0.25 * p;  // 0 towards -z, a quarter towards +x
   // Within the first and last rows' centres: the sampler repeats, and the zenith must not bleed into the horizon.
-  return vec2(across, clamp(sqrt(max(direction.y, 0.0)), 0.5 / 128.0, 1.0 - 0.5 / 128.0));
+  const float half_row = 0.5 / float(sky_map_height);
+  return vec2(across, clamp(sqrt(max(direction.y, 0.0)), half_row, 1.0 - half_row));
 }
 
 vec3 sky_direction(vec2 at) {

@@ -15,7 +15,7 @@ struct FrameData {
   ViewData view[2];
   vec4 viewer;          // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
   vec4 sun;             // xyz: towards the sun; w: cosine of its angular radius
-  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z: sky map's lowest sine; w: unused
+  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z, w: unused
   vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
   vec4 whitecap;        // x: strength; y: Jacobian below which foam forms; z, w: unused

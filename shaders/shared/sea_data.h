@@ -15,7 +15,7 @@ struct SeaData {
   CascadeData cascade[max_cascades];
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
   ivec4 shape;     // x: cascades, y: mip levels, z: resolution
-  vec4 footprint;  // of vertices: x: least in metres, y: per metre of distance; z: highest crest in metres, w: mean upwind slope
+  vec4 footprint;  // of vertices: x: least in metres, y: per metre of distance; z: highest crest in metres, w: significant height of the drawn waves, metres
 };
 
 SEASCAPE_SHARED_END
