@@ -36,7 +36,7 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
-  const WaveCompute& waves = e.ocean_->waves();
+  const WaveImages& waves = e.ocean_->waves();
 
   // 1. What the sea does: spectrum, transforms, tiles; each only if the scene asked for it.
   e.ocean_->update(frame, time_s);

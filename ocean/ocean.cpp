@@ -11,11 +11,12 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     : settings_(settings),
       bins_(make_wave_bins(settings.sea, settings.waves)),
       statistics_(sea_statistics(settings.sea, bins_)),
-      waves_(std::make_unique<WaveCompute>(device, shaders, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy)),
+      waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy, VK_IMAGE_USAGE_STORAGE_BIT),
+      compute_(device, shaders, settings.sea, settings.waves, bins_, waves_),
       quadtree_(settings.lod) {}
 
 void Ocean::update(Frame& frame, double time_s) {
-  waves_->update(frame, ticks_from_seconds(time_s));
+  compute_.update(frame, ticks_from_seconds(time_s));
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
@@ -33,7 +34,7 @@ void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
 void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   const SurfaceSelection& s = *selection_;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  data.sea = waves_->sea_data(s.grid_origin_m);
+  data.sea = waves_.sea_data(s.grid_origin_m);
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.grid = glm::ivec4(s.tree_centre, settings_.lod.patch_quads, data.grid.w);
   data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),

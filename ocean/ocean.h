@@ -1,7 +1,5 @@
 // The ocean: one sea, its waves and its surface, for any number of viewers.
 #pragma once
-#include <memory>
-
 #include "engine/frame.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
@@ -9,6 +7,7 @@
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_compute.h"
 #include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_images.h"
 #include "shaders/shared/frame_data.h"
 
 namespace seascape {
@@ -39,7 +38,7 @@ class Ocean {
   // Takes settings that need no new GPU objects (levels of detail, water).
   void apply(const LodSettings& lod, const WaterSettings& water);
 
-  const WaveCompute& waves() const { return *waves_; }
+  const WaveImages& waves() const { return waves_; }
   const SeaStatistics& statistics() const { return statistics_; }
   const OceanSettings& settings() const { return settings_; }
 
@@ -47,7 +46,8 @@ class Ocean {
   OceanSettings settings_;
   WaveBins bins_;
   SeaStatistics statistics_;
-  std::unique_ptr<WaveCompute> waves_;
+  WaveImages waves_;
+  WaveCompute compute_;
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;
 };

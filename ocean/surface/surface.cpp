@@ -7,7 +7,7 @@
 
 namespace seascape {
 
-Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveCompute& waves,
+Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
                  const Buffer& frame_ring, const SurfaceLight& light, int patch_quads, const SurfaceLook& look) {
   const EffectScope scope(device, "surface");
   const auto indices = patch_indices(patch_quads);

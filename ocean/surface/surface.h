@@ -2,7 +2,7 @@
 #pragma once
 #include "engine/frame.h"
 #include "ocean/lod/quadtree.h"
-#include "ocean/waves/wave_compute.h"
+#include "ocean/waves/wave_images.h"
 
 namespace seascape {
 
@@ -25,7 +25,7 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveCompute& waves, const Buffer& frame_ring,
+  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves, const Buffer& frame_ring,
           const SurfaceLight& light, int patch_quads, const SurfaceLook& look);
 
   // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.

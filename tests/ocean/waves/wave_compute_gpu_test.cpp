@@ -33,10 +33,11 @@ class GpuTiles {
       : bins_(make_wave_bins(sea, quality)),
         statistics_(sea_statistics(sea, bins_)),
         frame_(test::device(), 4096),
-        waves_(test::device(), test::shaders(), sea, quality, bins_, statistics_, 1.0) {}
+        waves_(test::device(), sea, quality, bins_, statistics_, 1.0, VK_IMAGE_USAGE_STORAGE_BIT),
+        compute_(test::device(), test::shaders(), sea, quality, bins_, waves_) {}
   void compute(std::int64_t ticks) {
     frame_.begin();
-    waves_.update(frame_, ticks);
+    compute_.update(frame_, ticks);
     frame_.submit();
     frame_.finish();
   }
@@ -55,14 +56,15 @@ class GpuTiles {
     }
     return list;
   }
-  const WaveCompute& waves() const { return waves_; }
+  const WaveImages& waves() const { return waves_; }
   const SeaStatistics& statistics() const { return statistics_; }
 
  private:
   WaveBins bins_;
   SeaStatistics statistics_;
   Frame frame_;
-  WaveCompute waves_;
+  WaveImages waves_;
+  WaveCompute compute_;
 };
 
 struct Worst {
@@ -217,7 +219,8 @@ TEST_F(WaveTilesOnGpu, HeightIsTheSumOfItsWaves) {
 TEST_F(WaveTilesOnGpu, TheSameTimeIsNotComputedTwice) {
   const WaveQuality quality{.resolution = 32, .cascades = 1};
   const WaveBins bins = make_wave_bins(windy(), quality);
-  WaveCompute waves(test::device(), test::shaders(), windy(), quality, bins, sea_statistics(windy(), bins), 1.0);
+  WaveImages images(test::device(), windy(), quality, bins, sea_statistics(windy(), bins), 1.0, VK_IMAGE_USAGE_STORAGE_BIT);
+  WaveCompute waves(test::device(), test::shaders(), windy(), quality, bins, images);
   Frame frame(test::device(), 4096);
   std::vector<bool> worked;
   for (const std::int64_t ticks : {5, 5, 6, 6, 5}) {

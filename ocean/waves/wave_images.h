@@ -1,0 +1,44 @@
+// The sea's tiles as images that shaders sample, and what the shaders are told of them; WaveCompute or WaveUpload fills them.
+#pragma once
+#include <vector>
+
+#include "engine/frame.h"
+#include "ocean/waves/sea_state.h"
+#include "ocean/waves/wave_field.h"
+#include "shaders/shared/sea_data.h"
+
+namespace seascape {
+
+class WaveImages {
+ public:
+  // `filled_as`: what the images are to whoever fills them (storage, or the destination of copies).
+  WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, const SeaStatistics& statistics,
+             double anisotropy, VkImageUsageFlags filled_as);
+
+  // The part of SeaData that follows the place: `grid_origin_m` is the world x, z that rest positions count from.
+  gpu::SeaData sea_data(glm::dvec2 grid_origin_m) const;
+
+  // Tiles as texture arrays, a layer a cascade (see shaders/lib/wave_columns.glsl for the channels).
+  const Image& displacement() const { return displacement_; }
+  const Image& derivatives() const { return derivatives_; }
+  const Image& moments() const { return moments_; }
+  VkSampler vertex_sampler() const { return vertex_sampler_.get(); }
+  VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
+  bool half_storage() const { return half_; }
+  int cascades() const { return int(cascade_moments_.size()); }
+  int resolution() const { return resolution_; }
+  int levels() const { return levels_; }  // log2(resolution) + 1
+
+ private:
+  friend class WaveCompute;  // which stores into views of their levels
+  Ladder ladder_;
+  SeaStatistics statistics_;
+  double chop_;
+  int resolution_, levels_ = 1;
+  bool half_ = false;
+  std::vector<glm::dvec3> cascade_moments_;
+  Image displacement_, derivatives_, moments_;
+  Owned<VkSampler> vertex_sampler_, pixel_sampler_;
+};
+
+}  // namespace seascape
