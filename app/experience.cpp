@@ -58,7 +58,7 @@ void Experience::build() {
   }
   const Settings& s = scene_.settings;
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.lod, s.water, named(scene_, "foam")});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam")});
   build_targets();
   const bool tile = render.shape == FrameShape::tile;
   const RenderTarget& drawn = tile ? picture_ : lit_;

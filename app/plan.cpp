@@ -50,10 +50,13 @@ void add_object(PlanEffect& effect, const ObjectRecord& object) {
   }
 }
 
-// The effect a pass works for is the one its pipeline belongs to; a pass that binds none belongs to the frame.
-std::string owner_of(VkPipeline pipeline, const std::vector<ObjectRecord>& objects) {
+// The effect a pass works for is the one its pipeline belongs to, or else the image that it copies into; a pass that has
+// neither belongs to the frame.
+std::string owner_of(const PipelineWork& work, const std::vector<ObjectRecord>& objects) {
   for (const ObjectRecord& object : objects)
-    if (object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(pipeline)) return object.effect;
+    if (work.pipeline ? object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(work.pipeline)
+                      : object.type == VK_OBJECT_TYPE_IMAGE && object.handle == std::uint64_t(work.copied_to))
+      return object.effect;
   return "frame";
 }
 
@@ -62,7 +65,7 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
   std::vector<PlanEffect> found;  // this frame's passes by effect, for a pass may come several times
   std::vector<std::pair<std::uint32_t, std::string>> counted;
   for (const PipelineWork& work : frame) {
-    const std::string owner = owner_of(work.pipeline, objects);
+    const std::string owner = owner_of(work, objects);
     auto effect = std::find_if(found.begin(), found.end(), [&](const PlanEffect& e) { return e.name == owner; });
     if (effect == found.end()) {
       found.push_back({});
@@ -81,6 +84,7 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
     pass->draws += work.draws;
     pass->triangles += work.triangles;
     pass->dispatches += work.dispatches;
+    pass->copies += work.copies;
   }
   for (const PlanEffect& part : found)
     for (const PlanPass& pass : part.passes) {

@@ -21,6 +21,8 @@ std::string pass_line(const PlanPass& pass) {
   if (pass.draws) text += fmt::format("{} draw{}, {} triangles", pass.draws, pass.draws > 1 ? "s" : "", pass.triangles);
   if (pass.draws && pass.dispatches) text += ", ";
   if (pass.dispatches) text += fmt::format("{} dispatch{}", pass.dispatches, pass.dispatches > 1 ? "es" : "");
+  if ((pass.draws || pass.dispatches) && pass.copies) text += ", ";
+  if (pass.copies) text += fmt::format("{} cop{} into images", pass.copies, pass.copies > 1 ? "ies" : "y");
   return text + "\n";
 }
 
@@ -64,7 +66,8 @@ ordered_json effect_json(const PlanEffect& effect) {
                       {"times", pass.times},
                       {"draws", pass.draws},
                       {"triangles", pass.triangles},
-                      {"dispatches", pass.dispatches}});
+                      {"dispatches", pass.dispatches},
+                      {"copies", pass.copies}});
   for (const PlanModule& module : effect.modules) {
     ordered_json entry = {{"name", module.name}, {"words", module.words}};
     if (!module.part_of.empty()) entry["part_of"] = module.part_of;

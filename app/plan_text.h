@@ -13,6 +13,7 @@ struct PlanPass {
   bool once = false;        // recorded by the first frame only, and again when what it depends on changes
   std::uint64_t times = 0;  // how many passes of this name
   std::uint64_t draws = 0, triangles = 0, dispatches = 0;
+  std::uint64_t copies = 0;  // uploads into images
 };
 
 struct PlanModule {

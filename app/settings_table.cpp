@@ -62,6 +62,10 @@ const std::vector<Setting>& table() {
        5.0, {}, quality, rebuild},
       {"waves.half_storage", "", "Stores the tiles of waves on the GPU as 16-bit floats.",
        waves<&WaveQuality::half_storage>, 0.0, 1.0, {}, quality, rebuild},
+      {"waves.where", "",
+       "What computes the picture's waves: the GPU, or the processor, which uploads them; auto takes the processor on software drivers.",
+       ChoiceMember{&choice_of<&Settings::wave_place>, &set_choice<&Settings::wave_place>}, 0.0, 0.0, {"auto", "gpu", "cpu"}, false,
+       rebuild},
 
       {"lod.ocean_size_m", "m", "Side of the square that is divided into patches; a skirt goes on to the horizon.",
        lod<&LodSettings::ocean_size_m>, 256.0, 8192.0, {}, false, rebuild},

@@ -67,6 +67,15 @@ void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances) {
   count_draw(std::uint64_t(indices / 3) * instances);
 }
 
+void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions) {
+  vkCmdCopyBufferToImage(commands_, from.get(), to.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(regions.size()),
+                         regions.data());
+  for (const VkBufferImageCopy& region : regions)
+    note(11 + (region.bufferOffset << 8) + (std::uint64_t(region.imageExtent.width) << 40) + (std::uint64_t(region.imageExtent.height) << 52));
+  work_->back().copied_to = to.get();
+  ++work_->back().copies;
+}
+
 void Commands::count_draw(std::uint64_t triangles) {
   ++counts_->draws;
   ++work_->back().draws;
@@ -104,6 +113,7 @@ Frame::Frame(Device& device, std::uint32_t ring_bytes)
       VkQueryPool query_handle = VK_NULL_HANDLE;
       check(vkCreateQueryPool(device.handle(), &queries, nullptr, &query_handle), "vkCreateQueryPool");
       slot.queries = Owned<VkQueryPool>(device, query_handle, "frame");
+      slot.stamps = Buffer(device, "frame times", 2 * max_passes * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
     }
   }
 }
@@ -117,10 +127,7 @@ void Frame::collect(Slot& slot) {
   slot.pending = false;
   device_.frames_finished_to(slot.frame);
   if (!slot.queries || slot.passes == 0) return;
-  std::array<std::uint64_t, 2 * max_passes> stamps{};
-  check(vkGetQueryPoolResults(device_.handle(), slot.queries.get(), 0, 2 * slot.passes, sizeof stamps, stamps.data(), 8,
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-        "vkGetQueryPoolResults");
+  const auto* stamps = slot.stamps.mapped<std::uint64_t>();
   times_.clear();
   const double period = device_.facts().timestamp_period_ns * 1e-6;
   for (std::uint32_t p = 0; p < slot.passes; ++p)
@@ -246,6 +253,17 @@ void Frame::end_pass() {
 
 void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
   Slot& slot = slots_[number_ % slots];
+  if (slot.queries && slot.passes > 0) {
+    // By the frame and not by vkGetQueryPoolResults, for which lavapipe waits until the device is idle: the frames in flight
+    // would be one.
+    BarrierBatch before, after;
+    before.add(slot.stamps, Access::transfer_write);
+    before.record(slot.commands);
+    vkCmdCopyQueryPoolResults(slot.commands, slot.queries.get(), 0, 2 * slot.passes, slot.stamps.get(), 0, sizeof(std::uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    after.add(slot.stamps, Access::host_read);
+    after.record(slot.commands);
+  }
   check(vkEndCommandBuffer(slot.commands), "vkEndCommandBuffer");
   const VkPipelineStageFlags stage = VK_PIPELINE_STAGE_TRANSFER_BIT | VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};

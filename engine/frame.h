@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "engine/barrier.h"
@@ -33,7 +34,8 @@ struct PipelineWork {
   const char* pass;
   std::uint32_t pass_number = 0;       // in program order: passes may share a name
   VkPipeline pipeline = VK_NULL_HANDLE;  // null: the pass has bound none yet
-  std::uint64_t draws = 0, triangles = 0, dispatches = 0;
+  VkImage copied_to = VK_NULL_HANDLE;    // the image that a pass without pipelines copied into last
+  std::uint64_t draws = 0, triangles = 0, dispatches = 0, copies = 0;
 };
 
 struct PassTime {
@@ -61,6 +63,8 @@ class Commands {
   void bind_indices(const Buffer& buffer, VkIndexType type);
   void draw(std::uint32_t vertices, std::uint32_t instances = 1);
   void draw_indexed(std::uint32_t indices, std::uint32_t instances);
+  // Copies texels of a buffer (Access::transfer_read) into an image (Access::transfer_write).
+  void copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions);
   // The eye that a pass per eye draws; 0 in a multiview pass, where shaders have gl_ViewIndex.
   std::uint32_t eye() const { return eye_; }
   VkCommandBuffer raw() const { return commands_; }  // for libraries that record by themselves
@@ -110,6 +114,8 @@ class Frame {
     return upload(&data, sizeof(T), device_.facts().uniform_alignment).offset;
   }
   const Buffer& ring() const { return ring_; }
+  // Which of the frames in flight this is, 0 to slots - 1: what the host writes for the GPU needs a piece for each.
+  int slot() const { return int(number_ % slots); }
 
   void submit(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
   void finish();  // waits for all frames, reads their timers
@@ -129,6 +135,7 @@ class Frame {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     Owned<VkFence> fence;
     Owned<VkQueryPool> queries;
+    Buffer stamps;  // the queries' results, copied there by the frame itself
     std::array<const char*, max_passes> names{};
     std::uint32_t passes = 0;
     std::uint64_t frame = 0;

@@ -7,16 +7,29 @@
 
 namespace seascape {
 
+namespace {
+bool on_gpu(const Device& device, WavePlace place) {
+  return place == WavePlace::gpu || (place == WavePlace::automatic && !device.facts().software);
+}
+}  // namespace
+
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings)
     : settings_(settings),
       bins_(make_wave_bins(settings.sea, settings.waves)),
       statistics_(sea_statistics(settings.sea, bins_)),
-      waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy, VK_IMAGE_USAGE_STORAGE_BIT),
-      compute_(device, shaders, settings.sea, settings.waves, bins_, waves_),
-      quadtree_(settings.lod) {}
+      waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy,
+             on_gpu(device, settings.wave_place) ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT),
+      quadtree_(settings.lod) {
+  if (on_gpu(device, settings.wave_place))
+    compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, settings.waves, bins_, waves_);
+  else
+    upload_ = std::make_unique<WaveUpload>(device, settings.sea, settings.waves, bins_, waves_);
+}
 
 void Ocean::update(Frame& frame, double time_s) {
-  compute_.update(frame, ticks_from_seconds(time_s));
+  const std::int64_t ticks = ticks_from_seconds(time_s);
+  if (compute_) compute_->update(frame, ticks);
+  if (upload_) upload_->update(frame, ticks);
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {

@@ -1,5 +1,7 @@
 // The ocean: one sea, its waves and its surface, for any number of viewers.
 #pragma once
+#include <memory>
+
 #include "engine/frame.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
@@ -8,6 +10,8 @@
 #include "ocean/waves/wave_compute.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_images.h"
+#include "ocean/waves/wave_place.h"
+#include "ocean/waves/wave_upload.h"
 #include "shaders/shared/frame_data.h"
 
 namespace seascape {
@@ -15,6 +19,7 @@ namespace seascape {
 struct OceanSettings {
   SeaState sea;
   WaveQuality waves;
+  WavePlace wave_place = WavePlace::automatic;
   LodSettings lod;
   WaterSettings water;
   bool foam = false;
@@ -47,7 +52,8 @@ class Ocean {
   WaveBins bins_;
   SeaStatistics statistics_;
   WaveImages waves_;
-  WaveCompute compute_;
+  std::unique_ptr<WaveCompute> compute_;  // either this
+  std::unique_ptr<WaveUpload> upload_;    // or this fills them
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;
 };

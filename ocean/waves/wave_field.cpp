@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -51,18 +52,24 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
   }
 }
 
-void WaveTiles::shape(int cascades, int resolution) {
-  if (cascades == cascades_ && resolution == resolution_) return;
-  cascades_ = cascades;
-  resolution_ = resolution;
-  levels_.clear();
-  plane_texels_ = 0;
+WaveTileLayout::WaveTileLayout(int cascades_kept, int texels_a_side) : cascades(cascades_kept), resolution(texels_a_side) {
   for (int size = resolution; size >= 1; size /= 2) {
     const int stride = size >= 32 ? size + 4 : size;
-    levels_.push_back({size, stride, plane_texels_});
-    plane_texels_ += std::size_t(stride) * size;
+    levels.push_back({size, stride, plane_texels});
+    plane_texels += std::size_t(cascades) * std::size_t(stride) * std::size_t(size);
   }
-  texels_.assign(plane_texels_ * planes_ * cascades, glm::vec4(0.0f));
+}
+
+void WaveTiles::shape(int cascades, int resolution) {
+  const bool same = cascades == layout_.cascades && resolution == layout_.resolution;
+  if (!same) layout_ = WaveTileLayout(cascades, resolution);
+  const std::size_t texels = layout_.plane_texels * std::size_t(planes_);
+  assert(given_.empty() || given_.size() >= texels);
+  if (given_.empty() && texels_.size() != texels) {
+    texels_.assign(texels, glm::vec4(0.0f));
+    first_ = texels_.data();
+  }
+  if (same) return;
   workspace_.assign(workspace_floats(make_fft_plan(resolution), has_velocity()) * cascades, 0.0f);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "ocean/waves/fft.h"
@@ -17,37 +18,61 @@ enum class WavePlane {
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
 };
 
+// Where the texels of tiles lie, counted from their first: plane after plane, in it level after level, in it cascade after
+// cascade, so that a level of an image with all its layers is one copy.
+struct WaveTileLayout {
+  struct Level {
+    int size, stride;    // rows are `stride` texels apart, a little more than `size`: power-of-two strides cost cache aliasing
+    std::size_t offset;  // from the plane's first texel
+  };
+  int cascades = 0, resolution = 0;
+  std::vector<Level> levels;     // log2(resolution) + 1
+  std::size_t plane_texels = 0;  // from one plane to the next
+
+  WaveTileLayout() = default;
+  WaveTileLayout(int cascades, int resolution);
+  std::size_t offset(int cascade, WavePlane plane, int level) const {
+    const Level& l = levels[std::size_t(level)];
+    return std::size_t(plane) * plane_texels + l.offset + std::size_t(cascade) * std::size_t(l.stride) * std::size_t(l.size);
+  }
+};
+
 // Filled by WaveField::evaluate. Texel (x, z) of level 0 holds the field at tile coordinates (x, z) / resolution; each level
 // after it holds averages of two by two texels, down to one texel.
 class WaveTiles {
  public:
   explicit WaveTiles(bool with_velocity = false) : planes_(with_velocity ? 4 : 3) {}
-  int cascades() const { return cascades_; }
-  int resolution() const { return resolution_; }
-  int levels() const { return int(levels_.size()); }  // log2(resolution) + 1
+  WaveTiles(const WaveTiles&) = delete;
+  WaveTiles& operator=(const WaveTiles&) = delete;
+  int cascades() const { return layout_.cascades; }
+  int resolution() const { return layout_.resolution; }
+  int levels() const { return int(layout_.levels.size()); }
+  const WaveTileLayout& layout() const { return layout_; }
   bool has_velocity() const { return planes_ == 4; }
   std::int64_t ticks() const { return ticks_; }
-  // First texel of a level. Rows are `stride(level)` texels apart, a little more than the level's width: power-of-two strides
-  // cost cache aliasing.
+  // First texel of a level, whose rows are `stride(level)` texels apart.
   const glm::vec4* texels(int cascade, WavePlane plane, int level) const {
-    return texels_.data() + (std::size_t(cascade) * planes_ + int(plane)) * plane_texels_ + levels_[level].offset;
+    return first_ + layout_.offset(cascade, plane, level);
   }
-  int stride(int level) const { return levels_[level].stride; }
+  int stride(int level) const { return layout_.levels[std::size_t(level)].stride; }
+  // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own. It
+  // holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
+  void keep_in(std::span<glm::vec4> memory) {
+    given_ = memory;
+    first_ = memory.data();
+  }
 
  private:
   friend class WaveField;
-  struct Level {
-    int size, stride;
-    std::size_t offset;  // texels from the plane's first
-  };
   void shape(int cascades, int resolution);
   glm::vec4* writable(int cascade, WavePlane plane, int level) {
     return const_cast<glm::vec4*>(texels(cascade, plane, level));
   }
-  int planes_, cascades_ = 0, resolution_ = 0;
+  int planes_;
   std::int64_t ticks_ = 0;
-  std::size_t plane_texels_ = 0;
-  std::vector<Level> levels_;
+  WaveTileLayout layout_;
+  glm::vec4* first_ = nullptr;  // of given_, or of the tiles' own texels
+  std::span<glm::vec4> given_;
   std::vector<glm::vec4> texels_;
   std::vector<float> workspace_;  // of the transforms, workspace_floats(...) a cascade
 };

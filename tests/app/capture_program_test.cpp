@@ -53,7 +53,7 @@ class CaptureOfAllPresets : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
     result_ = new ProgramResult(run({"capture", "--scene", "swell", "--preset", "all", "--size", "48x27", "--views", "2", "--frames",
-                                     "3", "--warmup", "1", "--fps", "10", "--out", *folder_ / "new" / "out"}));
+                                     "3", "--warmup", "1", "--fps", "10", "--set", "waves.where=gpu", "--out", *folder_ / "new" / "out"}));
   }
   static void TearDownTestSuite() {
     delete result_;
@@ -111,6 +111,18 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
     EXPECT_LE(passes, gpu * 1.01 + 0.1);
     EXPECT_GT(passes, 0.0);
   }
+}
+
+// Control: with waves.where=gpu the columns are others.
+TEST(Capture, UploadsAreAPassOfTheirOwn) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"capture", "--scene", "swell", "--preset", "low", "--size", "48x27", "--views", "1", "--frames", "2",
+                                    "--warmup", "1", "--set", "waves.where=cpu", "--out", folder / "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], std::string(fixed_columns) + ",gpu_wave upload_ms,gpu_surface_ms");
+  EXPECT_GT(std::stod(split(lines[1], ',')[12]), 0.0);
 }
 
 // Control: a trace of the first run alone had one process.
@@ -172,7 +184,7 @@ TEST(Capture, InAWindowNeedsADesktopAndMeasuresThere) {
 
 // Controls: a plan whose passes are the sum of its effects' counted one too many; one without add_foam had no module of foam.
 TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
-  const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json"});
+  const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json", "--set", "waves.where=gpu"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const nlohmann::json plan = nlohmann::json::parse(result.out);
   std::uint64_t bytes = 0, draws = 0, passes = 0;

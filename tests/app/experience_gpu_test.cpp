@@ -36,22 +36,25 @@ const Pose at_deck = pose({0.0, 3.0, 0.0}, 20.0, -4.0);
 // The control: an experience kept alive, as the first expectation has it, is seen.
 TEST_F(ExperienceLife, GivesBackAllThatItTook) {
   const Held before = held();
-  for (const char* preset : {"low", "high"}) {
-    SeaShot shot({.preset = preset, .width = 96, .height = 64, .views = 2});
-    shot.draw(at_deck, 1.0);
-    EXPECT_GT(held().objects, before.objects + 20);
-    EXPECT_GT(held().bytes, before.bytes + (1u << 20));
-  }
+  for (const char* place : {"gpu", "cpu"})
+    for (const char* preset : {"low", "high"}) {
+      SeaShot shot({.preset = preset, .width = 96, .height = 64, .views = 2, .set = {{"waves.where", place}}});
+      shot.draw(at_deck, 1.0);
+      EXPECT_GT(held().objects, before.objects + 20);
+      EXPECT_GT(held().bytes, before.bytes + (1u << 20));
+    }
   EXPECT_EQ(held(), before);
 }
 
 TEST_F(ExperienceLife, FiftyRebuildsLeaveAsMuchAsOne) {
-  SeaShot shot({.preset = "low", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}}});
+  SeaShot shot({.preset = "low", .width = 64, .height = 48,
+                .set = {{"waves.where", "gpu"}, {"waves.resolution", "32"}, {"waves.cascades", "2"}}});
   shot.draw(at_deck, 0.0);
   const Held before = held();
   const auto picture = shot.picture(at_deck, 0.0);
   for (int i = 0; i < 50; ++i) {
     shot.set("waves.resolution", i % 2 == 0 ? "64" : "32");
+    if (i % 5 == 0) shot.set("waves.where", i % 2 == 0 ? "cpu" : "gpu");
     if (i % 10 == 0) shot.draw(at_deck, 0.1 * i);
   }
   shot.draw(at_deck, 0.0);
@@ -79,8 +82,9 @@ TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
 
 // Pipelines are made while loading, never by a frame, whatever it looks at. The control: a rebuild is counted.
 TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
-  for (const char* preset : {"medium", "high"}) {
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
+  for (const auto& [preset, place] : {std::pair("medium", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("high", "gpu")}) {
+    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2,
+                  .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
     shot.draw(at_deck, 0.0);
     const std::uint64_t pipelines = test::device().pipelines_made();
     const Held before = held();
@@ -140,15 +144,19 @@ TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
 // Control: a use of the moments' tile left out of app/frame.cpp is a validation error and a hazard here.
 // A frame that holds the sea still computes no waves and records the same commands each time.
 TEST_F(ExperienceLife, AFrameIsAFunctionOfItsPlaceAndTime) {
-  SeaShot shot({.preset = "medium", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
-  shot.draw(at_deck, 1.0);
-  shot.draw(at_deck, 2.0);
-  const FrameCounts moving = shot.counts();
-  shot.draw(at_deck, 3.0);
-  EXPECT_EQ(shot.counts().hash, moving.hash);
-  shot.draw(at_deck, 3.0);
-  EXPECT_EQ(shot.counts().dispatches, 0u);
-  EXPECT_NE(shot.counts().hash, moving.hash);
+  for (const char* place : {"gpu", "cpu"}) {
+    SeaShot shot({.preset = "medium", .width = 64, .height = 48,
+                  .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
+    shot.draw(at_deck, 1.0);
+    shot.draw(at_deck, 2.0);
+    const FrameCounts moving = shot.counts();
+    shot.draw(at_deck, 3.0);
+    EXPECT_EQ(shot.counts().hash, moving.hash);
+    shot.draw(at_deck, 3.0);
+    EXPECT_EQ(shot.counts().dispatches, 0u);
+    EXPECT_EQ(shot.counts().passes, 1u) << "the surface alone";
+    EXPECT_NE(shot.counts().hash, moving.hash);
+  }
 }
 
 // Nothing beyond Vulkan 1.1's floor: the same sea is drawn with no message, as on a driver that has no more.
@@ -160,15 +168,17 @@ TEST_F(ExperienceLife, DrawsOnTheFloorOfVulkan) {
   EXPECT_FALSE(floor.facts().vertex_stores);
   EXPECT_EQ(floor.facts().max_anisotropy, 1.0f);
   const bool per_eye = draw_per_eye(floor, test::shaders(), StereoMode::automatic, 2);
-  for (const char* preset : {"low", "high"}) {
-    SeaShot shot(floor, {.scene = "storm", .preset = preset, .width = 96, .height = 64, .views = 2, .per_eye = per_eye});
-    const auto pictures = shot.pictures(pose({0.0, 12.0, 0.0}, 20.0, -8.0), 10.0);
-    for (const Image8& picture : pictures) {
-      EXPECT_GT(test::statistics(picture).mean, 20.0);
-      EXPECT_GT(test::statistics(picture).deviation, 5.0);
+  for (const char* place : {"gpu", "cpu"})
+    for (const char* preset : {"low", "high"}) {
+      SeaShot shot(floor, {.scene = "storm", .preset = preset, .width = 96, .height = 64, .views = 2, .per_eye = per_eye,
+                           .set = {{"waves.where", place}}});
+      const auto pictures = shot.pictures(pose({0.0, 12.0, 0.0}, 20.0, -8.0), 10.0);
+      for (const Image8& picture : pictures) {
+        EXPECT_GT(test::statistics(picture).mean, 20.0);
+        EXPECT_GT(test::statistics(picture).deviation, 5.0);
+      }
+      EXPECT_TRUE(shot.experience().ocean().waves().half_storage()) << "32-bit tiles cannot be filtered there";
     }
-    EXPECT_TRUE(shot.experience().ocean().waves().half_storage()) << "32-bit tiles cannot be filtered there";
-  }
 }
 
 }  // namespace

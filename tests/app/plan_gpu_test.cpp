@@ -65,10 +65,10 @@ Plan plan_of(SeaShot& shot, const std::string& preset) { return make_plan(shot.d
 TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   Device& device = test::device();
   ASSERT_TRUE(device.objects().empty());
-  for (const char* preset : {"low", "high"}) {
+  for (const auto& [preset, place] : {std::pair("low", "cpu"), std::pair("high", "gpu"), std::pair("high", "cpu")}) {
     device.wait_idle();  // what is gone is given back
     const std::uint64_t used_before = device.memory().used_bytes();
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 36, .views = 2});
+    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
     const Plan plan = plan_of(shot, preset);
     EXPECT_EQ(held_by(plan), held_by(device));
     EXPECT_EQ(plan.preset, preset);
@@ -94,9 +94,11 @@ TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   }
 }
 
-// Control: triangles counted for the frame's first pass instead of the one that draws them.
-TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
-  SeaShot shot({.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .views = 2});
+// Controls: triangles counted for the frame's first pass instead of the one that draws them; an upload that is not told apart from
+// the frame's own passes.
+void expect_what_a_frame_records(const std::string& place) {
+  SCOPED_TRACE(place);
+  SeaShot shot({.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
   const Plan plan = plan_of(shot, "high");
   const FrameCounts& counts = shot.counts();  // of the plan's second frame
   const PlanTotals totals = totals_of(plan);
@@ -116,10 +118,25 @@ TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
   const PlanPass& surface = named(plan, "surface").passes[0];
   EXPECT_EQ(surface.draws, 1u) << "all patches and both eyes";
   EXPECT_EQ(surface.triangles, shot.experience().ocean().selection()->patches.size() * 64 * 64 * 2) << "with 64 quads a side";
-  for (const PlanPass& pass : named(plan, "waves").passes) EXPECT_GT(pass.dispatches, 0u) << pass.name;
+  const PlanEffect& waves = named(plan, "waves");
+  if (place == "gpu") {
+    EXPECT_EQ(waves.passes.size(), 3u);
+    EXPECT_EQ(waves.pipelines.size(), 3u);
+    for (const PlanPass& pass : waves.passes) EXPECT_GT(pass.dispatches, 0u) << pass.name;
+  } else {
+    ASSERT_EQ(waves.passes.size(), 1u);
+    EXPECT_EQ(waves.passes[0].name, "wave upload");
+    EXPECT_FALSE(waves.passes[0].once);
+    EXPECT_EQ(waves.passes[0].copies, 3u);
+    EXPECT_TRUE(waves.pipelines.empty() && waves.modules.empty());
+  }
   const std::vector<PlanPass>& sky = named(plan, "sky").passes;
   EXPECT_EQ(std::count_if(sky.begin(), sky.end(), [](const PlanPass& pass) { return pass.once; }), 3)
       << "its light is made once, while the sun stands";
+}
+
+TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
+  for (const char* place : {"gpu", "cpu"}) expect_what_a_frame_records(place);
 }
 
 // A scene that does not call for foam has no word of it. Control: a Surface that is always built with foam gave

@@ -10,9 +10,9 @@ namespace {
 using testing::HasSubstr;
 
 Plan sample() {
-  Plan plan{"a \"sea\", rough", "low", "a device", 64, 36, 2, 4, 3, {}};
+  Plan plan{"a \"sea\", rough", "low", "a device", 64, 36, 2, 4, 4, {}};
   PlanEffect waves{"waves", "the scene names it", {}, {}, {}, {}, 2, 0};
-  waves.passes = {{"rows", false, 1, 0, 0, 4}, {"mips", false, 2, 0, 0, 6}, {"bins", true, 1, 0, 0, 100}};
+  waves.passes = {{"rows", false, 1, 0, 0, 4}, {"mips", false, 2, 0, 0, 6}, {"bins", true, 1, 0, 0, 100}, {"tiles", false, 1, 0, 0, 0, 3}};
   waves.pipelines = {"rows.comp", "mips.comp"};
   waves.modules = {{"rows.comp", 700, ""}, {"mips.comp", 300, ""}};
   waves.resources = {{"image", "tiles", 3u << 20}, {"buffer", "bins", 1u << 20}};
@@ -23,14 +23,14 @@ Plan sample() {
 }
 
 // Controls, all seen: a sum that takes what is done once (110 dispatches), one that counts shared words twice (1050), and one
-// that adds up passes that two effects share (4 of 3).
+// that adds up passes that two effects share (5 of 4).
 TEST(PlanTotals, LeaveOutWhatIsDoneOnceAndWhatIsCountedElsewhere) {
   const Plan plan = sample();
   const PlanTotals waves = totals_of(plan.effects[0]);
-  EXPECT_EQ(waves.passes, 3u);
+  EXPECT_EQ(waves.passes, 4u);
   EXPECT_EQ(waves.dispatches, 10u);
   const PlanTotals all = totals_of(plan);
-  EXPECT_EQ(all.passes, 3u);
+  EXPECT_EQ(all.passes, 4u);
   EXPECT_EQ(all.draws, 1u);
   EXPECT_EQ(all.triangles, 500u);
   EXPECT_EQ(all.dispatches, 10u);
@@ -50,6 +50,7 @@ TEST(PlanJson, HoldsWhatThePlanHolds) {
   EXPECT_EQ(waves.at("because"), "the scene names it");
   EXPECT_EQ(waves.at("passes")[1].at("times"), 2);
   EXPECT_EQ(waves.at("passes")[2].at("when"), "once");
+  EXPECT_EQ(waves.at("passes")[3].at("copies"), 3);
   EXPECT_EQ(waves.at("pipelines"), (nlohmann::json{"rows.comp", "mips.comp"}));
   EXPECT_EQ(waves.at("modules")[0].at("words"), 700);
   EXPECT_FALSE(waves.at("modules")[0].contains("part_of"));
@@ -67,7 +68,7 @@ TEST(PlanJson, TakesAnyName) {
 TEST(PlanCsv, HasARowAnEffectAndQuotesNames) {
   EXPECT_EQ(plan_csv(sample()),
             "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes\n"
-            "\"a \"\"sea\"\", rough\",low,waves,the scene names it,3,0,0,10,2,2,1000,2,4194304\n"
+            "\"a \"\"sea\"\", rough\",low,waves,the scene names it,4,0,0,10,2,2,1000,2,4194304\n"
             "\"a \"\"sea\"\", rough\",low,foam,\"waves, again\",1,1,500,0,0,0,0,0,0\n");
 }
 
@@ -77,8 +78,9 @@ TEST(PlanText, SaysWhyAndHowMuch) {
   EXPECT_THAT(text, HasSubstr("waves: the scene names it\n"));
   EXPECT_THAT(text, HasSubstr("mips              every frame  2 passes, 6 dispatches\n"));
   EXPECT_THAT(text, HasSubstr("bins              once         100 dispatches\n"));
+  EXPECT_THAT(text, HasSubstr("tiles             every frame  3 copies into images\n"));
   EXPECT_THAT(text, HasSubstr("50 words, within the module of surface\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\nall +3 +1 +500 +10 +2 +2 +1000 +2 +4.00\n$"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nall +4 +1 +500 +10 +2 +2 +1000 +2 +4.00\n$"));
 }
 
 }  // namespace

@@ -27,25 +27,28 @@ TEST(AllocationCounter, SeesWhatThisProgramAllocates) {
 // counted, and one planted in draw_frame fails.
 TEST(SteadyFrame, AllocatesNothing) {
   Device device{DeviceOptions{}};
-  for (const char* preset : {"medium", "high"}) {
-    test::SeaShot shot(device, {.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
-    Frame& frame = shot.experience().frame();
-    std::uint64_t ours = 0, planted = 0;
-    for (int i = 0; i <= 25; ++i) {
-      const Viewpoint viewpoint =
-          shot.viewpoint(test::pose({2.0 * i, 8.0 + 0.5 * i, -3.0 * i}, 20.0 + 5.0 * i, -8.0 - 0.5 * i));
-      const AllocationCounter counter;
-      frame.begin();
-      draw_frame(shot.experience(), frame, viewpoint, 0.05 * i);
-      frame.submit();
-      if (i < 5) continue;
-      EXPECT_EQ(counter.ours(), 0u) << preset << ", frame " << i;
-      ours += counter.ours();
-      const std::vector<int> plant(std::size_t(i) + 1);
-      planted += counter.ours();
+  for (const char* place : {"gpu", "cpu"}) {
+    for (const char* preset : {"medium", "high"}) {
+      test::SeaShot shot(device, {.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2,
+                                  .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
+      Frame& frame = shot.experience().frame();
+      std::uint64_t ours = 0, planted = 0;
+      for (int i = 0; i <= 25; ++i) {
+        const Viewpoint viewpoint =
+            shot.viewpoint(test::pose({2.0 * i, 8.0 + 0.5 * i, -3.0 * i}, 20.0 + 5.0 * i, -8.0 - 0.5 * i));
+        const AllocationCounter counter;
+        frame.begin();
+        draw_frame(shot.experience(), frame, viewpoint, 0.05 * i);
+        frame.submit();
+        if (i < 5) continue;
+        EXPECT_EQ(counter.ours(), 0u) << preset << ", waves by the " << place << ", frame " << i;
+        ours += counter.ours();
+        const std::vector<int> plant(std::size_t(i) + 1);
+        planted += counter.ours();
+      }
+      EXPECT_EQ(planted - ours, 21u) << "one a frame was planted";
+      frame.finish();
     }
-    EXPECT_EQ(planted - ours, 21u) << "one a frame was planted";
-    frame.finish();
   }
   device.wait_idle();
 }

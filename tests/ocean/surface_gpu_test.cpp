@@ -1,11 +1,12 @@
-// Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU.
+// Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU; with
+// tiles that the GPU computed, and with tiles that were uploaded.
 #include <cmath>
 #include <cstring>
 #include <random>
 
 #include "ocean/lod/patch_mesh.h"
 #include "ocean/waves/wave_tiles.h"
-#include "tests/support/gpu/gpu_test.h"
+#include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/sea_shot.h"
 
 namespace seascape {
@@ -15,13 +16,15 @@ namespace {
 using test::pose;
 using test::SeaShot;
 
-class DrawnSurface : public test::GpuTest {
+class DrawnSurface : public test::GpuTest, public ::testing::WithParamInterface<WavePlace> {
  protected:
   void SetUp() override {
     GpuTest::SetUp();
     if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   }
 };
+
+INSTANTIATE_TEST_SUITE_P(Places, DrawnSurface, ::testing::Values(WavePlace::gpu, WavePlace::cpu), test::place_name);
 
 struct Errors {
   double worst_m = 0.0, hs_m = 0.0;
@@ -30,8 +33,9 @@ struct Errors {
 };
 
 // Draws `scene` and compares `count` random vertices; `late_s` shifts the field's time (a control).
-Errors errors(const std::string& scene, const std::string& preset, std::vector<std::pair<std::string, std::string>> set, const Pose& head,
+Errors errors(WavePlace place, const std::string& scene, const std::string& preset, std::vector<std::pair<std::string, std::string>> set, const Pose& head,
               double time_s, int count, double late_s = 0.0) {
+  set.emplace_back("waves.where", test::place_value(place));
   SeaShot shot({.scene = scene, .preset = preset, .width = 64, .height = 36, .probe = true, .set = std::move(set)});
   shot.draw(head, time_s);
   const Settings& settings = shot.scene().settings;
@@ -74,10 +78,10 @@ Errors errors(const std::string& scene, const std::string& preset, std::vector<s
 const Pose near_water = pose({12.3, 2.0, -45.6}, 30.0, -12.0);
 
 // A thousand points a scene where the tiles are 32-bit floats: within 1/1000 of the significant height, and 5 mm.
-TEST_F(DrawnSurface, StandsWhereTheWaveFieldSays) {
+TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
   for (const char* preset : {"high", "ultra"})
     for (const char* scene : {"open_sea", "calm", "storm", "swell"}) {
-      const Errors e = errors(scene, preset, {}, near_water, 33.3, 1000);
+      const Errors e = errors(GetParam(), scene, preset, {}, near_water, 33.3, 1000);
       EXPECT_EQ(e.points, 1000);
       EXPECT_GT(e.resolved, 300) << "too few of the points are moved by waves";
       EXPECT_LE(e.worst_m, 1e-3 * e.hs_m) << e.where;
@@ -88,29 +92,29 @@ TEST_F(DrawnSurface, StandsWhereTheWaveFieldSays) {
 
 // The presets of standalone headsets keep their tiles in half floats, each of which is off by up to 1/2048 of a crest, in
 // five numbers added: within 1/200 of the significant height. With 32-bit tiles they meet the tolerance of the others.
-TEST_F(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
+TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
   for (const char* preset : {"low", "medium"})
     for (const char* scene : {"open_sea", "calm", "storm", "swell"}) {
-      const Errors half = errors(scene, preset, {}, near_water, 33.3, 1000);
+      const Errors half = errors(GetParam(), scene, preset, {}, near_water, 33.3, 1000);
       EXPECT_LE(half.worst_m, 5e-3 * half.hs_m) << half.where;
-      const Errors single = errors(scene, preset, {{"waves.half_storage", "false"}}, near_water, 33.3, 1000);
+      const Errors single = errors(GetParam(), scene, preset, {{"waves.half_storage", "false"}}, near_water, 33.3, 1000);
       EXPECT_LE(single.worst_m, 1e-3 * single.hs_m) << single.where;
       EXPECT_LE(single.worst_m, 5e-3) << single.where;
     }
 }
 
 // The control: a field that is a twentieth of a second late does not agree.
-TEST_F(DrawnSurface, AFieldAtAnotherTimeDoesNotAgree) {
-  const Errors e = errors("open_sea", "high", {}, near_water, 33.3, 1000, 0.05);
+TEST_P(DrawnSurface, AFieldAtAnotherTimeDoesNotAgree) {
+  const Errors e = errors(GetParam(), "open_sea", "high", {}, near_water, 33.3, 1000, 0.05);
   EXPECT_GT(e.worst_m, 1e-3 * e.hs_m);
   EXPECT_GT(e.worst_m, 5e-3);
 }
 
 // A thousand kilometres from the world's origin, from high above, and late in a long run: as exact.
-TEST_F(DrawnSurface, StandsThereFarFromTheOriginAndLate) {
-  const Errors far = errors("open_sea", "high", {}, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0), 33.3, 500);
+TEST_P(DrawnSurface, StandsThereFarFromTheOriginAndLate) {
+  const Errors far = errors(GetParam(), "open_sea", "high", {}, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0), 33.3, 500);
   EXPECT_LE(far.worst_m, std::min(1e-3 * far.hs_m, 5e-3)) << far.where;
-  const Errors late = errors("storm", "high", {}, pose({-700.0, 60.0, 300.0}, 100.0, -30.0), 1e7, 500);
+  const Errors late = errors(GetParam(), "storm", "high", {}, pose({-700.0, 60.0, 300.0}, 100.0, -30.0), 1e7, 500);
   EXPECT_LE(late.worst_m, std::min(1e-3 * late.hs_m, 5e-3)) << late.where;
 }
 

@@ -1,0 +1,85 @@
+// The sea's tiles in the images that the surface samples, filled in either way, and read back.
+#pragma once
+#include <glm/gtc/packing.hpp>
+
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "ocean/waves/wave_compute.h"
+#include "ocean/waves/wave_place.h"
+#include "ocean/waves/wave_upload.h"
+#include "tests/support/gpu/gpu_test.h"
+
+namespace seascape::test {
+
+inline SeaState windy() {
+  SeaState sea;
+  sea.wind_speed_mps = 12.0;
+  sea.fetch_m = 150e3;
+  sea.swell_height_m = 1.2;
+  sea.chop = 1.1;
+  return sea;
+}
+
+// The tiles for one sea and quality, at any time.
+class DrawnTiles {
+ public:
+  DrawnTiles(WavePlace place, const SeaState& sea, const WaveQuality& quality)
+      : bins_(make_wave_bins(sea, quality)),
+        statistics_(sea_statistics(sea, bins_)),
+        frame_(device(), 4096),
+        images_(device(), sea, quality, bins_, statistics_, 1.0,
+                place == WavePlace::gpu ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT) {
+    if (place == WavePlace::gpu) compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, quality, bins_, images_);
+    else upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
+  }
+  // In a frame that has begun.
+  void update(std::int64_t ticks) {
+    if (compute_) compute_->update(frame_, ticks);
+    else upload_->update(frame_, ticks);
+  }
+  // A frame of its own, finished.
+  void compute(std::int64_t ticks) {
+    frame_.begin();
+    update(ticks);
+    frame_.submit();
+    frame_.finish();
+  }
+  // 0 displacement, 1 derivatives, 2 moments: the planes of WaveTiles.
+  const Image& image(int which) const {
+    return which == 0 ? images_.displacement() : which == 1 ? images_.derivatives() : images_.moments();
+  }
+  std::vector<glm::vec4> texels(const Image& image, int cascade, int level) const {
+    const auto bytes = read_image(device(), image, std::uint32_t(cascade), std::uint32_t(level));
+    const bool half = image.spec().format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    std::vector<glm::vec4> list(bytes.size() / (half ? 8 : 16));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (half) {
+        std::uint64_t packed;
+        std::memcpy(&packed, &bytes[8 * i], 8);
+        list[i] = glm::unpackHalf4x16(packed);
+      } else {
+        std::memcpy(&list[i], &bytes[16 * i], 16);
+      }
+    }
+    return list;
+  }
+  Frame& frame() { return frame_; }
+  const WaveImages& images() const { return images_; }
+  const SeaStatistics& statistics() const { return statistics_; }
+
+ private:
+  WaveBins bins_;
+  SeaStatistics statistics_;
+  Frame frame_;
+  WaveImages images_;
+  std::unique_ptr<WaveCompute> compute_;
+  std::unique_ptr<WaveUpload> upload_;
+};
+
+// For tests that run in both ways.
+inline std::string place_name(const ::testing::TestParamInfo<WavePlace>& info) { return info.param == WavePlace::gpu ? "gpu" : "cpu"; }
+inline const char* place_value(WavePlace place) { return place == WavePlace::gpu ? "gpu" : "cpu"; }
+
+}  // namespace seascape::test
