@@ -19,7 +19,7 @@ struct UseState {
   VkAccessFlags visible_access = 0;
 };
 
-enum class HostAccess { none, write, read };  // device-local; mapped for upload; mapped and cached for readback
+enum class HostAccess { none, write, read };  // device-local; mapped for upload; mapped and cached, to read what lies there
 
 class Buffer {
  public:

@@ -12,7 +12,7 @@ WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& q
   // Half floats keep the layout of the floats that they were converted from, padding and all.
   const WaveTileLayout layout(quality.cascades, quality.resolution);
   const std::size_t texel = bytes_per_texel(images.displacement().spec().format);
-  for (Buffer& staging : staging_)  // cached: coarser levels are read from finer ones
+  for (Buffer& staging : staging_)  // cached, since the field reads levels there for the next: coarser ones are their averages
     staging = Buffer(device, "wave staging", planes * layout.plane_texels * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::read);
   for (int plane = 0; plane < planes; ++plane)
     for (int level = 0; level < images.levels(); ++level) {
