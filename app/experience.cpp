@@ -70,7 +70,7 @@ void Experience::build() {
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), frame_->ring(),
-                                       SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, s.lod.patch_quads, look);
+                                       SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
   const EffectScope scope(device_, "sky");
   GraphicsSpec sky;
   sky.vertex = "sky.vert";

@@ -49,16 +49,17 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   data.sea = waves_.sea_data(s.grid_origin_m);
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
-  data.grid = glm::ivec4(s.tree_centre, settings_.lod.patch_quads, data.grid.w);
+  data.grid = glm::ivec4(s.tree_centre, 0, data.grid.w);
   data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),
                          settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
-  // A patch's vertices are at most split_ratio * threshold / quads of their distance apart, and often half that.
+  // What lies between vertices at most, so that the waves that a vertex keeps are drawn by several.
   data.sea.footprint.x = float(s.unit_m);
-  data.sea.footprint.y = float(0.6 * Quadtree::split_ratio * settings_.lod.threshold / settings_.lod.patch_quads);
+  data.sea.footprint.y = float(Quadtree::spacing_over_distance(settings_.lod));
   data.sea.footprint.w = float(4.0 * std::sqrt(statistics_.height_variance));
   const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));
   data.water_backscatter = glm::vec4(glm::vec3(optics.backscatter), float(settings_.water.glitter));
+  data.water_reflectance = glm::vec4(glm::vec3(radiance_from_below(optics)), float(sun_share_entering(data.sun.y)));
   data.whitecap = glm::vec4(float(settings_.water.whitecaps), 0.4f, 0.0f, 0.0f);
 }
 

@@ -12,6 +12,7 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = 1) const bool probe = false;
 layout(constant_id = 4) const bool debug = false;
+layout(constant_id = 5) const float anisotropy = 1.0;
 layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 
 layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, flags
@@ -19,7 +20,8 @@ layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, fla
 layout(location = 0) out vec3 relative;    // metres from the viewer, world axes
 layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
 layout(location = 2) out vec2 height_shear;      // x: above the curved still sea, metres; y: dDx/dz
-layout(location = 3) flat out uint flags;
+layout(location = 3) out vec4 derivatives;       // of the cascades that vertices carry
+layout(location = 4) flat out uint flags;
 
 // The place above a sphere of curvature `c` that touches the still sea beneath the viewer, of a point `flat_xz` metres away
 // along the surface and `y` above it; exact to 1e-9 of the distance for angles below 0.15 (Taylor).
@@ -32,24 +34,23 @@ vec3 curved(vec2 flat_xz, float y, float c) {
 }
 
 void main() {
-  const int quads = frame.grid.z;
-  const int i = gl_VertexIndex % (quads + 1), j = gl_VertexIndex / (quads + 1);
+  const int i = gl_VertexIndex % (patch_quads + 1), j = gl_VertexIndex / (patch_quads + 1);
   const PatchInstance p = PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w));
-  rest = patch_vertex(p, i, j, quads, frame.grid.xy, frame.skirt.x, frame.skirt.y) * frame.skirt.z;
+  rest = patch_vertex(p, i, j, frame.grid.xy, frame.skirt.x, frame.skirt.y) * frame.skirt.z;
   const vec2 from_viewer = rest - frame.viewer.xy;
-  // The footprint follows distance alone, never the patch, so that shared vertices agree to the bit.
-  const float range = length(vec3(from_viewer, frame.viewer.z));
-  const float footprint = max(frame.sea.footprint.x, frame.sea.footprint.y * range);
+  const float footprint = vertex_footprint(rest);
   const vec4 d = sea_displacement(rest, footprint);
   relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   height_shear = d.yw;
+  const ViewData view = frame.view[eye_index()];
+  derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w, anisotropy));
   if (debug) flags = p.flags;
   if (probe) {
-    const int n = (quads + 1) * (quads + 1);
+    const int n = (patch_quads + 1) * (patch_quads + 1);
     const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);
     probed[at] = vec4(rest, footprint, 0.0);
     probed[at + 1] = vec4(from_viewer + d.xz, d.y, 0.0);
   }
-  gl_Position = frame.view[eye_index()].clip_from_relative * vec4(relative, 1.0);
+  gl_Position = view.clip_from_relative * vec4(relative, 1.0);
 }

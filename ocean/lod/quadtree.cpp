@@ -1,6 +1,7 @@
 #include "ocean/lod/quadtree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
@@ -24,18 +25,21 @@ void check(const LodSettings& s) {
   require(s.patch_quads == 16 || s.patch_quads == 32 || s.patch_quads == 64, "patch_quads", s.patch_quads, "16, 32 or 64");
   require(s.threshold >= 0.5 && s.threshold <= 4.0, "threshold", s.threshold, "0.5 to 4");
   require(s.cull_scale >= 1.0 && s.cull_scale <= 4.0, "cull_scale", s.cull_scale, "1 to 4");
-  require(s.levels >= 0 && s.levels <= Quadtree::max_levels, "levels", s.levels, "0 to 12");
+  require(s.levels >= 0 && s.levels <= Quadtree::max_square_levels, "levels", s.levels, "0 to 12");
   require(s.max_height_m >= 0.0 && s.max_height_m <= 200.0, "max_height_m", s.max_height_m, "0 to 200");
   require(s.skirt_multiplier >= 1.0 && s.skirt_multiplier <= 20.0, "skirt_multiplier", s.skirt_multiplier, "1 to 20");
 }
 
-// As many levels as bring the smallest patches to 6.8 m times the threshold or less: 8 m at high (0.125 m between
-// vertices), 4 m at ultra. A level more costs 7 to 14 patches in view and shows only within a few metres of the eye.
+// As many levels as bring the smallest squares to 6.8 m times the threshold or less: 8 m at high (0.125 m between
+// vertices), 4 m at ultra. A level more shows only within a few metres of the eye.
 int automatic_levels(const LodSettings& s) {
   int levels = 0;
-  for (double size = s.ocean_size_m; levels < Quadtree::max_levels && size > 6.8 * s.threshold; size *= 0.5) ++levels;
+  for (double size = s.ocean_size_m; levels < Quadtree::max_square_levels && size > 6.8 * s.threshold; size *= 0.5) ++levels;
   return levels;
 }
+
+// Levels of patches within one square.
+int patch_levels(const LodSettings& s) { return std::countr_zero(static_cast<unsigned>(s.patch_quads / gpu::patch_quads)); }
 
 // How far v lies outside of the interval, 0 inside.
 int gap(int low, int high, int v) { return std::max({low - v, v - high, 0}); }
@@ -48,7 +52,7 @@ double curvature_drop(double distance_m) {
 
 // Everything below is in units of unit_m unless named _m. The tree's own coordinates count from its least corner.
 struct Quadtree::Frame {
-  int quads, root_size;
+  int root_size;
   int viewer_x, viewer_z;  // the viewer's grid point in the tree's coordinates
   double gap_y;            // between the viewer and the water's bounds
   glm::ivec2 least;        // the tree's least corner in the selection's coordinates
@@ -60,7 +64,7 @@ struct Quadtree::Frame {
 void Quadtree::SplitWindow::set(int x, int z) {
   const unsigned dx = static_cast<unsigned>(x - x0), dz = static_cast<unsigned>(z - z0);
   assert(dx < width && dz < width);
-  rows[dz] = static_cast<std::uint16_t>(rows[dz] | (1u << dx));
+  rows[dz] |= 1u << dx;
 }
 
 Quadtree::Quadtree(const LodSettings& settings) { apply(settings); }
@@ -73,9 +77,9 @@ void Quadtree::apply(const LodSettings& settings) {
   settings_ = settings;
   if (keeps && selected_) return;
   selected_ = false;
-  levels_ = settings.levels > 0 ? settings.levels : automatic_levels(settings);
-  unit_m_ = settings.ocean_size_m / static_cast<double>(settings.patch_quads << levels_);
-  selection_.patches.reserve(static_cast<std::size_t>(32 * (levels_ + 1)));  // more than is usual; no cap
+  levels_ = (settings.levels > 0 ? settings.levels : automatic_levels(settings)) + patch_levels(settings);
+  unit_m_ = settings.ocean_size_m / static_cast<double>(gpu::patch_quads << levels_);
+  selection_.patches.reserve(static_cast<std::size_t>(128 * (levels_ + 1)));  // more than is usual; no cap
 }
 
 const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds) {
@@ -98,8 +102,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   selection_.grid_origin_m = glm::dvec2(static_cast<double>(grid_x), static_cast<double>(grid_z)) * unit_m_;
 
   Frame frame{};
-  frame.quads = settings_.patch_quads;
-  frame.root_size = settings_.patch_quads << levels_;
+  frame.root_size = gpu::patch_quads << levels_;
   frame.vertical_m = settings_.max_height_m > 0.0 ? settings_.max_height_m : bounds.vertical_m;
   frame.horizontal_m = bounds.horizontal_m;
   frame.gap_y = std::max(std::abs(eye.y) - frame.vertical_m, 0.0) / unit_m_;
@@ -139,24 +142,28 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   return selection_;
 }
 
+double Quadtree::patch_ratio() const { return gpu::patch_quads * spacing_over_distance(settings_); }
+
+// Nearer than this (in units) the patches of a level split.
+double Quadtree::split_reach(const Frame& frame, int level) const {
+  const double visible = frame.vertical_m / unit_m_ / (error_over_spacing * spacing_over_distance(settings_));
+  return std::min(frame.size(level) / patch_ratio(), visible);
+}
+
 // The tree's centre keeps to multiples of the vertex spacing of the coarsest leaves, so that the vertices of every leaf
-// stay on one lattice of the world while the viewer moves. The root and its quarters always split near the sea; the
-// outer nodes of level 2 never do. The finer the spacing, the nearer is the viewer to a corner of four nodes on every
-// level, where the fewest patches are needed.
+// stay on one lattice of the world while the viewer moves. A level is coarser than all leaves if each of its nodes splits
+// wherever the viewer stands within that spacing: then its corner nodes do, the farthest.
 int Quadtree::centre_spacing(const Frame& frame) const {
-  const double k = split_ratio * settings_.threshold;
   int coarsest = 0;
-  for (; coarsest < std::min(2, levels_); ++coarsest) {
-    // Farthest of the nodes of this level that touch the centre, with the viewer half a spacing off on both axes.
-    const double off = coarsest == 0 ? 0.0 : 0.5 * (1 << (levels_ - coarsest - 1));
-    const double size = frame.size(coarsest);
-    if (!(size * size > k * k * (frame.gap_y * frame.gap_y + 2.0 * off * off))) break;
+  for (; coarsest < levels_; ++coarsest) {
+    const double reach = split_reach(frame, coarsest);
+    const double off = coarsest == 0 ? 0.0 : 0.5 * frame.root_size - frame.size(coarsest) + 0.5 * (1 << (levels_ - coarsest - 1));
+    if (!(reach * reach > frame.gap_y * frame.gap_y + 2.0 * off * off)) break;
   }
   return 1 << (levels_ - coarsest);
 }
 
 void Quadtree::find_splits(const Frame& frame) {
-  const double k = split_ratio * settings_.threshold;
   for (int level = 0; level < levels_; ++level) {
     SplitWindow& window = splits_[static_cast<std::size_t>(level)];
     const int size = frame.size(level), last = (1 << level) - 1;
@@ -164,13 +171,13 @@ void Quadtree::find_splits(const Frame& frame) {
     window.x0 = cell_x - SplitWindow::width / 2;
     window.z0 = cell_z - SplitWindow::width / 2;
     window.rows = {};
-    // size > k * distance; squared, so that whole numbers stay exact.
-    const double reach2 = static_cast<double>(size) * size / (k * k) - frame.gap_y * frame.gap_y;
+    // Squared, so that whole numbers stay exact.
+    const double reach = split_reach(frame, level), reach2 = reach * reach - frame.gap_y * frame.gap_y;
     if (!(reach2 > 0.0)) continue;
-    // split_ratio * the least threshold is above 1, so nodes more than one cell away never split.
-    static_assert(split_ratio * 0.5 > 1.0);
-    for (int z = std::max(cell_z - 1, 0); z <= std::min(cell_z + 1, last); ++z)
-      for (int x = std::max(cell_x - 1, 0); x <= std::min(cell_x + 1, last); ++x) {
+    const int cells = static_cast<int>(std::sqrt(reach2) / size) + 1;  // how far off a node may be that splits
+    assert(cells + 3 < SplitWindow::width / 2);
+    for (int z = std::max(cell_z - cells, 0); z <= std::min(cell_z + cells, last); ++z)
+      for (int x = std::max(cell_x - cells, 0); x <= std::min(cell_x + cells, last); ++x) {
         const double dx = gap(x * size, (x + 1) * size, frame.viewer_x), dz = gap(z * size, (z + 1) * size, frame.viewer_z);
         if (dx * dx + dz * dz < reach2) window.set(x, z);
       }
@@ -179,8 +186,8 @@ void Quadtree::find_splits(const Frame& frame) {
 
 // Two leaves that share an edge differ by at most one level exactly if every edge neighbour of a split node exists, that
 // is, if the neighbour's parent is split. From the deepest level upwards one sweep is enough, because a sweep only adds
-// splits one level up. A ring of e cells about the viewer's cell grows to at most (e + 1 + 1) / 2 one level up: it stays
-// at 2 or less, far inside the window.
+// splits one level up. A ring of e cells about the viewer's cell needs at most (e + 1 + 1) / 2 one level up: no more than
+// that level's own splits and one, inside the window.
 void Quadtree::balance() {
   for (int level = levels_ - 1; level > 0; --level) {
     const SplitWindow& fine = splits_[static_cast<std::size_t>(level)];
@@ -255,7 +262,7 @@ void Quadtree::select_tree(const Frame& frame) {
     }
     const int size = frame.size(node.level);
     if (node.level == levels_ || !splits_[static_cast<std::size_t>(node.level)].get(node.x, node.z)) {
-      selection_.patches.push_back({frame.least + glm::ivec2(node.x, node.z) * size, size / frame.quads,
+      selection_.patches.push_back({frame.least + glm::ivec2(node.x, node.z) * size, size / gpu::patch_quads,
                                     coarser_edges(node.level, node.x, node.z) |
                                         (static_cast<unsigned>(node.level) << gpu::patch_level_shift)});
       continue;
@@ -269,30 +276,36 @@ void Quadtree::select_tree(const Frame& frame) {
 }
 
 void Quadtree::select_skirt(const Frame& frame) {
-  for (unsigned side = 0; side < 4; ++side)
-    for (int along = 0; along < frame.root_size;) {
-      int level = 0;
-      for (; level < levels_; ++level) {
-        const int last = (1 << level) - 1, cell = along / frame.size(level);
-        const int x = side == 0 ? last : side == 2 ? 0 : cell, z = side == 1 ? last : side == 3 ? 0 : cell;
-        if (!splits_[static_cast<std::size_t>(level)].get(x, z)) break;
+  constexpr unsigned bands = gpu::skirt_rows / gpu::patch_quads;
+  for (unsigned band = 0; band < bands; ++band)
+    for (unsigned side = 0; side < 4; ++side)
+      for (int along = 0; along < frame.root_size;) {
+        int level = 0;
+        for (; level < levels_; ++level) {
+          const int last = (1 << level) - 1, cell = along / frame.size(level);
+          const int x = side == 0 ? last : side == 2 ? 0 : cell, z = side == 1 ? last : side == 3 ? 0 : cell;
+          if (!splits_[static_cast<std::size_t>(level)].get(x, z)) break;
+        }
+        select_strip(frame, side, level, along, band);
+        along += frame.size(level);
       }
-      select_strip(frame, side, level, along);
-      along += frame.size(level);
-    }
 }
 
-// The strip outside the leaf of `level` that begins `along` units from the least end of the root's side. Its bounds are
-// the trapezoid that it covers, grown by the displacement times cull_scale.
-void Quadtree::select_strip(const Frame& frame, unsigned side, int level, int along) {
+// The strip outside the leaf of `level` that begins `along` units from the least end of the root's side, a band of its
+// rows. Its bounds are the trapezoid that it covers, grown by the displacement times cull_scale.
+void Quadtree::select_strip(const Frame& frame, unsigned side, int level, int along, unsigned band) {
   const int size = frame.size(level), half = selection_.half_size;
   const int across = side < 2 ? half : -half;
   const auto on_side = [&](int t) { return side % 2 == 0 ? glm::ivec2(across, t - half) : glm::ivec2(t - half, across); };
   const glm::dvec2 first(on_side(along)), second(on_side(along + size));
-  const double reach = static_cast<double>(std::max(selection_.skirt_to_multiplier, selection_.skirt_to_horizon)) * 1.001;
+  const auto reach = [&](unsigned row) {
+    return static_cast<double>(gpu::skirt_scale(static_cast<int>(row), gpu::skirt_rows, selection_.skirt_to_multiplier,
+                                                selection_.skirt_to_horizon));
+  };
+  const double inner = reach(band * gpu::patch_quads) * 0.999, outer = reach((band + 1) * gpu::patch_quads) * 1.001;
   const glm::dvec2 centre(selection_.tree_centre);
-  const std::array<glm::dvec2, 4> corners{(centre + first) * unit_m_, (centre + second) * unit_m_,
-                                          (centre + first * reach) * unit_m_, (centre + second * reach) * unit_m_};
+  const std::array<glm::dvec2, 4> corners{(centre + first * inner) * unit_m_, (centre + second * inner) * unit_m_,
+                                          (centre + first * outer) * unit_m_, (centre + second * outer) * unit_m_};
   const double grow = frame.horizontal_m * settings_.cull_scale + 0.01;
   double low = -frame.vertical_m * settings_.cull_scale - 0.01, high = -low;
   if (settings_.earth_curvature) {
@@ -308,8 +321,8 @@ void Quadtree::select_strip(const Frame& frame, unsigned side, int level, int al
     return;
   }
   ++selection_.skirt_strips;
-  selection_.patches.push_back({selection_.tree_centre + on_side(along), size / frame.quads,
-                                gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) |
+  selection_.patches.push_back({selection_.tree_centre + on_side(along), size / gpu::patch_quads,
+                                gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (band << gpu::patch_skirt_band_shift) |
                                     (static_cast<unsigned>(level) << gpu::patch_level_shift)});
 }
 

@@ -8,9 +8,9 @@
 namespace seascape {
 
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
-                 const Buffer& frame_ring, const SurfaceLight& light, int patch_quads, const SurfaceLook& look) {
+                 const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look) {
   const EffectScope scope(device, "surface");
-  const auto indices = patch_indices(patch_quads);
+  const auto indices = patch_indices(gpu::patch_quads);
   index_count_ = std::uint32_t(indices.size());
   indices_ = make_filled_buffer(device, "patch indices", indices.data(), indices.size() * 2, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   GraphicsSpec spec;
@@ -32,7 +32,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
       {.binding = 5, .buffer = light.sky_light},
   };
   if (look.probe) {
-    const auto vertices = VkDeviceSize(patch_quads + 1) * VkDeviceSize(patch_quads + 1);
+    constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     entries.push_back({.binding = 8, .buffer = &probe_});
   }

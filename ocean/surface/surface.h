@@ -26,7 +26,7 @@ struct SurfaceLight {
 class Surface {
  public:
   Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves, const Buffer& frame_ring,
-          const SurfaceLight& light, int patch_quads, const SurfaceLook& look);
+          const SurfaceLight& light, const SurfaceLook& look);
 
   // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
@@ -37,7 +37,7 @@ class Surface {
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
-  static constexpr std::uint32_t probe_patches = 256;
+  static constexpr std::uint32_t probe_patches = 1024;
 
  private:
   Buffer indices_, probe_;

@@ -37,6 +37,40 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   return sum;
 }
 
+// How much of a cascade's slopes the vertices carry, so that pixels need not look them up: all where its shortest wave has
+// six or more vertices and `blur`, what a pixel averages at least, is below a texel; none at four vertices or two texels.
+float carried(CascadeData c, float footprint, float blur) {
+  const float shortest = c.origin.w / 31.0;
+  return clamp(0.5 * shortest / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
+}
+
+// The least footprint of vertices: it follows distance from the viewer alone, never the patch, so that shared vertices agree to the bit.
+float vertex_footprint(vec2 rest) {
+  return max(frame.sea.footprint.x, frame.sea.footprint.y * length(vec3(rest - frame.viewer.xy, frame.viewer.z)));
+}
+
+// What a pixel averages at least where `to_eye` leads to the eye, on a level sea; `pixel`: radians a pixel.
+float level_blur(vec3 to_eye, float pixel, float anisotropy) {
+  const float across = length(to_eye) * pixel;
+  return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
+}
+
+void add_carried(inout vec4 sum, int i, vec2 rest, float footprint, float blur) {
+  const CascadeData c = frame.sea.cascade[i];
+  const float share = carried(c, footprint, blur);
+  if (share > 0.0) sum += share * textureLod(sea_derivative_tiles, vec3(tile_vector(c, rest) + c.origin.xy, float(i)), 0.0);
+}
+
+// Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are too short for all
+// but the nearest vertices.
+vec4 sea_carried(vec2 rest, float footprint, float blur) {
+  vec4 sum = vec4(0.0);
+  add_carried(sum, 0, rest, footprint, blur);
+  if (cascade_count > 1) add_carried(sum, 1, rest, footprint, blur);
+  if (cascade_count > 2) add_carried(sum, 2, rest, footprint, blur);
+  return sum;
+}
+
 // First and second moments of the surface's slope in a footprint.
 struct SeaSlopes {
   vec2 gradient;   // mean dh/dx, dh/dz over the rest position
@@ -44,37 +78,47 @@ struct SeaSlopes {
   vec3 variance;   // of the slopes that the footprint does not resolve: xx, zz, xz
 };
 
-void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, float blur) {
+// `left`: the share that the vertices have not carried.
+void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, float blur, float left) {
+  if (left <= 0.0) return;
   const CascadeData c = frame.sea.cascade[i];
-  const float share = kept(c, blur);
+  const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
     s.variance += c.moments.xyz;
     return;
   }
   const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, float(i));
   const vec2 du = tile_vector(c, along), dv = tile_vector(c, across);
-  const vec4 d = share * textureGrad(sea_derivative_tiles, at, du, dv);
-  s.gradient += d.xy;
-  s.shift.xy += d.zw;
-  // Within a texel nothing is left unresolved: the second moments count from there to two texels.
-  const float coarse = clamp(blur / c.origin.z - 1.0, 0.0, 1.0);
+  // Half the footprint: a tile's shortest wave has eight texels, so that a texel for every two of a pixel aliases nothing.
+  const vec4 d = share * textureGrad(sea_derivative_tiles, at, 0.5 * du, 0.5 * dv);
+  s.gradient += left * d.xy;
+  s.shift.xy += left * d.zw;
+  // Up to two texels nothing is left unresolved: the second moments count from there to four.
+  const float coarse = clamp(0.5 * blur / c.origin.z - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
-  const vec3 m = mix(c.moments.xyz, textureGrad(sea_moment_tiles, at, du, dv).xyz, share);
+  const vec3 m = mix(c.moments.xyz, textureGrad(sea_moment_tiles, at, 0.5 * du, 0.5 * dv).xyz, share);
   s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
 }
 
-// `along`, `across`: the two axes of the footprint at the rest position, in metres. `shear`: dDx/dz, which vertices carry.
-SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, float shear) {
-  SeaSlopes s = SeaSlopes(vec2(0.0), vec3(0.0, 0.0, shear), frame.sea.tail.xyz);
+// What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
+struct CarriedSlopes {
+  vec4 derivatives;
+  float shear;  // dDx/dz, of all cascades
+  float footprint, blur;
+};
+
+// `along`, `across`: the two axes of the footprint at the rest position, in metres.
+SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, CarriedSlopes have) {
+  SeaSlopes s = SeaSlopes(have.derivatives.xy, vec3(have.derivatives.zw, have.shear), frame.sea.tail.xyz);
   along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  add_slopes(s, 0, rest, along, across, blur);
-  if (cascade_count > 1) add_slopes(s, 1, rest, along, across, blur);
-  if (cascade_count > 2) add_slopes(s, 2, rest, along, across, blur);
-  if (cascade_count > 3) add_slopes(s, 3, rest, along, across, blur);
-  if (cascade_count > 4) add_slopes(s, 4, rest, along, across, blur);
+  add_slopes(s, 0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 1) add_slopes(s, 1, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
+  if (cascade_count > 2) add_slopes(s, 2, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
+  if (cascade_count > 3) add_slopes(s, 3, rest, along, across, blur, 1.0);
+  if (cascade_count > 4) add_slopes(s, 4, rest, along, across, blur, 1.0);
   return s;
 }
 

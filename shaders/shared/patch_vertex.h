@@ -6,12 +6,13 @@
 #include "skirt.h"
 SEASCAPE_SHARED_BEGIN
 
-// The whole-number coordinate of vertex (i, j), 0 <= i, j <= quads (patch_quads).
+// The whole-number coordinate of vertex (i, j), 0 <= i, j <= patch_quads.
 // A tree patch: i along +x, j along +z; on an edge whose bit is set an odd vertex falls onto the even one below it, so
 // that the edge has exactly the coarser neighbour's vertices (every second triangle along it becomes empty).
 // A skirt strip: the coordinate of its border vertex, the same for every row j. i runs along the border in the direction
 // that keeps the triangles counter-clockwise seen from above with j outwards: north +x, west +z, south -x, east -z.
-SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j, int quads) {
+SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j) {
+  int quads = patch_quads;
   if ((p.flags & patch_skirt) != 0u) {
     uint side = (p.flags >> patch_skirt_side_shift) & 3u;
     if (side == 0u) return p.corner + ivec2(0, p.stride * (quads - i));
@@ -26,14 +27,21 @@ SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j, int quad
   return p.corner + p.stride * ivec2(x, z);
 }
 
+// How many of the skirt's rows lie between a vertex and the tree's border: 0 for every vertex of the tree.
+SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
+  if ((p.flags & patch_skirt) == 0u) return 0;
+  return int((p.flags >> patch_skirt_band_shift) & 3u) * patch_quads + j;
+}
+
 // The same vertex in units of unit_m relative to the grid origin, the skirt's rows moved outwards from `tree_centre`.
 // Row 0 of a strip returns the very numbers of the patch that it joins. Metres relative to the viewer are
 // patch_vertex(...) * unit_m - viewer_fraction, with viewer_fraction = viewer - grid_origin_m.
-SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, int quads, ivec2 tree_centre, float to_multiplier,
+SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, ivec2 tree_centre, float to_multiplier,
                                     float to_horizon) {
-  ivec2 coordinate = patch_coordinate(p, i, j, quads);
-  if ((p.flags & patch_skirt) == 0u || j == 0) return vec2(coordinate);
-  return vec2(tree_centre) + vec2(coordinate - tree_centre) * skirt_scale(j, quads, to_multiplier, to_horizon);
+  ivec2 coordinate = patch_coordinate(p, i, j);
+  int row = patch_skirt_row(p, j);
+  if (row == 0) return vec2(coordinate);
+  return vec2(tree_centre) + vec2(coordinate - tree_centre) * skirt_scale(row, skirt_rows, to_multiplier, to_horizon);
 }
 
 SEASCAPE_SHARED_END

@@ -41,7 +41,7 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
   const Settings& settings = shot.scene().settings;
   const SurfaceSelection& selection = shot.experience().ocean().select(shot.viewpoint(head));
   const auto bytes = read_buffer(test::device(), shot.experience().surface().probed());
-  const auto side = std::size_t(settings.lod.patch_quads + 1), vertices = side * side;
+  const auto side = std::size_t(gpu::patch_quads + 1), vertices = side * side;
   Errors result;
   if (selection.patches.size() > Surface::probe_patches || selection.patches.empty()) {
     ADD_FAILURE() << selection.patches.size() << " patches for a probe of " << Surface::probe_patches;
@@ -61,8 +61,8 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
     const glm::dvec3 want = field.sea(tiles, selection.grid_origin_m + glm::dvec2(rest), double(rest.z)).displacement;
     const glm::dvec2 from_viewer = glm::dvec2(rest) - viewer;
     const glm::dvec3 got(double(drawn.x) - from_viewer.x, drawn.z, double(drawn.y) - from_viewer.y);
-    // A single float's spacing beyond the patches, 2 mm at 20 km, is no error of the sea.
-    const glm::dvec2 spacing = 0x1p-24 * glm::abs(from_viewer);
+    // What two roundings of a float come to beyond the patches, 2 mm at 20 km, is no error of the sea.
+    const glm::dvec2 spacing = 0x1p-23 * glm::abs(from_viewer);
     const double error = glm::length(glm::max(glm::abs(got - want) - glm::dvec3(spacing.x, 0.0, spacing.y), 0.0));
     ++result.points;
     result.resolved += glm::length(want) > 0.05 * result.hs_m;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "ocean/lod/patch_mesh.h"
@@ -34,14 +33,14 @@ inline Viewpoint everything_from(const glm::dvec3& position) { return {{position
 
 inline bool is_skirt(const gpu::PatchInstance& p) { return (p.flags & gpu::patch_skirt) != 0u; }
 inline unsigned side_of(const gpu::PatchInstance& p) { return (p.flags >> gpu::patch_skirt_side_shift) & 3u; }
-inline int level_of(const gpu::PatchInstance& p) { return static_cast<int>(p.flags >> gpu::patch_level_shift); }
+inline int level_of(const gpu::PatchInstance& p) { return static_cast<int>(gpu::patch_level(p.flags)); }
 
 // Identity of a vertex of the complete mesh: a tree vertex is its coordinate and row 0; a skirt vertex its border
 // coordinate and row. Row 0 of the skirt is a tree vertex.
 using VertexKey = std::array<int, 3>;
-inline VertexKey key_of(const gpu::PatchInstance& p, int i, int j, int quads) {
-  const glm::ivec2 c = gpu::patch_coordinate(p, i, j, quads);
-  return {c.x, c.y, is_skirt(p) ? j : 0};
+inline VertexKey key_of(const gpu::PatchInstance& p, int i, int j) {
+  const glm::ivec2 c = gpu::patch_coordinate(p, i, j);
+  return {c.x, c.y, gpu::patch_skirt_row(p, j)};
 }
 
 // Faults of the topology of the mesh that all patches make together.
@@ -54,11 +53,10 @@ struct Topology {
   std::int64_t twice_area = 0;  // of the tree's triangles, in square units
 };
 
-inline Topology topology_of(const SurfaceSelection& selection, int quads) {
+inline Topology topology_of(const SurfaceSelection& selection) {
   Topology result;
-  static std::map<int, std::vector<std::uint16_t>> meshes;
-  auto& indices = meshes[quads];
-  if (indices.empty()) indices = patch_indices(quads);
+  constexpr int quads = gpu::patch_quads;
+  static const std::vector<std::uint16_t> indices = patch_indices(quads);
   // Directed edges between numbered vertices, sorted: fast enough for half a million triangles.
   const std::int64_t span = 4 * static_cast<std::int64_t>(selection.half_size) + 8;
   const auto number = [&](const VertexKey& k) {
@@ -75,7 +73,7 @@ inline Topology topology_of(const SurfaceSelection& selection, int quads) {
   std::vector<VertexKey> keys(static_cast<std::size_t>((quads + 1) * (quads + 1)));
   for (const gpu::PatchInstance& p : selection.patches) {
     for (int j = 0; j <= quads; ++j)
-      for (int i = 0; i <= quads; ++i) keys[static_cast<std::size_t>(j * (quads + 1) + i)] = key_of(p, i, j, quads);
+      for (int i = 0; i <= quads; ++i) keys[static_cast<std::size_t>(j * (quads + 1) + i)] = key_of(p, i, j);
     for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
       const std::array<const VertexKey*, 3> v{&keys[indices[t]], &keys[indices[t + 1]], &keys[indices[t + 2]]};
       if (*v[0] == *v[1] || *v[1] == *v[2] || *v[2] == *v[0]) continue;  // empty after snapping: draws nothing
@@ -90,7 +88,7 @@ inline Topology topology_of(const SurfaceSelection& selection, int quads) {
         const VertexKey &a = *v[e], &b = *v[(e + 1) % 3];
         const std::int64_t na = number(a), nb = number(b);
         // The outer border of the skirt is open by design.
-        if (a[2] == quads && b[2] == quads) continue;
+        if (a[2] == gpu::skirt_rows && b[2] == gpu::skirt_rows) continue;
         edges.push_back(na < nb ? Edge{na, nb, 1} : Edge{nb, na, -1});
       }
     }
