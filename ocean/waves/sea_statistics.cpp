@@ -9,12 +9,8 @@
 namespace seascape {
 
 namespace {
-// Mean square slopes up and across the wind of a clean sea (Cox and Munk 1954), the constant of the crosswind line
-// brought to zero with the last metre per second of wind, so that no wind has no slopes.
-glm::dvec2 cox_munk(double wind_mps) { return {0.00316 * wind_mps, 0.003 * std::min(1.0, wind_mps) + 0.00192 * wind_mps}; }
-
 constexpr double crest_deviations = 5.26;  // Rayleigh: exp(-c^2 / 2) = 1e-6
-constexpr double least_tail = 0.05;        // share of Cox and Munk's variance that the drawn waves never use up
+constexpr double least_tail = 0.05;        // share of the whole spectrum's slopes that the drawn waves never use up
 }  // namespace
 
 SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
@@ -25,11 +21,12 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
   for (int index = 0; index < bins.cascades; ++index) {
     const Cascade& cascade = bins.ladder[index];
     const double step = 2.0 * std::numbers::pi / cascade.side_m;
+    const double cosine = std::cos(cascade.rotation_rad), sine = std::sin(cascade.rotation_rad);
     for (int mz = -n / 2; mz < n / 2; ++mz)
       for (int mx = -n / 2; mx < n / 2; ++mx) {
         const glm::dvec2 a(bins.bins[(std::size_t(index) * n + mz + n / 2) * n + mx + n / 2].amplitude);
         const double variance = 0.5 * glm::dot(a, a);
-        const glm::dvec2 k = step * rotate_xz({mx, mz}, cascade.rotation_rad);
+        const glm::dvec2 k{step * (cosine * mx - sine * mz), step * (sine * mx + cosine * mz)};
         result.height_variance += variance;
         result.slope_moments += variance * glm::dvec3(k.x * k.x, k.y * k.y, k.x * k.y);
         sum_of_amplitudes += glm::length(a);
@@ -37,14 +34,16 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
   }
 
   const glm::dvec2 along = direction_xz(sea.wind_to_deg), across{-along.y, along.x};
-  const auto drawn_towards = [&](glm::dvec2 d) {
-    const glm::dvec3& s = result.slope_moments;
+  const auto towards = [](const glm::dvec3& s, glm::dvec2 d) {
     return d.x * d.x * s.x + d.y * d.y * s.y + 2.0 * d.x * d.y * s.z;
   };
-  const glm::dvec2 whole = cox_munk(sea.wind_speed_mps);
+  // What is drawn and what is left come to the whole spectrum's slopes, in the wind's own axes.
+  const glm::dvec3 whole = slope_moments(sea);
   const double keep = 1.0 - 0.9 * sea.small_wave_suppression;
-  const double up = keep * std::max(whole.x - drawn_towards(along), least_tail * whole.x);
-  const double cross = keep * std::max(whole.y - drawn_towards(across), least_tail * whole.y);
+  const auto rest = [&](glm::dvec2 d) {
+    return keep * std::max(towards(whole, d) - towards(result.slope_moments, d), least_tail * towards(whole, d));
+  };
+  const double up = rest(along), cross = rest(across);
   result.tail_slope_moments = {up * along.x * along.x + cross * across.x * across.x,
                                up * along.y * along.y + cross * across.y * across.y,
                                up * along.x * along.y + cross * across.x * across.y};

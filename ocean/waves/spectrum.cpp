@@ -3,153 +3,56 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
-#include "engine/error.h"
-#include "engine/text.h"
+#include "ocean/waves/dispersion.h"
 
 namespace seascape {
 
 namespace {
 constexpr double pi = std::numbers::pi;
-constexpr double swell_gamma = 6.0;
-constexpr double swell_s = 25.0;
-constexpr double u19_over_u10 = 1.026;  // Pierson and Moskowitz measured at 19.5 m
-constexpr double pm_alpha = 0.0081, pm_beta = 0.74;  // Pierson and Moskowitz (1964)
 constexpr double suppressed_below_m = 2.0;
+constexpr double short_from_m = 12.0, short_from_peaks = 10.0;
+constexpr double short_to_m = 0.3, short_to_ratio = 4.0;
 
-void require(double value, double least, double most, const char* key) {
-  if (value >= least && value <= most) return;  // false for NaN
-  throw Error(key, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most),
-              "give a finite number in that range");
-}
-
-// m0 wp^4 / (alpha g^2) of a JONSWAP train: 1/5 for gamma 1. Trapezoids over s = ln(w/wp), which converge exponentially
-// for this smooth, decaying integrand apart from the small kink of sigma at the peak, which is a node.
-double shape_integral(double gamma) {
-  constexpr int nodes_below = 1500, nodes_above = 6000;
-  constexpr double step = 0.001;
-  double sum = 0.0;
-  const WaveTrain unit{1.0, 1.0, gamma, 0.0};
-  for (int i = -nodes_below; i <= nodes_above; ++i) {
-    const double w = std::exp(i * step);
-    sum += frequency_density(unit, 1.0, w) * w;
-  }
-  return sum * step;
-}
-
-// Angle from the direction a train travels to, in (-pi, pi].
-double angle_between(double a, double b) { return std::remainder(a - b, 2.0 * pi); }
-
-WaveTrain wind_train(const SeaState& sea) {
-  WaveTrain train;
-  train.gamma = sea.peak_enhancement;
-  train.to_rad = sea.wind_to_deg * pi / 180.0;
-  const double g = sea.gravity_mps2, u = sea.wind_speed_mps;
-  const double x = u > 0.0 ? g * sea.fetch_m / (u * u) : 0.0;
-  // Below these the waves would be shorter than a hundredth of a millimetre: flat, and nothing overflows.
-  if (u < 1e-3 || x < 1e-6) return train;
-  const double u19 = u19_over_u10 * u;
-  const double developed_peak = std::pow(0.8 * pm_beta, 0.25) * g / u19;
-  // Past the fetch at which the peak is fully developed the sea grows no more: alpha, which falls with fetch, is held too.
-  const double developed_root = 22.0 * (g / u) / developed_peak;
-  const double grown = std::min(x, developed_root * developed_root * developed_root);
-  train.peak_rad_s = 22.0 * (g / u) * std::pow(grown, -1.0 / 3.0);
-  const double developed_variance = pm_alpha * u19 * u19 * u19 * u19 / (4.0 * pm_beta * g * g);
-  const double p = train.peak_rad_s;
-  const double most = developed_variance * p * p * p * p / (g * g * shape_integral(train.gamma));
-  train.alpha = std::min(0.076 * std::pow(grown, -0.22), most);
-  return train;
-}
-
-WaveTrain swell_train(const SeaState& sea) {
-  WaveTrain train;
-  train.gamma = swell_gamma;
-  train.to_rad = sea.swell_to_deg * pi / 180.0;
-  train.peak_rad_s = 2.0 * pi / sea.swell_period_s;
-  const double variance = sea.swell_height_m * sea.swell_height_m / 16.0;
-  const double p = train.peak_rad_s, g = sea.gravity_mps2;
-  if (variance > 0.0) train.alpha = variance * p * p * p * p / (g * g * shape_integral(train.gamma));
-  return train;
+double smooth_step(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 }  // namespace
-
-void validate(const SeaState& sea) {
-  require(sea.wind_speed_mps, 0.0, 100.0, "waves.wind_speed_mps");
-  require(sea.wind_to_deg, -3600.0, 3600.0, "waves.wind_to_deg");
-  require(sea.fetch_m, 0.0, 1e12, "waves.fetch_m");
-  require(sea.peak_enhancement, 1.0, 20.0, "waves.peak_enhancement");
-  require(sea.swell_height_m, 0.0, 50.0, "waves.swell_height_m");
-  require(sea.swell_period_s, 0.5, 60.0, "waves.swell_period_s");
-  require(sea.swell_to_deg, -3600.0, 3600.0, "waves.swell_to_deg");
-  require(sea.chop, 0.0, 2.0, "waves.chop");
-  require(sea.small_wave_suppression, 0.0, 1.0, "waves.small_wave_suppression");
-  require(sea.gravity_mps2, 0.01, 1000.0, "waves.gravity_mps2");
-}
-
-void validate(const WaveQuality& quality) {
-  const int n = quality.resolution;
-  if (n < 16 || n > 512 || (n & (n - 1)) != 0)
-    throw Error("waves.resolution", std::to_string(n) + " is not a power of two from 16 to 512",
-                "give 16, 32, 64, 128, 256 or 512");
-  if (quality.cascades < 1 || quality.cascades > 5)
-    throw Error("waves.cascades", std::to_string(quality.cascades) + " is not in the range 1 to 5",
-                "give a whole number in that range");
-}
-
-glm::dvec2 direction_xz(double degrees) {
-  const double a = degrees * pi / 180.0;
-  return {std::sin(a), -std::cos(a)};
-}
 
 double longest_peak_wave_m(const SeaState& sea) {
   validate(sea);
   double longest = 0.0;
-  for (const WaveTrain& train : {wind_train(sea), swell_train(sea)})
+  const auto ask = [&](const WaveTrain& train) {
     if (train.alpha > 0.0)
-      longest = std::max(longest, 2.0 * pi * sea.gravity_mps2 / (train.peak_rad_s * train.peak_rad_s));
+      longest = std::max(longest, 2.0 * pi / airy_wave_number(train.peak_rad_s, sea.gravity_mps2, sea.depth_m));
+  };
+  ask(wind_train(sea));
+  for (const WaveTrain& train : swell_of(sea)) ask(train);
   return longest;
 }
 
-double frequency_density(const WaveTrain& train, double gravity_mps2, double w) {
-  if (train.alpha == 0.0 || !(w > 0.0)) return 0.0;
-  const double ratio = train.peak_rad_s / w;
-  const double r4 = ratio * ratio * ratio * ratio;
-  if (1.25 * r4 > 700.0) return 0.0;
-  const double sigma = w <= train.peak_rad_s ? 0.07 : 0.09;
-  const double d = (w / train.peak_rad_s - 1.0) / sigma;
-  const double w5 = w * w * w * w * w;
-  return train.alpha * gravity_mps2 * gravity_mps2 / w5 * std::exp(-1.25 * r4 + std::log(train.gamma) * std::exp(-0.5 * d * d));
-}
-
-double wind_spreading(double angle_rad, double w_over_peak) {
-  // Donelan et al. (1985) eq. 6.2 and Banner (1990), as collected by Horvath (2015) eq. 38; held below 0.56.
-  const double r = std::max(w_over_peak, 0.56);
-  double beta;
-  if (r < 0.95)
-    beta = 2.61 * std::pow(r, 1.3);
-  else if (r < 1.6)
-    beta = 2.28 * std::pow(r, -1.3);
-  else
-    beta = std::pow(10.0, -0.4 + 0.8393 * std::exp(-0.567 * 2.0 * std::log(r)));
-  const double sech = 1.0 / std::cosh(beta * angle_rad);
-  return 0.5 * beta / std::tanh(beta * pi) * sech * sech;
-}
-
-double swell_spreading(double angle_rad) {
-  // 1 / integral of cos^2s(angle / 2) = Gamma(s + 1) / (2 sqrt(pi) Gamma(s + 1/2)), made once: lgamma is slow.
-  static const double norm = std::exp(std::lgamma(swell_s + 1.0) - std::lgamma(swell_s + 0.5)) / (2.0 * std::sqrt(pi));
-  const double c = std::cos(0.5 * angle_rad);
-  return norm * std::pow(c * c, swell_s);
-}
-
-Spectrum::Spectrum(const SeaState& sea) : gravity_(sea.gravity_mps2), suppression_(sea.small_wave_suppression) {
+Spectrum::Spectrum(const SeaState& sea)
+    : spectrum_(sea.spectrum), spreading_(sea.spreading), elongation_(sea.swell_elongation), gravity_(sea.gravity_mps2),
+      depth_(sea.depth_m), suppression_(sea.small_wave_suppression) {
   validate(sea);
   wind_ = wind_train(sea);
-  swell_ = swell_train(sea);
+  swell_ = swell_of(sea);
+  if (wind_.alpha == 0.0) return;
+  inverse_wave_age_ = sea.wind_speed_mps * wind_.peak_rad_s / gravity_;
+  short_waves_ = Elfouhaily(sea.wind_speed_mps, inverse_wave_age_, gravity_);
+  const double peak = wind_.peak_rad_s * wind_.peak_rad_s / gravity_;
+  short_from_ = std::max(2.0 * pi / short_from_m, short_from_peaks * peak);
+  short_to_ = std::max(2.0 * pi / short_to_m, short_to_ratio * short_from_);
 }
 
-double Spectrum::frequency(double k) const { return std::sqrt(gravity_ * k); }
+bool Spectrum::flat() const {
+  for (int i = 0; i < components; ++i)
+    if (present(i)) return false;
+  return true;
+}
+
+double Spectrum::frequency(double k) const { return wave_frequency(k, gravity_, depth_); }
 
 double Spectrum::suppression(double k) const {
   const double r = k * suppressed_below_m / (2.0 * pi);
@@ -157,18 +60,76 @@ double Spectrum::suppression(double k) const {
   return 1.0 - suppression_ * r4 / (1.0 + r4);
 }
 
-double Spectrum::operator()(glm::dvec2 k_xz) const {
-  const double k = glm::length(k_xz);
-  if (!(k > 0.0)) return 0.0;
-  const double w = frequency(k);
-  const double to = std::atan2(k_xz.x, -k_xz.y);  // clockwise from -z
+double Spectrum::short_share(double deep_k) const {
+  if (deep_k <= short_from_) return 0.0;
+  return smooth_step(std::log(deep_k / short_from_) / std::log(short_to_ / short_from_));
+}
+
+double Spectrum::over_peak(const WaveTrain& train, double k) const { return airy_frequency(k, gravity_, depth_) / train.peak_rad_s; }
+
+double Spectrum::radial(int component, double k) const {
+  if (!(k > 0.0) || !present(component)) return 0.0;
+  // Spectra over frequency are of gravity waves, and so is their way to wave numbers: S(k) = S(w) dw/dk.
+  const double w = airy_frequency(k, gravity_, depth_), deep_k = w * w / gravity_;
   double density = 0.0;
-  if (wind_.alpha > 0.0)
-    density += frequency_density(wind_, gravity_, w) * wind_spreading(angle_between(to, wind_.to_rad), w / wind_.peak_rad_s);
-  if (swell_.alpha > 0.0)
-    density += frequency_density(swell_, gravity_, w) * swell_spreading(angle_between(to, swell_.to_rad));
-  // dw dtheta = (dw/dk) / k dkx dkz with dw/dk = w / 2k.
-  return density * w / (2.0 * k * k) * suppression(k);
+  if (component >= 2) {
+    density = frequency_density(train(component), gravity_, w) * airy_group_speed(k, gravity_, depth_);
+  } else {
+    const double share = short_share(deep_k), mine = component == 1 ? share : 1.0 - share;
+    if (mine == 0.0) return 0.0;
+    if (component == 1)
+      density = mine * short_waves_.tail_curvature(deep_k) / (k * k * k);
+    else if (spectrum_ == WaveSpectrum::elfouhaily)
+      density = mine * short_waves_.curvature(deep_k) / (k * k * k);
+    else
+      density = mine * frequency_density(wind_, gravity_, w) * airy_group_speed(k, gravity_, depth_);
+    if (component == 0 && spectrum_ == WaveSpectrum::tma) density *= kitaigorodskii_factor(w, gravity_, depth_);
+  }
+  return density / k * suppression(k);
+}
+
+SpreadingShape Spectrum::shape(int component, double k) const {
+  const double r = over_peak(train(component), k);
+  if (component >= 2) return swell_spreading(r, elongation_);
+  const WaveSpreading model = component == 1 ? WaveSpreading::elfouhaily : spreading_;
+  const double delta = model == WaveSpreading::elfouhaily ? short_waves_.delta(k) : 0.0;
+  return wind_spreading(model, r, inverse_wave_age_, delta, elongation_);
+}
+
+double Spectrum::operator()(glm::dvec2 k_xz) const {
+  const double k = glm::length(k_xz), to = std::atan2(k_xz.x, -k_xz.y);  // clockwise from -z
+  double density = 0.0;
+  for (int i = 0; i < components; ++i) {
+    const double r = radial(i, k);
+    if (r > 0.0) density += r * spreading(shape(i, k), to - to_rad(i));
+  }
+  return density;
+}
+
+glm::dvec3 slope_moments(const SeaState& sea) {
+  SeaState whole = sea;
+  whole.small_wave_suppression = 0.0;
+  const Spectrum spectrum(whole);
+  // From waves of 60 km to capillaries of a quarter of a millimetre; smooth over ln k, so trapezoids do. A spreading varies
+  // slowly, so that its moments are asked for at every tenth node.
+  constexpr double from = 1e-4, to = 2.5e4, step = 0.02;
+  const int nodes = int(std::log(to / from) / step);
+  glm::dvec3 sum(0.0);
+  for (int c = 0; c < Spectrum::components; ++c) {
+    if (!spectrum.present(c)) continue;
+    const double angle = 2.0 * spectrum.to_rad(c);
+    double along = 0.0, isotropic = 0.0, moment = 0.0;
+    for (int i = 0; i <= nodes; ++i) {
+      const double k = from * std::exp(step * i), variance = step * k * k * k * k * spectrum.radial(c, k);
+      if (variance == 0.0) continue;
+      if (i % 10 == 0 || isotropic == 0.0) moment = second_moment(spectrum.shape(c, k));
+      isotropic += 0.5 * variance;
+      along += 0.5 * variance * moment;
+    }
+    // E[hx^2] = variance (1 - moment cos 2 to) / 2 since x = sin(to), z = -cos(to).
+    sum += glm::dvec3(isotropic - along * std::cos(angle), isotropic + along * std::cos(angle), -along * std::sin(angle));
+  }
+  return sum;
 }
 
 }  // namespace seascape

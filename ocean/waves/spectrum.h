@@ -1,9 +1,12 @@
-// The directional variance spectrum of a sea: JONSWAP wind waves and a swell train over deep water.
+// The directional variance spectrum of a sea: wind waves down to capillaries and trains of swell, over water of one depth.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
 
+#include "ocean/waves/elfouhaily.h"
+#include "ocean/waves/frequency_spectrum.h"
 #include "ocean/waves/sea_state.h"
+#include "ocean/waves/spreading.h"
 
 namespace seascape {
 
@@ -17,44 +20,57 @@ glm::dvec2 direction_xz(double degrees);
 // Length of the longest peak wave of wind sea and swell (m); 0 where there is neither.
 double longest_peak_wave_m(const SeaState& sea);
 
-// One train of waves: S(w) = alpha g^2 w^-5 exp(-5/4 (wp/w)^4) gamma^r (Hasselmann et al. 1973).
-struct WaveTrain {
-  double alpha = 0.0;       // 0: no waves
-  double peak_rad_s = 1.0;  // wp
-  double gamma = 3.3;
-  double to_rad = 0.0;      // direction it travels to, clockwise from -z
-};
-
-// Variance density of one train over angular frequency w (rad/s), m^2 s.
-double frequency_density(const WaveTrain& train, double gravity_mps2, double w);
-
-// Spreading functions: density over the angle (1/rad), integral 1 over a turn.
-// Donelan, Hamilton and Hui (1985) with Banner's (1990) tail: beta / (2 tanh(pi beta)) sech^2(beta angle).
-double wind_spreading(double angle_rad, double w_over_peak);
-// cos^2s(angle / 2) with s = 25 (Longuet-Higgins et al. 1963): about 16 degrees either side.
-double swell_spreading(double angle_rad);
-
 // A sea's spectrum, ready to be evaluated. Immutable; any thread.
+//
+// The wind sea's long waves follow SeaState::spectrum, its short ones Elfouhaily's tail whatever the former. The curvature
+// k^3 S(k) passes from one to the other by a smooth step over ln k, from the longer of 12 m and a tenth of the peak wave (ten
+// times its wave number), to 0.3 m or a quarter of where it began, whichever is shorter: the sum of both is continuous with its
+// slope, and so are energy and slope variance. The range is wide because both describe it well and because saturation at
+// JONSWAP's level up to 0.3 m would miss Cox and Munk's (1954) slopes at either end of its fetches. In water of finite depth both
+// are functions of frequency: Elfouhaily's curvature is taken at the deep-water wave number k tanh(k h), the similarity
+// that TMA rests on (Bouws et al. 1985). JONSWAP and Pierson-Moskowitz stay as they are over frequency.
 class Spectrum {
  public:
-  // Wind sea: alpha = 0.076 X^-0.22, wp = 22 (g/U10) X^-1/3, X = g F / U10^2 (Hasselmann et al. 1973), with X held
-  // where wp meets the fully developed peak and alpha such that the energy never passes the fully developed sea's (Pierson and
-  // Moskowitz 1964, U19.5 = 1.026 U10: wp = 0.8772 g/U19.5, Hs = 0.20925 U19.5^2 / g). Throws Error as validate() does.
+  // Throws Error as validate() does.
   explicit Spectrum(const SeaState& sea);
 
-  // Variance density over the wave vector (kx, kz) in rad/m: m^4; its integral over the plane is the height's variance.
+  // Variance density over the wave vector (kx, kz) in rad/m: m^4; its integral over the plane is the height's variance. Exact
+  // and slow: SpectrumTable has it for many wave vectors.
   double operator()(glm::dvec2 k) const;
-  // Angular frequency of wave number k (rad/m) over deep water: w^2 = g k.
+
+  // It is a sum of components, each a density over the wave number times a spreading: the wind sea's long waves, its short waves
+  // and the trains of swell.
+  static constexpr int components = 2 + swell_trains;
+  bool present(int component) const { return train(component).alpha > 0.0; }
+  double to_rad(int component) const { return train(component).to_rad; }  // mean direction, clockwise from -z
+  // Variance density of wave number k (rad/m) over the wave vector, its spreading left out, suppression counted: m^4 rad.
+  double radial(int component, double k) const;
+  SpreadingShape shape(int component, double k) const;
+
+  // Angular frequency of wave number k (rad/m) with surface tension.
   double frequency(double k) const;
   // The factor on variance that small-wave suppression leaves at wave number k.
   double suppression(double k) const;
-  bool flat() const { return wind_.alpha == 0.0 && swell_.alpha == 0.0; }
+  bool flat() const;
   const WaveTrain& wind() const { return wind_; }
-  const WaveTrain& swell() const { return swell_; }
+  const WaveTrain& swell(int train = 0) const { return swell_[train]; }
+  const Elfouhaily& short_waves() const { return short_waves_; }
+  // The share of the wind sea's curvature that the short waves' part has, 0 to 1, at a deep-water wave number.
+  double short_share(double deep_k) const;
 
  private:
-  WaveTrain wind_, swell_;
-  double gravity_ = 9.81, suppression_ = 0.0;
+  const WaveTrain& train(int component) const { return component < 2 ? wind_ : swell_[component - 2]; }
+  double over_peak(const WaveTrain& train, double k) const;  // w / wp
+  WaveTrain wind_;
+  std::array<WaveTrain, swell_trains> swell_;
+  Elfouhaily short_waves_;
+  WaveSpectrum spectrum_;
+  WaveSpreading spreading_;
+  double elongation_, inverse_wave_age_ = 1.0, gravity_, depth_, suppression_;
+  double short_from_ = 0.0, short_to_ = 0.0;  // deep-water wave numbers of the passage
 };
+
+// Mean square slopes of a sea's whole spectrum, waves of all lengths, suppression not counted: E[hx^2], E[hz^2], E[hx hz].
+glm::dvec3 slope_moments(const SeaState& sea);
 
 }  // namespace seascape

@@ -1,61 +1,109 @@
 // The table of waves of a sea: which waves its tiles carry, drawn from the spectrum by key.
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "engine/error.h"
+#include "ocean/waves/dispersion.h"
 #include "ocean/waves/gaussian.h"
-#include "ocean/waves/spectrum.h"
+#include "ocean/waves/spectrum_table.h"
 #include "ocean/waves/wave_field.h"
 
 namespace seascape {
 
 namespace {
 constexpr int half_bins = gpu::wave_bins / 2;
+constexpr double turn = 2.0 * std::numbers::pi;
 
 // Gauss-Legendre nodes and weights on [-1/2, 1/2].
 struct Rule {
   int n;
   std::array<double, 5> node, weight;
 };
+constexpr Rule two{2, {-0.2886751345948129, 0.2886751345948129}, {0.5, 0.5}};
 constexpr Rule three{3, {-0.3872983346207417, 0.0, 0.3872983346207417}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 constexpr Rule five{5,
                     {-0.4530899229693320, -0.2692346550528416, 0.0, 0.2692346550528416, 0.4530899229693320},
                     {0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945}};
 
-// Variance of the waves of bin m: the spectrum's share integrated over the bin's cell, not sampled at its centre, since a
-// swell may be narrower than a bin. Near the origin, where everything varies fast within a cell, the cell is cut up: a
-// peak's width is about a seventh of its wave number, so from |m| = 10 on it spans more than a cell.
-double bin_variance(const Spectrum& spectrum, const Ladder& ladder, int index, int mx, int mz) {
-  const Cascade& cascade = ladder[index];
-  const double step = 2.0 * std::numbers::pi / cascade.side_m;
-  const double m = std::hypot(double(mx), double(mz));
-  constexpr double half_diagonal = 0.7072;
-  if (step * (m + half_diagonal) <= cascade.k_in[0] || step * (m - half_diagonal) >= cascade.k_out[1]) return 0.0;
-  const int cuts = m < 4.0 ? 4 : m < 10.0 ? 2 : 1;
-  const Rule& rule = cuts == 4 ? five : three;
-  const double c = std::cos(cascade.rotation_rad), s = std::sin(cascade.rotation_rad);
-  double sum = 0.0;
-  for (int j = 0; j < cuts * rule.n; ++j)
-    for (int i = 0; i < cuts * rule.n; ++i) {
-      const double x = mx + ((i / rule.n + 0.5) - 0.5 * cuts + rule.node[i % rule.n]) / cuts;
-      const double z = mz + ((j / rule.n + 0.5) - 0.5 * cuts + rule.node[j % rule.n]) / cuts;
-      const glm::dvec2 k{step * (c * x - s * z), step * (s * x + c * z)};
-      const double share = band_share(ladder, index, glm::length(k));
-      if (share > 0.0) sum += rule.weight[i % rule.n] * rule.weight[j % rule.n] * share * spectrum(k);
-    }
-  return sum * step * step / (cuts * cuts);
+// Where the spectrum is asked for a bin's cell, in the tile's own axes and in units of its wave-number step: they are the same
+// for every sea and cascade. Cells are integrated over, not sampled at their centre, since a swell may be narrower than a
+// bin. Near the origin, where everything varies fast within a cell, the cell is cut up: a peak's width is about a seventh of
+// its wave number, so from |m| = 10 on it spans more than a cell, and two nodes a side leave errors below 1e-4.
+class Cells {
+ public:
+  struct Node {
+    double log_m, to_rad, weight;  // direction clockwise from the tile's -z, -pi to pi; the weights of a cell add to 1
+  };
+  Cells() {
+    offset_.reserve(gpu::wave_bins * gpu::wave_bins + 1);
+    for (int mz = -half_bins; mz < half_bins; ++mz)
+      for (int mx = -half_bins; mx < half_bins; ++mx) {
+        offset_.push_back(nodes_.size());
+        add(mx, mz);
+      }
+    offset_.push_back(nodes_.size());
+  }
+  const Node* begin(int mx, int mz) const { return &nodes_[offset_[place(mx, mz)]]; }
+  const Node* end(int mx, int mz) const { return nodes_.data() + offset_[place(mx, mz) + 1]; }
+
+ private:
+  static int place(int mx, int mz) { return (mz + half_bins) * gpu::wave_bins + mx + half_bins; }
+  void add(int mx, int mz) {
+    const double m = std::hypot(double(mx), double(mz));
+    if (m == 0.0 || m >= half_bins) return;
+    const int cuts = m < 4.0 ? 4 : m < 10.0 ? 2 : 1;
+    const Rule& rule = m < 4.0 ? five : m < 10.0 ? three : two;
+    for (int j = 0; j < cuts * rule.n; ++j)
+      for (int i = 0; i < cuts * rule.n; ++i) {
+        const double x = mx + ((i / rule.n + 0.5) - 0.5 * cuts + rule.node[i % rule.n]) / cuts;
+        const double z = mz + ((j / rule.n + 0.5) - 0.5 * cuts + rule.node[j % rule.n]) / cuts;
+        nodes_.push_back({0.5 * std::log(x * x + z * z), std::atan2(x, -z),
+                          rule.weight[i % rule.n] * rule.weight[j % rule.n] / (cuts * cuts)});
+      }
+  }
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> offset_;
+};
+
+const Cells& cells() {
+  static const Cells made;  // constants, some 0.5 MB, that every sea asks for
+  return made;
 }
 
-// Turns a tick times 2^64: w / (2 pi) * 2^64 / 2^20. Long double keeps all bits that a 64-bit product can use.
-std::uint64_t turns_per_tick(double gravity, double side_m, double m2) {
-  const long double k = 2.0L * std::numbers::pi_v<long double> / side_m * std::sqrt(static_cast<long double>(m2));
-  const long double w = std::sqrt(gravity * k);
-  return static_cast<std::uint64_t>(std::round(w / (2.0L * std::numbers::pi_v<long double>)*0x1p44L));
+// Frequency of each m^2 = mx^2 + mz^2 below half_bins^2 in turns a tick, times 2^64; 0 where no bin has that m^2.
+std::vector<std::uint64_t> turns_of(const SeaState& sea, double side_m) {
+  std::vector<std::uint64_t> turns(half_bins * half_bins, 0);
+  const std::int64_t loop = std::llround(sea.loop_s * double(gpu::ticks_per_second));
+  for (int a = 0; a < half_bins; ++a)
+    for (int b = a; b < half_bins && a * a + b * b < half_bins * half_bins; ++b) {
+      std::uint64_t& result = turns[std::size_t(a * a + b * b)];
+      if (a + b == 0 || result != 0) continue;
+      // Long double keeps all bits that a 64-bit product can use.
+      const long double k = 2.0L * std::numbers::pi_v<long double> / side_m * std::sqrt(static_cast<long double>(a * a + b * b));
+      const long double w = wave_frequency(k, static_cast<long double>(sea.gravity_mps2), static_cast<long double>(sea.depth_m));
+      const long double turns_a_second = w / (2.0L * std::numbers::pi_v<long double>);
+      result = loop > 0 && w > 0 ? loop_turns(std::max<std::int64_t>(1, std::llround(turns_a_second * sea.loop_s)), loop)
+                                 : static_cast<std::uint64_t>(std::round(turns_a_second * 0x1p44L));
+    }
+  return turns;
 }
 }  // namespace
+
+std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks) {
+  // Long division in steps of 16 bits: no step overflows for loops below 2^47 ticks.
+  std::uint64_t quotient = 0, rest = std::uint64_t(turns % ticks);
+  for (int i = 0; i < 4; ++i) {
+    rest <<= 16;
+    quotient = (quotient << 16) | (rest / std::uint64_t(ticks));
+    rest %= std::uint64_t(ticks);
+  }
+  return quotient + (rest > 0);
+}
 
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
   validate(quality);
@@ -64,20 +112,38 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
   result.ladder = ladder(sea);
   result.cascades = quality.cascades;
   result.bins.assign(std::size_t(quality.cascades) * gpu::wave_bins * gpu::wave_bins, gpu::WaveBin{});
-  const double limit = std::min(quality.resolution / 2, half_bins);
+  if (!(sea.depth_m > 0.0)) return result;
+  const int limit = std::min(quality.resolution / 2, half_bins);
+  const auto step = [&](int index) { return turn / result.ladder[index].side_m; };
+  const SpectrumTable table(spectrum, 0.25 * step(0), 1.5 * half_bins * step(quality.cascades - 1));
+  struct Prepared {
+    SpectrumTable::Band band;
+    std::vector<std::uint64_t> turns;
+  };
+  std::vector<Prepared> prepared(std::size_t(quality.cascades));
+  tbb::parallel_for(0, quality.cascades, [&](int i) {
+    prepared[i] = {table.band(result.ladder, i), turns_of(sea, result.ladder[i].side_m)};
+  });
   // Every bin is a function of its key alone, so the division into threads cannot change it.
   tbb::parallel_for(0, quality.cascades * gpu::wave_bins, [&](int row) {
     const int index = row / gpu::wave_bins, mz = row % gpu::wave_bins - half_bins;
+    const Cascade& cascade = result.ladder[index];
+    const double log_step = std::log(step(index)), area = step(index) * step(index);
+    const double rotation = std::remainder(cascade.rotation_rad, turn);
     for (int mx = -half_bins; mx < half_bins; ++mx) {
-      const double m2 = double(mx) * mx + double(mz) * mz;
-      if (m2 == 0.0 || m2 >= limit * limit || mx == -half_bins || mz == -half_bins) continue;
+      const int m2 = mx * mx + mz * mz;
+      if (m2 == 0 || m2 >= limit * limit) continue;
       gpu::WaveBin& bin = result.bins[(std::size_t(row) * gpu::wave_bins) + mx + half_bins];
-      const std::uint64_t turns = turns_per_tick(sea.gravity_mps2, result.ladder[index].side_m, m2);
+      const std::uint64_t turns = prepared[index].turns[std::size_t(m2)];
       bin.turns_high = std::uint32_t(turns >> 32);
       bin.turns_low = std::uint32_t(turns);
-      if (spectrum.flat()) continue;
-      const double scale = std::sqrt(bin_variance(spectrum, result.ladder, index, mx, mz));
-      bin.amplitude = glm::vec2(scale * gaussian_pair(sea.seed, index, mx, mz));
+      const double m = std::sqrt(double(m2));
+      constexpr double half_diagonal = 0.7072;
+      if (step(index) * (m + half_diagonal) <= cascade.k_in[0] || step(index) * (m - half_diagonal) >= cascade.k_out[1]) continue;
+      double density = 0.0;
+      for (const Cells::Node* node = cells().begin(mx, mz); node != cells().end(mx, mz); ++node)
+        density += node->weight * table(prepared[index].band, node->log_m + log_step, node->to_rad + rotation);
+      if (density > 0.0) bin.amplitude = glm::vec2(std::sqrt(density * area) * gaussian_pair(sea.seed, index, mx, mz));
     }
   });
   return result;

@@ -33,7 +33,8 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int b
       table.kz.push_back(float(k.y));
       table.shift_x.push_back(float(towards.x));
       table.shift_z.push_back(float(towards.y));
-      table.frequency.push_back(float(std::sqrt(sea.gravity_mps2 * length)));
+      // From the turns that it runs by, so that velocity is the displacement's rate of change at every depth and in a loop.
+      table.frequency.push_back(float(double(table.turns.back()) * 0x1p-64 * gpu::ticks_per_second * 2.0 * std::numbers::pi));
     }
   return table;
 }

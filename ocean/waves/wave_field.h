@@ -24,13 +24,17 @@ struct WaveBins {
 // Bins whose |m| reaches resolution / 2 are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on the quality.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality);
 
+// Turns a tick, times 2^64, of a wave of `turns` whole turns in `ticks` (1 to 2^47, more than turns), rounded up: the phase after
+// `ticks` is then a whole turn and less than ticks 2^-64 of one, of which phase_turns sees nothing for loops shorter than 4096 s.
+std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks);
+
 std::int64_t ticks_from_seconds(double time_s);
 
 // Sums over the drawn bins: what the surface's statistics must come to. Variances in m^2 and (dimensionless) slope^2.
 struct SeaStatistics {
   double height_variance = 0.0;        // Hs = 4 sqrt of it
   glm::dvec3 slope_moments{0.0};       // E[hx^2], E[hz^2], E[hx hz] of the drawn waves
-  glm::dvec3 tail_slope_moments{0.0};  // of the waves too short to be drawn: the rest up to Cox and Munk (1954)
+  glm::dvec3 tail_slope_moments{0.0};  // of the waves too short to be drawn: the rest of the spectrum's
   double largest_height_m = 0.0;       // a bound for culling: 99.9999 % of crests, chop included
   double largest_shift_m = 0.0;        // the same for horizontal displacement
 };

@@ -1,0 +1,51 @@
+#include "ocean/waves/dispersion.h"
+
+#include <cmath>
+
+namespace seascape {
+
+namespace {
+// tanh, by its limit where that is all that is left of it in long double: the drawn waves' tables ask it often.
+template <class Real>
+Real tanh_of(Real x) {
+  return x > Real(23) ? Real(1) : std::tanh(x);
+}
+
+template <class Real>
+Real with_tension(Real k, Real gravity, Real depth) {
+  if (!(k > 0) || !(depth > 0)) return 0;
+  return std::sqrt((gravity * k + Real(water_tension_m3_s2) * k * k * k) * tanh_of(k * depth));
+}
+}  // namespace
+
+double airy_frequency(double k, double gravity_mps2, double depth_m) {
+  if (!(k > 0.0) || !(depth_m > 0.0)) return 0.0;
+  return std::sqrt(gravity_mps2 * k * tanh_of(k * depth_m));
+}
+
+double airy_group_speed(double k, double gravity_mps2, double depth_m) {
+  if (!(depth_m > 0.0)) return 0.0;
+  if (!(k > 0.0)) return std::sqrt(gravity_mps2 * depth_m);
+  const double kh = k * depth_m, t = tanh_of(kh);
+  // sech^2 = 1 - tanh^2 loses its digits in deep water, where it no longer counts.
+  return 0.5 * std::sqrt(gravity_mps2 / (k * t)) * (t + kh * (1.0 - t) * (1.0 + t));
+}
+
+double airy_wave_number(double w, double gravity_mps2, double depth_m) {
+  if (!(w > 0.0) || !(depth_m > 0.0)) return 0.0;
+  const double x2 = w * w * depth_m / gravity_mps2;
+  constexpr double beta = 2.4908;
+  // 1 - exp(-x^beta), with its digits kept where the water is very shallow.
+  double kh = x2 * std::pow(-std::expm1(-std::pow(x2, 0.5 * beta)), -1.0 / beta);
+  const double t = tanh_of(kh);
+  kh -= (kh * t - x2) / (t + kh * (1.0 - t) * (1.0 + t));
+  return kh / depth_m;
+}
+
+double wave_frequency(double k, double gravity_mps2, double depth_m) { return with_tension(k, gravity_mps2, depth_m); }
+
+long double wave_frequency(long double k, long double gravity_mps2, long double depth_m) {
+  return with_tension(k, gravity_mps2, depth_m);
+}
+
+}  // namespace seascape
