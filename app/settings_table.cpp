@@ -29,6 +29,8 @@ template <auto member> constexpr auto water = &at<&Settings::water, member>;
 template <auto member> constexpr auto sky = &at<&Settings::sky, member>;
 template <auto member> constexpr auto render = &at<&Settings::render, member>;
 template <auto member>
+constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choice<&Settings::sea, member>};
+template <auto member>
 constexpr ChoiceMember render_choice{&choice_of<&Settings::render, member>, &set_choice<&Settings::render, member>};
 
 constexpr bool quality = true, rebuild = true;
@@ -42,6 +44,17 @@ const std::vector<Setting>& table() {
        sea<&SeaState::wind_to_deg>, 0.0, 360.0, {}, false, rebuild},
       {"waves.fetch_m", "m", "How far the wind has blown over open water; short fetches give short, steep waves.",
        sea<&SeaState::fetch_m>, 0.0, 1e9, {}, false, rebuild},
+      {"waves.spectrum", "",
+       "Long waves of the wind sea: fully developed, growing with fetch, the same limited by depth, or Elfouhaily's of 1997.",
+       sea_choice<&SeaState::spectrum>, 0.0, 0.0, {"pierson_moskowitz", "jonswap", "tma", "elfouhaily"}, false, rebuild},
+      {"waves.spreading", "", "How the wind sea's long waves spread over directions.", sea_choice<&SeaState::spreading>, 0.0,
+       0.0, {"cosine_power", "hasselmann", "donelan_banner", "elfouhaily"}, false, rebuild},
+      {"waves.swell_elongation", "",
+       "Narrows the spreading, the long waves' most, to longer and more parallel crests: 0 as measured, 1 most.",
+       sea<&SeaState::swell_elongation>, 0.0, 1.0, {}, false, rebuild},
+      {"waves.depth_m", "m",
+       "Depth of the still water, by which waves run and which limits the tma spectrum; 0 or less is dry land without waves.",
+       sea<&SeaState::depth_m>, -1000.0, 1e6, {}, false, rebuild},
       {"waves.peak_enhancement", "", "JONSWAP's gamma: 1 is a fully developed sea with a broad peak, 7 a sharp young one.",
        sea<&SeaState::peak_enhancement>, 1.0, 7.0, {}, false, rebuild},
       {"waves.swell_height_m", "m", "Significant height of a swell train from a far storm; 0 for none.",
@@ -49,11 +62,26 @@ const std::vector<Setting>& table() {
       {"waves.swell_period_s", "s", "Peak period of the swell.", sea<&SeaState::swell_period_s>, 4.0, 22.0, {}, false, rebuild},
       {"waves.swell_to_deg", "deg", "Direction the swell travels to, clockwise from -z seen from above.",
        sea<&SeaState::swell_to_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"waves.swell2_height_m", "m", "Significant height of a second swell; 0 for none.", sea<&SeaState::swell2_height_m>, 0.0,
+       15.0, {}, false, rebuild},
+      {"waves.swell2_period_s", "s", "Peak period of the second swell.", sea<&SeaState::swell2_period_s>, 4.0, 22.0, {}, false,
+       rebuild},
+      {"waves.swell2_to_deg", "deg", "Direction the second swell travels to, clockwise from -z seen from above.",
+       sea<&SeaState::swell2_to_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"waves.swell3_height_m", "m", "Significant height of a third swell; 0 for none.", sea<&SeaState::swell3_height_m>, 0.0,
+       15.0, {}, false, rebuild},
+      {"waves.swell3_period_s", "s", "Peak period of the third swell.", sea<&SeaState::swell3_period_s>, 4.0, 22.0, {}, false,
+       rebuild},
+      {"waves.swell3_to_deg", "deg", "Direction the third swell travels to, clockwise from -z seen from above.",
+       sea<&SeaState::swell3_to_deg>, 0.0, 360.0, {}, false, rebuild},
       {"waves.chop", "", "Horizontal displacement that sharpens crests: 0 none, 1 as linear theory has it.",
        sea<&SeaState::chop>, 0.0, 2.0, {}, false, rebuild},
       {"waves.small_wave_suppression", "", "Damps waves shorter than about 2 m for comfort in a headset, 0 none to 1 most.",
        sea<&SeaState::small_wave_suppression>, 0.0, 1.0, {}, false, rebuild},
       {"waves.gravity_mps2", "m/s2", "Acceleration of gravity.", sea<&SeaState::gravity_mps2>, 1.0, 30.0, {}, false, rebuild},
+      {"waves.loop_s", "s",
+       "The sea repeats exactly after this time, the waves' periods rounded to whole fractions of it; 0 never repeats.",
+       sea<&SeaState::loop_s>, 0.0, 86400.0, {}, false, rebuild},
       {"waves.seed", "", "Which sea of the same statistics; independent of quality.", sea<&SeaState::seed>, 0.0,
        4294967295.0, {}, false, rebuild},
       {"waves.resolution", "", "Samples a side of each cascade's tile.", waves<&WaveQuality::resolution>, 16.0, 512.0,

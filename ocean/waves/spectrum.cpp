@@ -111,21 +111,28 @@ glm::dvec3 slope_moments(const SeaState& sea) {
   whole.small_wave_suppression = 0.0;
   const Spectrum spectrum(whole);
   // From waves of 60 km to capillaries of a quarter of a millimetre; smooth over ln k, so trapezoids do. A spreading varies
-  // slowly, so that its moments are asked for at every tenth node.
+  // slowly: its moment is asked for at every tenth node and taken along a straight line between.
   constexpr double from = 1e-4, to = 2.5e4, step = 0.02;
-  const int nodes = int(std::log(to / from) / step);
+  constexpr int coarse = 10;
+  const int rows = int(std::log(to / from) / (step * coarse));
   glm::dvec3 sum(0.0);
   for (int c = 0; c < Spectrum::components; ++c) {
     if (!spectrum.present(c)) continue;
     const double angle = 2.0 * spectrum.to_rad(c);
-    double along = 0.0, isotropic = 0.0, moment = 0.0;
-    for (int i = 0; i <= nodes; ++i) {
-      const double k = from * std::exp(step * i), variance = step * k * k * k * k * spectrum.radial(c, k);
-      if (variance == 0.0) continue;
-      if (i % 10 == 0 || isotropic == 0.0) moment = second_moment(spectrum.shape(c, k));
-      isotropic += 0.5 * variance;
-      along += 0.5 * variance * moment;
-    }
+    const auto moment = [&](int row) { return second_moment(spectrum.shape(c, from * std::exp(step * coarse * row))); };
+    double along = 0.0, isotropic = 0.0, here = 0.0, next = 0.0;
+    int known = -1;  // the row that `next` belongs to
+    for (int row = 0; row < rows; ++row)
+      for (int i = 0; i < coarse; ++i) {
+        const double k = from * std::exp(step * (row * coarse + i)), variance = step * k * k * k * k * spectrum.radial(c, k);
+        if (variance == 0.0) continue;
+        if (known != row + 1) {
+          here = known == row ? next : moment(row);
+          next = moment(known = row + 1);
+        }
+        isotropic += 0.5 * variance;
+        along += 0.5 * variance * (here + (next - here) * i / coarse);
+      }
     // E[hx^2] = variance (1 - moment cos 2 to) / 2 since x = sin(to), z = -cos(to).
     sum += glm::dvec3(isotropic - along * std::cos(angle), isotropic + along * std::cos(angle), -along * std::sin(angle));
   }

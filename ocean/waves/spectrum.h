@@ -24,9 +24,9 @@ double longest_peak_wave_m(const SeaState& sea);
 //
 // The wind sea's long waves follow SeaState::spectrum, its short ones Elfouhaily's tail whatever the former. The curvature
 // k^3 S(k) passes from one to the other by a smooth step over ln k, from the longer of 12 m and a tenth of the peak wave (ten
-// times its wave number), to 0.3 m or a quarter of where it began, whichever is shorter: the sum of both is continuous with its
-// slope, and so are energy and slope variance. The range is wide because both describe it well and because saturation at
-// JONSWAP's level up to 0.3 m would miss Cox and Munk's (1954) slopes at either end of its fetches. In water of finite depth both
+// times its wave number), to 0.3 m or a quarter of where it began, whichever is shorter: the sum of both has no
+// step anywhere, and so energy and slope variance have none. The range is wide because both describe it well and because
+// saturation at JONSWAP's level up to 0.3 m would miss Cox and Munk's (1954) slopes at either end of its fetches. In water of finite depth both
 // are functions of frequency: Elfouhaily's curvature is taken at the deep-water wave number k tanh(k h), the similarity
 // that TMA rests on (Bouws et al. 1985). JONSWAP and Pierson-Moskowitz stay as they are over frequency.
 class Spectrum {

@@ -11,14 +11,19 @@ namespace seascape {
 namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double swell_s = 25.0;
-constexpr int most_values = 257;
-constexpr int norm_values = 257;  // for shapes whose integral has no closed form
+constexpr int most_values = 513;
 
-// What shapes ask of an angle, made once for a number of values.
+// Angles from 0 to pi, what shapes ask of them, and their weights in an integral over a turn, [0, pi] being mirrored.
 struct Angles {
-  explicit Angles(int n) : count(n) {
+  // Evenly spaced and of trapezoids; or, for integrals alone, ever closer towards pi (angle = pi (1 - v^2), v even), where a cosine
+  // to a small power has no derivative, and of Simpson's weights.
+  explicit Angles(int n, bool gathered = false) : count(n) {
     for (int i = 0; i < n; ++i) {
-      const double angle = pi * i / (n - 1), c = std::cos(angle);
+      const double even = double(i) / (n - 1), v = 1.0 - even;
+      const double angle = gathered ? pi * (1.0 - v * v) : pi * even, c = std::cos(angle);
+      const bool end = i == 0 || i == n - 1;
+      weight[i] = gathered ? 4.0 * pi * v * (end ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) / (3.0 * (n - 1))
+                           : (end ? 1.0 : 2.0) * pi / (n - 1);
       angle_rad[i] = angle;
       // At pi the cosine of half the angle is 0; s = 0 still has to give 1 there, and 0 times infinity would not.
       log_half_cosine2[i] = i == n - 1 ? -1e300 : std::log(0.5 * (1.0 + c));
@@ -27,7 +32,7 @@ struct Angles {
     }
   }
   int count;
-  std::array<double, most_values> angle_rad, log_half_cosine2, cos2, sense;
+  std::array<double, most_values> angle_rad, log_half_cosine2, cos2, sense, weight;
 };
 
 // Without its norm, `at` standing for one angle.
@@ -53,15 +58,15 @@ void fill(const SpreadingShape& shape, const Angles& at, double* values) {
   for (int i = 0; i < at.count; ++i) values[i] = raw(shape, at.angle_rad[i], at.log_half_cosine2[i], at.cos2[i], at.sense[i]);
 }
 
-// Integral over a turn of the straight lines between values on [0, pi], mirrored.
-double integral(const double* values, int n) {
-  double sum = 0.5 * (values[0] + values[n - 1]);
-  for (int i = 1; i < n - 1; ++i) sum += values[i];
-  return sum * 2.0 * pi / (n - 1);
+double integral(const Angles& at, const double* values) {
+  double sum = 0.0;
+  for (int i = 0; i < at.count; ++i) sum += at.weight[i] * values[i];
+  return sum;
 }
 
+// For shapes whose integral has no closed form: within 1e-6.
 const Angles& fine_angles() {
-  static const Angles angles(norm_values);
+  static const Angles angles(most_values, true);
   return angles;
 }
 
@@ -74,10 +79,9 @@ double norm(const SpreadingShape& shape) {
   if (shape.elongation <= 0.0 && shape.form == Form::sech_squared)
     return shape.parameter > 0.0 ? 0.5 * shape.parameter / std::tanh(shape.parameter * pi) : 0.5 / pi;
   if (shape.elongation <= 0.0) return 0.5 / pi;
-  // Trapezoids over a period converge faster than any power for these smooth functions.
-  std::array<double, norm_values> values;
+  std::array<double, most_values> values;
   fill(shape, fine_angles(), values.data());
-  return 1.0 / integral(values.data(), norm_values);
+  return 1.0 / integral(fine_angles(), values.data());
 }
 }  // namespace
 
@@ -90,22 +94,24 @@ double spreading(const SpreadingShape& shape, double angle_rad) {
 void tabulate_spreading(const SpreadingShape& shape, std::span<double> values) {
   const int n = int(values.size());
   assert(n >= 2 && n <= most_values);
-  if (n == 129) {  // the number that the tables of a sea use
-    static const Angles angles(129);
-    fill(shape, angles, values.data());
-  } else {
-    fill(shape, Angles(n), values.data());
-  }
-  const double scale = 1.0 / integral(values.data(), n);
-  for (double& value : values) value *= scale;
+  const auto make = [&](const Angles& at) {
+    fill(shape, at, values.data());
+    const double scale = 1.0 / integral(at, values.data());
+    for (double& value : values) value *= scale;
+  };
+  static const Angles usual(129);  // the number that the tables of a sea use
+  if (n == usual.count)
+    make(usual);
+  else
+    make(Angles(n));
 }
 
 double second_moment(const SpreadingShape& shape) {
   if (shape.form == SpreadingShape::Form::second_harmonic && shape.elongation <= 0.0) return 0.5 * shape.parameter;
-  std::array<double, norm_values> values, moments;
+  std::array<double, most_values> values, moments;
   fill(shape, fine_angles(), values.data());
-  for (int i = 0; i < norm_values; ++i) moments[i] = values[i] * fine_angles().cos2[i];
-  return integral(moments.data(), norm_values) / integral(values.data(), norm_values);
+  for (int i = 0; i < most_values; ++i) moments[i] = values[i] * fine_angles().cos2[i];
+  return integral(fine_angles(), moments.data()) / integral(fine_angles(), values.data());
 }
 
 SpreadingShape wind_spreading(WaveSpreading model, double w_over_peak, double inverse_wave_age, double delta, double elongation) {

@@ -24,7 +24,7 @@ struct SpreadingShape {
 // Density (1/rad) at an angle from the mean direction (rad).
 double spreading(const SpreadingShape& shape, double angle_rad);
 // Densities at angles pi i / (n - 1), i = 0 to n - 1, such that the straight lines between them integrate to 1 over a turn
-// to rounding. n = values.size(), 2 to 257; costs some 10 ns a value.
+// to rounding. n = values.size(), 2 to 513; costs some 10 ns a value.
 void tabulate_spreading(const SpreadingShape& shape, std::span<double> values);
 // The mean of cos(2 angle), -1 to 1: of a slope variance (1 + it) / 2 lies along the mean direction.
 double second_moment(const SpreadingShape& shape);

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <random>
 
-#include "tests/support/truth.h"
+#include "tests/support/spectrum_truth.h"
 
 namespace seascape {
 namespace {
@@ -39,7 +39,7 @@ Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, 
       if (b.amplitude == glm::vec2(0)) continue;
       const double step = 2 * truth::pi / c.side_m, s = std::sin(c.rotation_rad), o = std::cos(c.rotation_rad);
       const double kx = step * (o * mx - s * mz), kz = step * (s * mx + o * mz), k = std::hypot(kx, kz);
-      const double w = std::sqrt(sea.gravity_mps2 * k), phase = kx * x + kz * z - w * t;
+      const double w = truth::airy(k, sea.gravity_mps2, 1e5, 7.17e-5), phase = kx * x + kz * z - w * t;
       const double re = b.amplitude.x * std::cos(phase) - b.amplitude.y * std::sin(phase);
       const double im = b.amplitude.x * std::sin(phase) + b.amplitude.y * std::cos(phase);
       f.h += re;
@@ -131,7 +131,7 @@ TEST(WaveTiles, waves_travel_along_their_wave_vector) {
   WaveBins bins = make_wave_bins(sea, quality);
   bin(bins, 0, 4, -2).amplitude = glm::vec2(1, 0);
   const WaveField field(sea, quality, bins);
-  const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side, period = 2 * truth::pi / std::sqrt(9.81 * k);
+  const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side, period = 2 * truth::pi / truth::airy(k, 9.81, 1e5, 7.17e-5);
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(period / 4), tiles);
   const glm::dvec2 along = rotate_xz(glm::dvec2(4, -2) / std::sqrt(20.0), bins.ladder[0].rotation_rad);
