@@ -22,13 +22,10 @@ constexpr double turn = 2.0 * std::numbers::pi;
 // Gauss-Legendre nodes and weights on [-1/2, 1/2].
 struct Rule {
   int n;
-  std::array<double, 5> node, weight;
+  std::array<double, 3> node, weight;
 };
 constexpr Rule two{2, {-0.2886751345948129, 0.2886751345948129}, {0.5, 0.5}};
 constexpr Rule three{3, {-0.3872983346207417, 0.0, 0.3872983346207417}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
-constexpr Rule five{5,
-                    {-0.4530899229693320, -0.2692346550528416, 0.0, 0.2692346550528416, 0.4530899229693320},
-                    {0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945}};
 
 // Where the spectrum is asked for a bin's cell, in the tile's own axes and in units of its wave-number step: they are the same
 // for every sea and cascade. Cells are integrated over, not sampled at their centre, since a swell may be narrower than a
@@ -57,7 +54,7 @@ class Cells {
     const double m = std::hypot(double(mx), double(mz));
     if (m == 0.0 || m >= half_bins) return;
     const int cuts = m < 4.0 ? 4 : m < 10.0 ? 2 : 1;
-    const Rule& rule = m < 4.0 ? five : m < 10.0 ? three : two;
+    const Rule& rule = m < 4.0 ? three : two;
     for (int j = 0; j < cuts * rule.n; ++j)
       for (int i = 0; i < cuts * rule.n; ++i) {
         const double x = mx + ((i / rule.n + 0.5) - 0.5 * cuts + rule.node[i % rule.n]) / cuts;
