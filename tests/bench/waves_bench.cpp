@@ -111,6 +111,19 @@ Settings settings_of(std::int64_t preset) {
   return settings;
 }
 
+// What a new wind costs before its first frame: its waves and their statistics, on all cores.
+void new_sea(benchmark::State& state) {
+  Settings settings = settings_of(state.range(0));
+  settings.sea.swell_height_m = 0.6;
+  for (auto _ : state) {
+    ++settings.sea.seed;
+    const WaveBins bins = make_wave_bins(settings.sea, settings.waves);
+    benchmark::DoNotOptimize(sea_statistics(settings.sea, bins).height_variance);
+  }
+  state.SetLabel(std::string(preset_names()[std::size_t(state.range(0))]));
+}
+BENCHMARK(new_sea)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 // All tiles of a preset with their mip chains for one time, on all cores.
 void evaluate_tiles(benchmark::State& state) {
   const Settings settings = settings_of(state.range(0));
