@@ -235,6 +235,10 @@ TEST(WaveBins, drawn_and_tail_slopes_come_to_cox_and_munk) {
     EXPECT_NEAR(s.slope_moments.y + s.tail_slope_moments.y, slopes.cross, 0.004) << cascades;
     EXPECT_GT(s.tail_slope_moments.x, 0);
     EXPECT_GT(s.tail_slope_moments.y, 0);
+    // However few cascades draw them, the sum is the whole spectrum's.
+    const glm::dvec3 whole = slope_moments(sea);
+    EXPECT_NEAR(s.slope_moments.x + s.tail_slope_moments.x, whole.x, 1e-9) << cascades;
+    EXPECT_NEAR(s.slope_moments.y + s.tail_slope_moments.y, whole.y, 1e-9) << cascades;
     EXPECT_NEAR(s.largest_height_m, 5.26 * std::sqrt(s.height_variance), 1e-9);
   }
 }
