@@ -48,6 +48,11 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
   build();
 }
 
+bool Experience::in_tile() const {
+  const FrameShape shape = scene_.settings.render.shape;
+  return shape == FrameShape::tile || (shape == FrameShape::automatic && !options_.linear_picture);
+}
+
 void Experience::build() {
   RenderSettings& render = scene_.settings.render;
   int samples = render.msaa;  // software drivers have 1 and 4 but not 2
@@ -60,7 +65,7 @@ void Experience::build() {
   ocean_.reset();
   ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam")});
   build_targets();
-  const bool tile = render.shape == FrameShape::tile;
+  const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
   SurfaceLook look;
   look.tile_shape = tile;
@@ -103,7 +108,7 @@ void Experience::build() {
 
 void Experience::build_targets() {
   const RenderSettings& render = scene_.settings.render;
-  const bool tile = render.shape == FrameShape::tile;
+  const bool tile = in_tile();
   TargetSpec spec;
   spec.width = options_.width;
   spec.height = options_.height;

@@ -13,6 +13,7 @@ struct ExperienceOptions {
   int views = 2;
   bool per_eye = false;  // a pass per eye: for drivers whose multiview is at fault, and to compare
   bool probe = false;    // record vertex positions (tests)
+  bool linear_picture = false;  // the light before tone mapping is asked for
 };
 
 class Experience {
@@ -35,7 +36,9 @@ class Experience {
   // The finished picture, one layer a view, sRGB.
   const RenderTarget& picture() const { return picture_; }
   // The desktop frame's scene light before tone mapping; null in the tile frame.
-  const RenderTarget* lit() const { return scene_.settings.render.shape == FrameShape::desktop ? &lit_ : nullptr; }
+  const RenderTarget* lit() const { return in_tile() ? nullptr : &lit_; }
+  // Whether a frame is tone mapped where it is drawn, without a picture of its light.
+  bool in_tile() const;
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);

@@ -51,7 +51,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const std::uint32_t uniform = frame.upload_uniform(data);
 
   // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture.
-  const bool tile = settings.render.shape == FrameShape::tile;
+  const bool tile = e.in_tile();
   const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   frame.draw_pass("surface", tile ? e.picture_ : e.lit_,
                   {use(waves.displacement(), Access::surface_read), use(waves.derivatives(), Access::surface_read),

@@ -20,7 +20,7 @@ constexpr PresetRow rows[] = {
     {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},
     {"lod.cull_scale",       "1.2",   "1.5",   "1.8",     "2.0"},
     {"water.anisotropy",     "2",     "4",     "8",       "16"},
-    {"frame.shape",          "tile",  "tile",  "desktop", "desktop"},
+    {"frame.shape",          "tile",  "tile",  "auto",    "auto"},
     {"msaa",                 "4",     "4",     "4",       "4"},
 };
 

@@ -4,13 +4,14 @@
 
 namespace seascape {
 
-enum class FrameShape { tile, desktop };
+// automatic: tile, unless something asks for the light before tone mapping.
+enum class FrameShape { tile, desktop, automatic };
 enum class StereoMode { automatic, single, per_eye };
 enum class DebugView { none, holes, lod, wireframe, normals, slices };
 
 struct RenderSettings {
   int msaa = 4;  // samples a pixel: 1, 2, 4 or 8
-  FrameShape shape = FrameShape::desktop;
+  FrameShape shape = FrameShape::automatic;
   StereoMode stereo = StereoMode::automatic;
   DebugView debug = DebugView::none;
   double eye_distance_m = 0.064;

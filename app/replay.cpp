@@ -68,7 +68,7 @@ int run_replay(const Arguments& arguments) {
   const HeadlessOptions options = headless_options(arguments, render);
   Headless display(options);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
-  Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
   Progress progress("replay: frame", std::size_t(count));

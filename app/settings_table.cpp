@@ -133,8 +133,8 @@ const std::vector<Setting>& table() {
       {"sky.exposure_ev", "EV", "Stops added to the automatic exposure.", sky<&SkySettings::exposure_ev>, -10.0, 10.0},
 
       {"msaa", "", "Samples a pixel.", render<&RenderSettings::msaa>, 1.0, 8.0, {"1", "2", "4", "8"}, quality, rebuild},
-      {"frame.shape", "", "How a frame is drawn: tile for standalone headsets, desktop for PC VR.",
-       render_choice<&RenderSettings::shape>, 0.0, 0.0, {"tile", "desktop"}, quality, rebuild},
+      {"frame.shape", "", "How a frame is drawn: tile with its tone mapping, desktop with a picture of light that effects may read, auto as the scene needs.",
+       render_choice<&RenderSettings::shape>, 0.0, 0.0, {"tile", "desktop", "auto"}, quality, rebuild},
       {"stereo.mode", "", "One pass for both eyes or a pass per eye; auto takes one where the driver draws it rightly.",
        render_choice<&RenderSettings::stereo>, 0.0, 0.0, {"auto", "single", "per-eye"}, false, rebuild},
       {"stereo.eye_distance_m", "m", "Distance between the eyes where no headset gives it.",

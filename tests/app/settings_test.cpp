@@ -149,7 +149,7 @@ TEST(Quality, PresetsGrowFromLowToUltra) {
   EXPECT_EQ(low.waves.resolution, 128);
   EXPECT_EQ(ultra.waves.resolution, 512);
   EXPECT_EQ(low.render.shape, FrameShape::tile);
-  EXPECT_EQ(high.render.shape, FrameShape::desktop);
+  EXPECT_EQ(high.render.shape, FrameShape::automatic);
   const Settings* order[] = {&low, &medium, &high, &ultra};
   for (int i = 1; i < 4; ++i) {
     EXPECT_LE(order[i - 1]->waves.resolution, order[i]->waves.resolution);
