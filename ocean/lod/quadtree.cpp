@@ -118,13 +118,11 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frame.viewer_z = -frame.least.y;
   frame.viewer_m = glm::dvec2(eye.x, eye.z) - selection_.grid_origin_m;
 
-  const double half_m = settings_.ocean_size_m * 0.5;
   selection_.horizon_m =
       std::max(horizon_distance(eye.y, frame.vertical_m, settings_.earth_curvature), settings_.ocean_size_m * 0.75);
   // The tree's centre may be half a spacing away from the viewer, and the grid point half a unit.
   const double off_centre_m = (static_cast<double>(spacing) + 1.0) * 0.5 * unit_m_;
-  selection_.skirt_to_multiplier = static_cast<float>(settings_.skirt_multiplier);
-  selection_.skirt_to_horizon = static_cast<float>((selection_.horizon_m + off_centre_m) / half_m);
+  lay_skirt(frame, off_centre_m);
 
   selection_.patches.clear();
   selection_.visited_nodes = selection_.culled_nodes = selection_.skirt_strips = 0;
@@ -144,10 +142,14 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
 
 double Quadtree::patch_ratio() const { return gpu::patch_quads * spacing_over_distance(settings_); }
 
+// Farther than this (in units) all that the water moves is below the error that a mesh may have.
+double Quadtree::visible_reach(const Frame& frame) const {
+  return frame.vertical_m / unit_m_ / (error_over_spacing * spacing_over_distance(settings_));
+}
+
 // Nearer than this (in units) the patches of a level split.
 double Quadtree::split_reach(const Frame& frame, int level) const {
-  const double visible = frame.vertical_m / unit_m_ / (error_over_spacing * spacing_over_distance(settings_));
-  return std::min(frame.size(level) / patch_ratio(), visible);
+  return std::min(frame.size(level) / patch_ratio(), visible_reach(frame));
 }
 
 // The tree's centre keeps to multiples of the vertex spacing of the coarsest leaves, so that the vertices of every leaf
@@ -275,8 +277,20 @@ void Quadtree::select_tree(const Frame& frame) {
   }
 }
 
+// Dense as the patches only as far as the water's motion can be seen. Rows may be up to 13 % of their distance apart: the
+// highest of them then stands within 0.01 degrees of the horizon from 10 km (its dip times the square of half of that, halved).
+void Quadtree::lay_skirt(const Frame& frame, double off_centre_m) {
+  const double half_m = settings_.ocean_size_m * 0.5;
+  const double dense = std::clamp(visible_reach(frame) * unit_m_ / half_m, 1.0, settings_.skirt_multiplier);
+  const double reach = (selection_.horizon_m + off_centre_m) / half_m;
+  const double rows = std::log(std::max(dense, reach)) / std::log(1.13);
+  selection_.skirt_to_multiplier = static_cast<float>(dense);
+  selection_.skirt_to_horizon = static_cast<float>(reach);
+  selection_.skirt_rows = std::clamp(static_cast<int>(std::ceil(rows / gpu::patch_quads)), 1, 3) * gpu::patch_quads;
+}
+
 void Quadtree::select_skirt(const Frame& frame) {
-  constexpr unsigned bands = gpu::skirt_rows / gpu::patch_quads;
+  const auto bands = static_cast<unsigned>(selection_.skirt_rows / gpu::patch_quads);
   for (unsigned band = 0; band < bands; ++band)
     for (unsigned side = 0; side < 4; ++side)
       for (int along = 0; along < frame.root_size;) {
@@ -299,7 +313,7 @@ void Quadtree::select_strip(const Frame& frame, unsigned side, int level, int al
   const auto on_side = [&](int t) { return side % 2 == 0 ? glm::ivec2(across, t - half) : glm::ivec2(t - half, across); };
   const glm::dvec2 first(on_side(along)), second(on_side(along + size));
   const auto reach = [&](unsigned row) {
-    return static_cast<double>(gpu::skirt_scale(static_cast<int>(row), gpu::skirt_rows, selection_.skirt_to_multiplier,
+    return static_cast<double>(gpu::skirt_scale(static_cast<int>(row), selection_.skirt_rows, selection_.skirt_to_multiplier,
                                                 selection_.skirt_to_horizon));
   };
   const double inner = reach(band * gpu::patch_quads) * 0.999, outer = reach((band + 1) * gpu::patch_quads) * 1.001;

@@ -26,6 +26,7 @@ struct SurfaceSelection {
   int half_size = 0;               // half the root's side in the same coordinates
   double horizon_m = 0.0;          // how far the skirt reaches from the viewer, past the true horizon
   float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
+  int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, at most three times as many
   int visited_nodes = 0;  // nodes of the tree and skirt strips that were tested against the eyes
   int culled_nodes = 0;   // those of them that no eye can see (with all that is below them)
   int skirt_strips = 0;   // how many of the patches are strips of the skirt
@@ -85,7 +86,9 @@ class Quadtree {
   struct Frame;  // the select call's numbers
 
   double patch_ratio() const;  // a patch splits while its size / distance exceeds this
+  double visible_reach(const Frame& frame) const;
   double split_reach(const Frame& frame, int level) const;
+  void lay_skirt(const Frame& frame, double off_centre_m);
   int centre_spacing(const Frame& frame) const;
   void find_splits(const Frame& frame);
   void balance();

@@ -20,7 +20,7 @@ struct FrameData {
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that enters a level sea
   vec4 whitecap;        // x: strength; y: Jacobian below which foam forms; z, w: unused
-  ivec4 grid;           // x, y: the tree's centre in units; z: unused; w: debug view
+  ivec4 grid;           // x, y: the tree's centre in units; z: rows of the skirt; w: debug view
   vec4 skirt;           // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
   SeaData sea;
 };

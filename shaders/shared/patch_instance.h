@@ -20,7 +20,6 @@ SEASCAPE_CONST uint patch_skirt = 16u;
 SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
 SEASCAPE_CONST uint patch_level_shift = 8u;  // four bits: the level (0 the root)
 SEASCAPE_CONST uint patch_skirt_band_shift = 12u;
-SEASCAPE_CONST int skirt_rows = 3 * patch_quads;
 
 // The level of a patch from its flags.
 SEASCAPE_FUNCTION uint patch_level(uint flags) { return (flags >> patch_level_shift) & 15u; }

@@ -33,15 +33,15 @@ SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
   return int((p.flags >> patch_skirt_band_shift) & 3u) * patch_quads + j;
 }
 
-// The same vertex in units of unit_m relative to the grid origin, the skirt's rows moved outwards from `tree_centre`.
+// The same vertex in units of unit_m relative to the grid origin, the skirt's `rows` rows moved outwards from `tree_centre`.
 // Row 0 of a strip returns the very numbers of the patch that it joins. Metres relative to the viewer are
 // patch_vertex(...) * unit_m - viewer_fraction, with viewer_fraction = viewer - grid_origin_m.
-SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, ivec2 tree_centre, float to_multiplier,
+SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, int rows, ivec2 tree_centre, float to_multiplier,
                                     float to_horizon) {
   ivec2 coordinate = patch_coordinate(p, i, j);
   int row = patch_skirt_row(p, j);
   if (row == 0) return vec2(coordinate);
-  return vec2(tree_centre) + vec2(coordinate - tree_centre) * skirt_scale(row, skirt_rows, to_multiplier, to_horizon);
+  return vec2(tree_centre) + vec2(coordinate - tree_centre) * skirt_scale(row, rows, to_multiplier, to_horizon);
 }
 
 SEASCAPE_SHARED_END

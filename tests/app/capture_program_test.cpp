@@ -85,7 +85,7 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
     EXPECT_THAT(columns[i], testing::MatchesRegex("gpu_.+_ms"));
     EXPECT_EQ(std::count(columns.begin(), columns.end(), columns[i]), 1) << columns[i];
   }
-  for (const char* pass : {"gpu_wave rows_ms", "gpu_wave columns_ms", "gpu_wave mips_ms", "gpu_surface_ms", "gpu_tone_ms"})
+  for (const char* pass : {"gpu_wave rows_ms", "gpu_wave columns_ms", "gpu_wave mips_ms", "gpu_surface_ms"})
     EXPECT_THAT(columns, testing::Contains(pass));
   const char* presets[] = {"low", "medium", "high", "ultra"};
   for (std::size_t row = 0; row < 12; ++row) {

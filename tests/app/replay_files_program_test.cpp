@@ -111,7 +111,7 @@ std::size_t distinct_greens(const ImageF& image) {
 // which is the control.
 TEST(Replay, ExrIsLinearLightThatLoads) {
   const TemporaryFolder folder;
-  const ProgramResult result = replay(folder / "out", {"--views", "1", "--frames", "1", "--format", "exr", "--preset", "high"});
+  const ProgramResult result = replay(folder / "out", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=auto"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(names_in(folder / "out"), testing::ElementsAre("frame_0000.exr", "replay.json"));
   const ImageF image = read_exr(folder / "out" / "frame_0000.exr");

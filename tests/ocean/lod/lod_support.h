@@ -88,7 +88,7 @@ inline Topology topology_of(const SurfaceSelection& selection) {
         const VertexKey &a = *v[e], &b = *v[(e + 1) % 3];
         const std::int64_t na = number(a), nb = number(b);
         // The outer border of the skirt is open by design.
-        if (a[2] == gpu::skirt_rows && b[2] == gpu::skirt_rows) continue;
+        if (a[2] == selection.skirt_rows && b[2] == selection.skirt_rows) continue;
         edges.push_back(na < nb ? Edge{na, nb, 1} : Edge{nb, na, -1});
       }
     }

@@ -190,7 +190,7 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         ++border[{c.x, c.y}];
         for (int j = 0; j <= n; ++j) {
           const int row = gpu::patch_skirt_row(p, j);
-          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
+          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
           if (row == 0) {
             EXPECT_EQ(place, glm::vec2(c));
           }
@@ -203,7 +203,7 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
     }
     for (const auto& [c, uses] : border) EXPECT_GE(uses, 1) << c.first << ' ' << c.second;
     EXPECT_EQ(joints, s.skirt_strips);  // a ring of strips has as many joints as strips
-    EXPECT_EQ(corners, 4 * gpu::skirt_rows / n);
+    EXPECT_EQ(corners, 4 * s.skirt_rows / n);
   }
 }
 
@@ -220,7 +220,7 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
       for (std::size_t t = 0; t < indices.size(); t += 3) {
         std::array<glm::dvec2, 3> v;
         for (std::size_t c = 0; c < 3; ++c)
-          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1), s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
+          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1), s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
         const glm::dvec2 a = v[1] - v[0], b = v[2] - v[0];
         ASSERT_GT(a.y * b.x - a.x * b.y, 0.0) << preset.name << " side " << side_of(p);
       }
@@ -318,7 +318,7 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
         double worst = 0.0, reach = 1e12;
         constexpr int n = gpu::patch_quads;
         const auto place = [&](const gpu::PatchInstance& p, int i, int j) {
-          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon)) * s.unit_m - fraction;
+          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon)) * s.unit_m - fraction;
           return glm::dvec3(v.x, -height - glm::dot(v, v) / (2.0 * radius), v.y);
         };
         for (const auto& p : s.patches) {
@@ -327,13 +327,13 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
             for (int part = 0; part < 16; ++part) {
               // The rows' edges cross this bearing at the same share of each, because they are scaled copies.
               double highest = -1e9;
-              for (int row = 0; row <= gpu::skirt_rows; ++row) {
+              for (int row = 0; row <= s.skirt_rows; ++row) {
                 gpu::PatchInstance band = p;
-                const int of = std::min(row / n, gpu::skirt_rows / n - 1);
+                const int of = std::min(row / n, s.skirt_rows / n - 1);
                 band.flags |= static_cast<unsigned>(of) << gpu::patch_skirt_band_shift;
                 const glm::dvec3 v = glm::mix(place(band, i, row - of * n), place(band, i + 1, row - of * n), part / 16.0);
                 highest = std::max(highest, std::atan2(v.y, std::hypot(v.x, v.z)));
-                if (row == gpu::skirt_rows) reach = std::min(reach, std::hypot(v.x, v.z));
+                if (row == s.skirt_rows) reach = std::min(reach, std::hypot(v.x, v.z));
               }
               worst = std::max(worst, std::abs(highest + dip));
             }
