@@ -28,7 +28,7 @@ Ladder ladder(const SeaState& sea) {
   const double ideal = longest > 0.0 ? std::round(std::log2(waves_of_longest_tile * longest / 1500.0)) : -2.0;
   const double scale = std::exp2(std::clamp(ideal, -2.0, 1.0));
   const double first = 1499.3 * scale;
-  const double last = 5.03 * std::pow(scale, 0.7);
+  const double last = 1.73 * std::pow(scale, 0.7);
   const double ratio = std::pow(first / last, 1.0 / (gpu::max_cascades - 1));
 
   Ladder result{};

@@ -22,8 +22,8 @@ struct Cascade {
 using Ladder = std::array<Cascade, gpu::max_cascades>;
 
 // The longest tile is about 18 of the sea's longest peak waves, rounded to one of four classes (375, 750, 1500 or 3000 m),
-// so that a change of wind within a class keeps every wave in its place; the sides after it fall by a ratio of 3.7 to 4.4.
-// Each tile carries |m| < 31 of its own waves and starts where |m| is about 7. Throws Error as validate() does.
+// so that a change of wind within a class keeps every wave in its place; the sides after it fall by a ratio of 4.8 to 6 to a last one of 1 to 3 m.
+// Each tile carries |m| < 31 of its own waves and starts where |m| is about 5. Throws Error as validate() does.
 Ladder ladder(const SeaState& sea);
 
 // Share of variance, 0 to 1, that cascade `index` carries at wave number k (rad/m). Over all cascades the shares add to 1

@@ -53,8 +53,8 @@ class Cells {
   void add(int mx, int mz) {
     const double m = std::hypot(double(mx), double(mz));
     if (m == 0.0 || m >= half_bins) return;
-    const int cuts = m < 4.0 ? 4 : m < 10.0 ? 2 : 1;
-    const Rule& rule = m < 4.0 ? three : two;
+    const int cuts = m < 7.0 ? 4 : m < 10.0 ? 2 : 1;
+    const Rule& rule = m < 7.0 ? three : two;
     for (int j = 0; j < cuts * rule.n; ++j)
       for (int i = 0; i < cuts * rule.n; ++i) {
         const double x = mx + ((i / rule.n + 0.5) - 0.5 * cuts + rule.node[i % rule.n]) / cuts;

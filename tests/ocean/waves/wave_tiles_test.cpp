@@ -206,14 +206,15 @@ TEST(WaveTiles, bits_do_not_depend_on_threads_or_history) {
 }
 
 TEST(WaveTiles, samples_between_texels_and_across_footprints) {
-  // At a texel's place a sample of no footprint is that texel; far above every tile only moments are left, and resolved plus
+  // At a place of the longest tile's texel, where the other tiles' texels lie around it, a sample of no footprint is the sea within 2 % of
+  // its deviation (straight lines between texels, eight to the shortest wave); far above every tile only moments are left, and resolved plus
   // unresolved slope variance is the same at every footprint (5 %). Control: without the half texel places miss by 0.4 of the deviation; without
   // moments the variance by 9 % and more.
   const WaveField field(windy(), {.resolution = 256, .cascades = 3});
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(10), tiles);
   std::mt19937 random(9);
-  const glm::dvec2 place = texel_place(field.bins().ladder[1], 256, 17, 90);
+  const glm::dvec2 place = texel_place(field.bins().ladder[0], 256, 17, 90);
   glm::dvec3 sum(0);
   for (int c = 0; c < 3; ++c) {
     const Fields f = direct(field.state(), field.bins(), c, place.x, place.y, 10);
