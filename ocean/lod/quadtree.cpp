@@ -79,7 +79,7 @@ void Quadtree::apply(const LodSettings& settings) {
   selected_ = false;
   levels_ = (settings.levels > 0 ? settings.levels : automatic_levels(settings)) + patch_levels(settings);
   unit_m_ = settings.ocean_size_m / static_cast<double>(gpu::patch_quads << levels_);
-  selection_.patches.reserve(static_cast<std::size_t>(128 * (levels_ + 1)));  // more than is usual; no cap
+  selection_.patches.reserve(static_cast<std::size_t>(256 * (levels_ + 1)));  // more than is usual; no cap
 }
 
 const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds) {
@@ -147,8 +147,10 @@ double Quadtree::visible_reach(const Frame& frame) const {
   return frame.vertical_m / unit_m_ / (error_over_spacing * spacing_over_distance(settings_));
 }
 
-// Nearer than this (in units) the patches of a level split.
+// Nearer than this (in units) the patches of a level split. The first levels always do: from high above, the border of a coarse
+// tree would cut corners off the round horizon.
 double Quadtree::split_reach(const Frame& frame, int level) const {
+  if (level < least_levels) return frame.gap_y + 2.0 * frame.root_size;
   return std::min(frame.size(level) / patch_ratio(), visible_reach(frame));
 }
 
@@ -176,7 +178,7 @@ void Quadtree::find_splits(const Frame& frame) {
     // Squared, so that whole numbers stay exact.
     const double reach = split_reach(frame, level), reach2 = reach * reach - frame.gap_y * frame.gap_y;
     if (!(reach2 > 0.0)) continue;
-    const int cells = static_cast<int>(std::sqrt(reach2) / size) + 1;  // how far off a node may be that splits
+    const int cells = std::min(static_cast<int>(std::sqrt(reach2) / size), last) + 1;  // how far off a node may be that splits
     assert(cells + 3 < SplitWindow::width / 2);
     for (int z = std::max(cell_z - cells, 0); z <= std::min(cell_z + cells, last); ++z)
       for (int x = std::max(cell_x - cells, 0); x <= std::min(cell_x + cells, last); ++x) {
@@ -286,7 +288,7 @@ void Quadtree::lay_skirt(const Frame& frame, double off_centre_m) {
   const double rows = std::log(std::max(dense, reach)) / std::log(1.13);
   selection_.skirt_to_multiplier = static_cast<float>(dense);
   selection_.skirt_to_horizon = static_cast<float>(reach);
-  selection_.skirt_rows = std::clamp(static_cast<int>(std::ceil(rows / gpu::patch_quads)), 1, 3) * gpu::patch_quads;
+  selection_.skirt_rows = std::clamp(static_cast<int>(std::ceil(rows / gpu::patch_quads)), 1, 48 / gpu::patch_quads) * gpu::patch_quads;
 }
 
 void Quadtree::select_skirt(const Frame& frame) {

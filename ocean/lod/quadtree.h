@@ -65,7 +65,8 @@ class Quadtree {
   static constexpr double split_ratio = 2.4;
   static constexpr double error_over_spacing = 0.1;
   static constexpr int max_square_levels = 12;
-  static constexpr int max_levels = 14;  // of patches, with two levels of them in a square of 64 quads
+  static constexpr int max_levels = 15;  // of patches, with three levels of them in a square of 64 quads
+  static constexpr int least_levels = 2;
 
   // The vertices' spacing over their distance, at most; the finest level's spacing apart.
   static double spacing_over_distance(const LodSettings& settings) { return split_ratio * settings.threshold / settings.patch_quads; }

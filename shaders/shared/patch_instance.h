@@ -1,11 +1,11 @@
-// One patch of the surface, 16 by 16 quads, as the quadtree selects it and surface.vert draws it.
+// One patch of the surface, 8 by 8 quads, as the quadtree selects it and surface.vert draws it.
 #ifndef SEASCAPE_PATCH_INSTANCE_H
 #define SEASCAPE_PATCH_INSTANCE_H
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 
 // Quads along a patch's side. Small patches follow distance closely, and little of what is drawn lies out of sight.
-SEASCAPE_CONST int patch_quads = 16;
+SEASCAPE_CONST int patch_quads = 8;
 
 // Bits of PatchInstance::flags. An edge bit: the neighbour on that side is one level coarser, so this patch's odd
 // vertices of that edge snap to its even ones. East is +x, north is +z, as in the 16 variants of the design.
@@ -15,7 +15,7 @@ SEASCAPE_CONST uint patch_west = 4u;
 SEASCAPE_CONST uint patch_south = 8u;
 // A strip of the horizon skirt: row 0 is the outer edge of a patch on the root's border, the rows after it go outwards
 // from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The two at
-// patch_skirt_band say which 16 of the skirt's rows the strip has.
+// patch_skirt_band say which of the skirt's rows, patch_quads at a time, the strip has.
 SEASCAPE_CONST uint patch_skirt = 16u;
 SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
 SEASCAPE_CONST uint patch_level_shift = 8u;  // four bits: the level (0 the root)

@@ -30,7 +30,7 @@ SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j) {
 // How many of the skirt's rows lie between a vertex and the tree's border: 0 for every vertex of the tree.
 SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
   if ((p.flags & patch_skirt) == 0u) return 0;
-  return int((p.flags >> patch_skirt_band_shift) & 3u) * patch_quads + j;
+  return int((p.flags >> patch_skirt_band_shift) & 7u) * patch_quads + j;
 }
 
 // The same vertex in units of unit_m relative to the grid origin, the skirt's `rows` rows moved outwards from `tree_centre`.

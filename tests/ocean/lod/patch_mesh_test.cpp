@@ -54,7 +54,7 @@ TEST(PatchMesh, KeepsVerticesInASmallCache) {
 // The 16 variants: only the odd vertices of a marked edge move, each onto the even one below it on that edge.
 // Control seen: j + (j & 1) in patch_coordinate.
 TEST(PatchVertex, SnapsOddVerticesOfMarkedEdgesDown) {
-  constexpr int n = 16, stride = 4;
+  constexpr int n = gpu::patch_quads, stride = 4;
   for (unsigned mask = 0; mask < 16; ++mask)
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
