@@ -93,8 +93,8 @@ void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, fl
   const vec4 d = share * textureGrad(sea_derivative_tiles, at, 0.5 * du, 0.5 * dv);
   s.gradient += left * d.xy;
   s.shift.xy += left * d.zw;
-  // Up to two texels nothing is left unresolved: the second moments count from there to four.
-  const float coarse = clamp(0.5 * blur / c.origin.z - 1.0, 0.0, 1.0);
+  // Up to three texels next to nothing is left unresolved: the second moments count from there to six.
+  const float coarse = clamp(blur / (3.0 * c.origin.z) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
   const vec3 m = mix(c.moments.xyz, textureGrad(sea_moment_tiles, at, 0.5 * du, 0.5 * dv).xyz, share);
   s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
