@@ -61,24 +61,29 @@ namespace seascape {
 
 HWY_EXPORT(inverse_fft_2d);
 
-FftPlan make_fft_plan(int n) {
-  if (n < 16 || n > 1024 || (n & (n - 1)) != 0) throw std::invalid_argument("make_fft_plan: n is a power of two from 16 to 1024");
+FftPlan make_fft_plan(int n, int band) {
+  const auto allowed = [](int size, int most) { return size >= 16 && size <= most && (size & (size - 1)) == 0; };
+  if (!allowed(n, 1024) || !allowed(band, n))
+    throw std::invalid_argument("make_fft_plan: n is a power of two from 16 to 1024, band one from 16 to n");
   FftPlan plan;
   plan.n = n;
-  plan.band = std::min(n, 64);
-  plan.repeats = n / plan.band;
-  plan.radix_1 = plan.band == 64 ? 8 : 4;
-  plan.radix_2 = plan.band / plan.radix_1;
+  plan.band = band;
+  plan.core = std::min(band, 256);
+  plan.fold = band / plan.core;
+  plan.repeats = n / plan.core;
+  const int radix_1 = plan.core >= 256 ? 16 : plan.core >= 64 ? 8 : 4, radix_2 = plan.core / radix_1;
   const auto push = [](std::vector<float>& table, double turns) {
     table.push_back(float(std::cos(2.0 * std::numbers::pi * turns)));
     table.push_back(float(std::sin(2.0 * std::numbers::pi * turns)));
   };
   for (int r = 0; r < plan.repeats; ++r)
-    for (int j = 0; j < plan.band; ++j) push(plan.outer, double((j < plan.band / 2 ? j : j - plan.band) * r) / n);
-  for (int q1 = 0; q1 < plan.radix_1; ++q1)
-    for (int j2 = 0; j2 < plan.radix_2; ++j2) push(plan.inner, double(q1 * j2) / plan.band);
+    for (int j = 0; j < plan.core; ++j) push(plan.outer, double((j < band / 2 ? j : j - band) * r) / n);
+  for (int q1 = 0; q1 < radix_1; ++q1)
+    for (int j2 = 0; j2 < radix_2; ++j2) push(plan.inner, double(q1 * j2) / plan.core);
   return plan;
 }
+
+FftPlan make_fft_plan(int n) { return make_fft_plan(n, std::min(n, 64)); }
 
 void inverse_fft(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride) {
   HWY_DYNAMIC_DISPATCH(inverse_fft_2d)(plan, spectrum_re, spectrum_im, re, im, stride);

@@ -1,5 +1,8 @@
 #include "ocean/waves/wave_tiles_simd.h"
 
+#include <memory>
+#include <vector>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ocean/waves/wave_tiles_simd.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
@@ -86,18 +89,20 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
   const std::ptrdiff_t row = layout.row;
   float* turned_re = workspace;
   float* turned_im = workspace + row * (band + 1);
-  alignas(64) std::int32_t phase[64];
 
   // Every wave turned to its phase: a exp(-i phase).
   for (int i = 0; i < band; ++i) {
-    const int at = i * band;
-    for (int j = 0; j < band; ++j) phase[j] = std::int32_t(std::uint32_t((table.turns[at + j] * std::uint64_t(ticks)) >> 32));
-    for (int j = 0; j < band; j += lanes) {
-      Vector c, s;
-      cos_sin_turns(hn::Load(di, phase + j), c, s);
-      const Vector re = hn::LoadU(d, table.amplitude_re.data() + at + j), im = hn::LoadU(d, table.amplitude_im.data() + at + j);
-      hn::StoreU(hn::Add(hn::Mul(re, c), hn::Mul(im, s)), d, turned_re + i * row + j);
-      hn::StoreU(hn::Sub(hn::Mul(im, c), hn::Mul(re, s)), d, turned_im + i * row + j);
+    for (int j = 0; j < band; j += 16) {
+      const std::ptrdiff_t at = std::ptrdiff_t(i) * band + j;
+      alignas(64) std::int32_t phase[16];
+      for (int l = 0; l < 16; ++l) phase[l] = std::int32_t(std::uint32_t((table.turns[at + l] * std::uint64_t(ticks)) >> 32));
+      for (int l = 0; l < 16; l += lanes) {
+        Vector c, s;
+        cos_sin_turns(hn::Load(di, phase + l), c, s);
+        const Vector re = hn::LoadU(d, table.amplitude_re.data() + at + l), im = hn::LoadU(d, table.amplitude_im.data() + at + l);
+        hn::StoreU(hn::Add(hn::Mul(re, c), hn::Mul(im, s)), d, turned_re + i * row + j + l);
+        hn::StoreU(hn::Sub(hn::Mul(im, c), hn::Mul(re, s)), d, turned_im + i * row + j + l);
+      }
     }
     turned_re[i * row + band] = turned_im[i * row + band] = 0.0f;
   }
@@ -152,38 +157,57 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
   }
 }
 
-void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level) {
+// Two packed fields side by side: their columns out of the workspace, and from these their values at every z.
+constexpr int column_width = 8;
+constexpr int pair_planes = 4;  // [field of two][re, im]
+
+// plane[p]: [mz modulo band][lane].
+HWY_INLINE void columns_of_pair(const Workspace& layout, const FftPlan& plan, const float* workspace, int pair, int x, float* columns) {
+  const int half = plan.band / 2, lanes = int(hn::Lanes(Lanes()));
+  const std::ptrdiff_t size = std::ptrdiff_t(plan.band) * column_width;
+  for (int p = 0; p < pair_planes; ++p) {
+    const float* rows = workspace + layout.half_done + (std::ptrdiff_t(pair_planes * pair + p) * plan.n + x) * layout.row;
+    for (int j = 0; j < plan.band; j += 4)
+      for (int lane = 0; lane < lanes; lane += 4)
+        transpose_4(rows + lane * layout.row + j, layout.row, columns + p * size + ((j + half) % plan.band) * column_width + lane,
+                    column_width);
+  }
+}
+
+void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level,
+             float* scratch) {
   const Lanes d;
-  const int band = plan.band, half = band / 2, lanes = int(hn::Lanes(d)), planes = 2 * packed_fields(velocity);
+  const int lanes = int(hn::Lanes(d));
   const Workspace layout(plan, velocity);
-  constexpr int width = 8, most = 12;
-  alignas(64) float column[most][64 * width];  // [field and part][mz modulo band][lane]
-  alignas(64) float result[most][64 * width];  // [field and part][q][lane]
-  for (int x = first_x; x < first_x + strip_width; x += lanes) {
-    for (int p = 0; p < planes; ++p) {
-      const float* rows = workspace + layout.half_done + (std::ptrdiff_t(p) * plan.n + x) * layout.row;
-      for (int j = 0; j < band; j += 4)
-        for (int lane = 0; lane < lanes; lane += 4)
-          transpose_4(rows + lane * layout.row + j, layout.row, column[p] + ((j + half) % band) * width + lane, width);
-    }
-    for (int r = 0; r < plan.repeats; ++r) {
-      for (int p = 0; p < planes; p += 2)
-        transform_band(plan, r, column[p], column[p + 1], width, result[p], result[p + 1], width);
-      for (int q = 0; q < band; ++q) {
-        const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
-        const auto value = [&](int p) HWY_ATTR { return hn::Load(d, result[p] + q * width); };
-        const Vector hx = value(4), hz = value(5), xx = value(6), zz = value(7), divergence = hn::Add(xx, zz);
-        const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
-        hn::StoreInterleaved4(value(0), value(1), value(2), hn::Mul(hn::Set(d, 1.0f / table.shear_length_m), value(3)), d,
-                              plane(WavePlane::shift));
-        hn::StoreInterleaved4(hx, hz, xx, zz, d, plane(WavePlane::slope));
-        hn::StoreInterleaved4(hn::Mul(hx, hx), hn::Mul(hz, hz), hn::Mul(hx, hz), hn::Mul(divergence, divergence), d,
-                              plane(WavePlane::moments));
-        if (velocity)
-          hn::StoreInterleaved4(value(8), value(9), value(10), hn::Zero(d), d, plane(WavePlane::velocity));
+  const std::ptrdiff_t column = std::ptrdiff_t(plan.band) * column_width, part = std::ptrdiff_t(plan.core) * column_width;
+  float* columns = scratch;
+  float* results = scratch + pair_planes * column;
+  const Vector shear = hn::Set(d, 1.0f / table.shear_length_m);
+  for (int x = first_x; x < first_x + strip_width; x += lanes)
+    for (int pair = 0; 2 * pair < packed_fields(velocity); ++pair) {
+      columns_of_pair(layout, plan, workspace, pair, x, columns);
+      for (int r = 0; r < plan.repeats; ++r) {
+        for (int p = 0; p < pair_planes; p += 2)
+          transform_band(plan, r, columns + p * column, columns + (p + 1) * column, column_width, results + p * part,
+                         results + (p + 1) * part, column_width);
+        for (int q = 0; q < plan.core; ++q) {
+          const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
+          const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * column_width); };
+          const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
+          const Vector a = value(0), b = value(1), c = value(2), e = value(3);
+          if (pair == 0) {
+            hn::StoreInterleaved4(a, b, c, hn::Mul(shear, e), d, plane(WavePlane::shift));
+          } else if (pair == 1) {
+            const Vector divergence = hn::Add(c, e);
+            hn::StoreInterleaved4(a, b, c, e, d, plane(WavePlane::slope));
+            hn::StoreInterleaved4(hn::Mul(a, a), hn::Mul(b, b), hn::Mul(a, b), hn::Mul(divergence, divergence), d,
+                                  plane(WavePlane::moments));
+          } else {
+            hn::StoreInterleaved4(a, b, c, hn::Zero(d), d, plane(WavePlane::velocity));
+          }
+        }
       }
     }
-  }
 }
 
 void average(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
@@ -222,8 +246,25 @@ void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int 
   HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
 }
 
+namespace {
+// The columns and results of a pair of fields; the thread's own, so that strips find them in its core's caches.
+float* strip_scratch(const FftPlan& plan) {
+  thread_local std::vector<float> memory;
+  thread_local float* aligned = nullptr;
+  constexpr std::size_t planes = 4, width = 8, line = 64;
+  const std::size_t floats = planes * width * std::size_t(plan.band + plan.core);
+  if (memory.size() < floats + line / sizeof(float)) {
+    memory.resize(floats + line / sizeof(float));
+    void* first = memory.data();
+    std::size_t bytes = memory.size() * sizeof(float);
+    aligned = static_cast<float*>(std::align(line, floats * sizeof(float), first, bytes));
+  }
+  return aligned;
+}
+}  // namespace
+
 void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
-  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, levels[0]);
+  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, levels[0], strip_scratch(plan));
   for (int level = 1; level <= strip_levels; ++level)
     average_down(levels[level - 1], levels[level], velocity ? 4 : 3, x >> level, strip_width >> level, plan.n >> level);
 }

@@ -2,7 +2,10 @@
 #include <hwy/targets.h>
 
 #include <cstring>
+#include <random>
+#include <vector>
 
+#include "ocean/waves/fft.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -34,6 +37,28 @@ TEST(WaveFieldHard, bits_do_not_depend_on_the_instruction_set) {
   hwy::GetChosenTarget().DeInit();
   EXPECT_GE(sets, 1);
   RecordProperty("instruction_sets", sets);
+}
+
+TEST(FftHard, bits_do_not_depend_on_the_instruction_set) {
+  // Every kind of plan: two stages of each radix, a band in a larger grid, folds of two and four. Control: one multiply-add, as above (seen).
+  for (const auto& [n, band] : {std::pair{32, 32}, {128, 128}, {256, 256}, {512, 64}, {512, 256}, {512, 512}, {1024, 512}, {1024, 1024}}) {
+    const FftPlan plan = make_fft_plan(n, band);
+    std::mt19937 random(5);
+    std::vector<float> re(std::size_t(band) * band), im(re.size());
+    for (std::size_t i = 0; i < re.size(); ++i) re[i] = float(random() % 2001) - 1000, im[i] = float(random() % 2001) - 1000;
+    const std::size_t floats = std::size_t(n) * (n + 16);
+    std::vector<float> best_re(floats), best_im(floats), other_re(floats), other_im(floats);
+    inverse_fft(plan, re.data(), im.data(), best_re.data(), best_im.data(), n + 16);
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+      hwy::SetSupportedTargetsForTest(left & -left);
+      hwy::GetChosenTarget().DeInit();
+      inverse_fft(plan, re.data(), im.data(), other_re.data(), other_im.data(), n + 16);
+      EXPECT_EQ(std::memcmp(best_re.data(), other_re.data(), floats * 4), 0) << hwy::TargetName(left & -left) << " " << n << " " << band;
+      EXPECT_EQ(std::memcmp(best_im.data(), other_im.data(), floats * 4), 0) << hwy::TargetName(left & -left) << " " << n << " " << band;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+  }
 }
 
 }  // namespace
