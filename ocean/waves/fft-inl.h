@@ -1,5 +1,8 @@
-// The transform of a band along one dimension, for the instruction set that Highway compiles this for.
+// The transforms of a band along one dimension, for the instruction set that Highway compiles this for: of columns, whose neighbours lie
+// side by side and fill the vectors, and of rows, whose own values do.
 #include <hwy/highway.h>
+
+#include <utility>
 
 #include "ocean/waves/fft.h"
 
@@ -16,141 +19,195 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Wider vectors gain nothing here and would push the scratch of a strip out of the first-level cache.
-using Lanes = hn::CappedTag<float, 8>;
-using Vector = hn::Vec<Lanes>;
-
+template <class V>
 struct Complex {
-  Vector re, im;
+  V re, im;
 };
-HWY_INLINE Complex operator+(Complex a, Complex b) { return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)}; }
-HWY_INLINE Complex operator-(Complex a, Complex b) { return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)}; }
-// a + i b and a - i b.
-HWY_INLINE Complex plus_i(Complex a, Complex b) { return {hn::Sub(a.re, b.im), hn::Add(a.im, b.re)}; }
-HWY_INLINE Complex minus_i(Complex a, Complex b) { return {hn::Add(a.re, b.im), hn::Sub(a.im, b.re)}; }
-// a + i^Quarters b.
-template <int Quarters>
-HWY_INLINE Complex plus_quarters(Complex a, Complex b) {
-  if constexpr (Quarters == 0) return a + b;
-  else if constexpr (Quarters == 1) return plus_i(a, b);
-  else if constexpr (Quarters == 2) return a - b;
-  else return minus_i(a, b);
+template <class V>
+HWY_INLINE Complex<V> operator+(Complex<V> a, Complex<V> b) {
+  return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)};
 }
-HWY_INLINE Complex turned(Complex a, Vector c, Vector s) {
+template <class V>
+HWY_INLINE Complex<V> operator-(Complex<V> a, Complex<V> b) {
+  return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)};
+}
+// a + i^Quarters b.
+template <int Quarters, class V>
+HWY_INLINE Complex<V> plus_quarters(Complex<V> a, Complex<V> b) {
+  if constexpr (Quarters == 0) return a + b;
+  else if constexpr (Quarters == 1) return {hn::Sub(a.re, b.im), hn::Add(a.im, b.re)};
+  else if constexpr (Quarters == 2) return a - b;
+  else return {hn::Add(a.re, b.im), hn::Sub(a.im, b.re)};
+}
+template <class V>
+HWY_INLINE Complex<V> plus_i(Complex<V> a, Complex<V> b) {
+  return plus_quarters<1>(a, b);
+}
+template <class V>
+HWY_INLINE Complex<V> minus_i(Complex<V> a, Complex<V> b) {
+  return plus_quarters<3>(a, b);
+}
+template <class V>
+HWY_INLINE Complex<V> turned(Complex<V> a, V c, V s) {
   return {hn::Sub(hn::Mul(a.re, c), hn::Mul(a.im, s)), hn::Add(hn::Mul(a.re, s), hn::Mul(a.im, c))};
 }
-HWY_INLINE Complex turned(Complex a, const float* factor) {
-  const Lanes d;
-  return turned(a, hn::Set(d, factor[0]), hn::Set(d, factor[1]));
-}
 // An eighth of a turn.
-HWY_INLINE Complex eighth(Complex a, Vector half_root) {
+template <class V>
+HWY_INLINE Complex<V> eighth(Complex<V> a, V half_root) {
   return {hn::Mul(half_root, hn::Sub(a.re, a.im)), hn::Mul(half_root, hn::Add(a.re, a.im))};
 }
 
-HWY_INLINE void dft_4(Complex& a, Complex& b, Complex& c, Complex& d) {
-  const Complex sum_ac = a + c, diff_ac = a - c, sum_bd = b + d, diff_bd = b - d;
+template <class V>
+HWY_INLINE void dft_4(Complex<V>& a, Complex<V>& b, Complex<V>& c, Complex<V>& d) {
+  const Complex<V> sum_ac = a + c, diff_ac = a - c, sum_bd = b + d, diff_bd = b - d;
   a = sum_ac + sum_bd;
   b = plus_i(diff_ac, diff_bd);
   c = sum_ac - sum_bd;
   d = minus_i(diff_ac, diff_bd);
 }
 
-// What the first stage reads: value j is the sum of its `Fold` values `fold_step` floats apart, each `Quarters` quarter turns
-// further than the last, turned by the factor j where Turn. Functions, not lambdas: GCC leaves lambdas of this size out of line,
-// which costs a third of the transform.
-template <int Fold, int Quarters, bool Turn>
+// Cosines and sines of factors: one for all lanes where the lanes are different transforms, one a lane where they are different
+// values of one.
+enum class Lay { columns, row };
+template <Lay L, class D>
+HWY_INLINE hn::Vec<D> factor(D d, const float* at) {
+  if constexpr (L == Lay::columns) return hn::Set(d, *at);
+  else return hn::LoadU(d, at);
+}
+
+// What the first stage reads: value k of R is the sum of its `Fold` values, each `Quarters` quarter turns further than the last, turned
+// where Turn. In memory the most negative wave number comes first. Functions, not lambdas: GCC leaves lambdas of this size out of
+// line, which costs a third of the transform.
+template <class D, Lay L, int R, int Fold, int Quarters, bool Turn>
 struct Inputs {
+  using V = hn::Vec<D>;
   const float* HWY_RESTRICT re;
   const float* HWY_RESTRICT im;
-  std::ptrdiff_t step, fold_step;
-  const float* factors;
-  HWY_INLINE Complex at(std::ptrdiff_t offset) const {
-    const Lanes d;
+  std::ptrdiff_t gap;           // floats from one value to the next
+  const float* HWY_RESTRICT cosines;  // factor k at k * factor_gap
+  const float* HWY_RESTRICT sines;
+  int factor_gap;
+  HWY_INLINE Complex<V> at(std::ptrdiff_t offset) const {
+    const D d;
     return {hn::LoadU(d, re + offset), hn::LoadU(d, im + offset)};
   }
-  HWY_INLINE Complex get(int j) const {
-    const std::ptrdiff_t offset = j * step;
-    Complex v = at(offset);
-    if constexpr (Fold == 2) v = plus_quarters<Quarters>(v, at(offset + fold_step));
+  HWY_INLINE Complex<V> get(int k) const {
+    // Wave number j modulo the band lies half a band further on: of one fold half the values, of more half the folds.
+    const std::ptrdiff_t offset = gap * (Fold == 1 ? (k + R / 2) % R : k), fold = gap * R;
+    Complex<V> v = at(offset + (Fold / 2) * fold);
+    if constexpr (Fold == 2) v = plus_quarters<Quarters>(v, at(offset));
     if constexpr (Fold == 4)
-      v = plus_quarters<Quarters>(plus_quarters<2 * Quarters % 4>(v, at(offset + 2 * fold_step)),
-                                  plus_quarters<2 * Quarters % 4>(at(offset + fold_step), at(offset + 3 * fold_step)));
-    if constexpr (Turn) v = turned(v, factors + 2 * j);
+      v = plus_quarters<Quarters>(plus_quarters<2 * Quarters % 4>(v, at(offset)),
+                                  plus_quarters<2 * Quarters % 4>(at(offset + 3 * fold), at(offset + fold)));
+    if constexpr (Turn) v = turned(v, factor<L>(D(), cosines + k * factor_gap), factor<L>(D(), sines + k * factor_gap));
     return v;
   }
 };
 
+// What the second stage of columns reads.
+template <class D>
+struct Lines {
+  using V = hn::Vec<D>;
+  const float* HWY_RESTRICT re;
+  const float* HWY_RESTRICT im;
+  std::ptrdiff_t gap;
+  HWY_INLINE Complex<V> get(int k) const {
+    const D d;
+    return {hn::Load(d, re + k * gap), hn::Load(d, im + k * gap)};
+  }
+};
+
+// What the second stage of a row reads: vectors across rows of a matrix whose blocks of 4 x 4 are transposed already (see row_core).
+template <class D>
+struct Blocks {
+  using V = hn::Vec<D>;
+  const float* HWY_RESTRICT re;
+  const float* HWY_RESTRICT im;
+  std::ptrdiff_t row;  // floats from one row to the next
+  template <int N>
+  HWY_INLINE hn::Vec<hn::FixedTag<float, N>> gathered(const float* from) const {
+    const hn::FixedTag<float, N> d;
+    if constexpr (N == 4) return hn::LoadU(d, from);
+    else return hn::Combine(d, gathered<N / 2>(from + N / 2 * row), gathered<N / 2>(from));
+  }
+  HWY_INLINE Complex<V> get(int k) const {
+    const std::ptrdiff_t offset = (k % 4) * row + k / 4 * 4;
+    return {gathered<int(hn::MaxLanes(D()))>(re + offset), gathered<int(hn::MaxLanes(D()))>(im + offset)};
+  }
+};
+
 // Where a butterfly leaves its results: value q at q * step, turned by the factor at q * factor_step where Turn.
-template <bool Turn>
+template <class D, Lay L, bool Turn>
 struct Results {
+  using V = hn::Vec<D>;
   float* HWY_RESTRICT re;
   float* HWY_RESTRICT im;
   std::ptrdiff_t step;
-  const float* factors;
+  const float* HWY_RESTRICT cosines;
+  const float* HWY_RESTRICT sines;
   int factor_step;
-  HWY_INLINE void put(int q, Complex v) const {
-    const Lanes d;
-    if constexpr (Turn) v = turned(v, factors + q * factor_step);
+  HWY_INLINE void put(int q, Complex<V> v) const {
+    const D d;
+    if constexpr (Turn) v = turned(v, factor<L>(d, cosines + q * factor_step), factor<L>(d, sines + q * factor_step));
     hn::StoreU(v.re, d, re + q * step);
     hn::StoreU(v.im, d, im + q * step);
   }
 };
 
-// The transform of four values `Gap` gaps apart.
-template <int Gap, class From>
-HWY_INLINE void four(const From& in, int first, int gap, Complex* v) {
+// The transform of values first, first + gap ...
+template <class From, class V>
+HWY_INLINE void four(const From& in, int first, int gap, Complex<V>* v) {
   v[0] = in.get(first);
-  v[1] = in.get(first + Gap * gap);
-  v[2] = in.get(first + 2 * Gap * gap);
-  v[3] = in.get(first + 3 * Gap * gap);
+  v[1] = in.get(first + gap);
+  v[2] = in.get(first + 2 * gap);
+  v[3] = in.get(first + 3 * gap);
   dft_4(v[0], v[1], v[2], v[3]);
 }
 
-// One butterfly of radix R over the values first, first + gap, ... of what is read.
-template <int R, class From, bool After>
-HWY_INLINE void butterfly(const From& in, int first, int gap, const Results<After>& out) {
-  const Lanes d;
+template <int R, class D, class From, class To>
+HWY_INLINE void butterfly(D d, const From& in, const To& out) {
+  using V = hn::Vec<D>;
+  using C = Complex<V>;
   if constexpr (R == 16) {
     // Four transforms of four, turns by sixteenths, four of four.
-    Complex v[16];
-    const Vector c1 = hn::Set(d, 0.92387953251128674f), s1 = hn::Set(d, 0.38268343236508977f);
-    const Vector half_root = hn::Set(d, 0.70710678118654752f);
-    four<4>(in, first, gap, v);
-    four<4>(in, first + gap, gap, v + 4);
+    C v[16];
+    const V c1 = hn::Set(d, 0.92387953251128674f), s1 = hn::Set(d, 0.38268343236508977f);
+    const V half_root = hn::Set(d, 0.70710678118654752f);
+    four(in, 0, 4, v);
+    four(in, 1, 4, v + 4);
     v[5] = turned(v[5], c1, s1);
     v[6] = eighth(v[6], half_root);
     v[7] = turned(v[7], s1, c1);
-    four<4>(in, first + 2 * gap, gap, v + 8);
-    v[9] = eighth(v[9], half_root);  // v[10] is left a quarter turn short
-    v[11] = eighth(v[11], half_root);  // v[11] too
-    four<4>(in, first + 3 * gap, gap, v + 12);
+    four(in, 2, 4, v + 8);
+    v[9] = eighth(v[9], half_root);
+    v[11] = eighth(v[11], half_root);  // still a quarter turn short, as v[10] is
+    four(in, 3, 4, v + 12);
     v[13] = turned(v[13], s1, c1);
     v[14] = eighth(v[14], half_root);  // a quarter turn short
     v[15] = turned(v[15], c1, s1);     // half a turn short
-    // Result k + 4 l.
+    // Results k, k + 4, k + 8, k + 12.
     dft_4(v[0], v[4], v[8], v[12]);
     out.put(0, v[0]), out.put(4, v[4]), out.put(8, v[8]), out.put(12, v[12]);
     dft_4(v[1], v[5], v[9], v[13]);
     out.put(1, v[1]), out.put(5, v[5]), out.put(9, v[9]), out.put(13, v[13]);
     {
-      const Complex sum_ac = plus_i(v[2], v[10]), diff_ac = minus_i(v[2], v[10]);
-      const Complex sum_bd = plus_i(v[6], v[14]), diff_bd = minus_i(v[6], v[14]);
+      const C sum_ac = plus_i(v[2], v[10]), diff_ac = minus_i(v[2], v[10]);
+      const C sum_bd = plus_i(v[6], v[14]), diff_bd = minus_i(v[6], v[14]);
       out.put(2, sum_ac + sum_bd), out.put(6, plus_i(diff_ac, diff_bd));
       out.put(10, sum_ac - sum_bd), out.put(14, minus_i(diff_ac, diff_bd));
     }
     {
-      const Complex sum_ac = plus_i(v[3], v[11]), diff_ac = minus_i(v[3], v[11]);
-      const Complex sum_bd = v[7] - v[15], diff_bd = v[7] + v[15];
+      const C sum_ac = plus_i(v[3], v[11]), diff_ac = minus_i(v[3], v[11]);
+      const C sum_bd = v[7] - v[15], diff_bd = v[7] + v[15];
       out.put(3, sum_ac + sum_bd), out.put(7, plus_i(diff_ac, diff_bd));
       out.put(11, sum_ac - sum_bd), out.put(15, minus_i(diff_ac, diff_bd));
     }
   } else if constexpr (R == 8) {
-    Complex v[8];
-    four<2>(in, first, gap, v);
-    four<2>(in, first + gap, gap, v + 4);
+    C v[8];
+    four(in, 0, 2, v);
+    four(in, 1, 2, v + 4);
     // Odd results turned by q eighths of a turn; the quarter turn of the upper two is left to plus_i.
-    const Vector half_root = hn::Set(d, 0.70710678118654752f);
+    const V half_root = hn::Set(d, 0.70710678118654752f);
     v[5] = eighth(v[5], half_root);
     v[7] = eighth(v[7], half_root);
     out.put(0, v[0] + v[4]), out.put(4, v[0] - v[4]);
@@ -159,55 +216,180 @@ HWY_INLINE void butterfly(const From& in, int first, int gap, const Results<Afte
     out.put(3, plus_i(v[3], v[7])), out.put(7, minus_i(v[3], v[7]));
   } else {
     static_assert(R == 4);
-    Complex v[4];
-    four<1>(in, first, gap, v);
+    C v[4];
+    four(in, 0, 1, v);
     out.put(0, v[0]), out.put(1, v[1]), out.put(2, v[2]), out.put(3, v[3]);
   }
 }
 
-template <int R1, int R2, int Fold, int Quarters, bool Outer>
-HWY_NOINLINE void core_stages(const Inputs<Fold, Quarters, Outer>& in, const float* inner, float* out_re, float* out_im,
-                              std::ptrdiff_t out_step) {
-  constexpr int width = 8, core = R1 * R2;
-  alignas(64) float work_re[core * width], work_im[core * width];
-  for (int j2 = 0; j2 < R2; ++j2)
-    butterfly<R1>(in, j2, R2, Results<true>{work_re + j2 * width, work_im + j2 * width, R2 * width, inner + 2 * j2, 2 * R2});
-  for (int q1 = 0; q1 < R1; ++q1)
-    butterfly<R2>(Inputs<1, 0, false>{work_re + q1 * R2 * width, work_im + q1 * R2 * width, width, 0, nullptr}, 0, 1,
-                  Results<false>{out_re + q1 * out_step, out_im + q1 * out_step, R1 * out_step, nullptr, 0});
+// The factors of a plan for transform r.
+struct Factors {
+  const float *outer_cosines, *outer_sines, *inner_cosines, *inner_sines;
+  Factors(const FftPlan& plan, int r)
+      : outer_cosines(plan.outer.data() + std::ptrdiff_t(2) * r * plan.core), outer_sines(outer_cosines + plan.core),
+        inner_cosines(plan.inner.data()), inner_sines(inner_cosines + plan.core) {}
+};
+
+// The columns' first stage leaves value q1 of j2 at q1 * column_group<D>(R2) + j2 * lanes; groups are padded against cache aliasing.
+template <class D>
+constexpr std::ptrdiff_t column_group(int radix_2) {
+  return std::ptrdiff_t(radix_2 + 1) * std::ptrdiff_t(hn::MaxLanes(D()));
 }
 
-// Results x = repeats q + r, for all q, of Lanes(Lanes()) transforms side by side. Value j (wave number j modulo band) lies
-// at in + j in_step, result q goes to out + q out_step.
-HWY_INLINE void transform_band(const FftPlan& plan, int r, const float* in_re, const float* in_im, std::ptrdiff_t in_step,
-                               float* out_re, float* out_im, std::ptrdiff_t out_step) {
-  const float* outer = plan.outer.data() + std::ptrdiff_t(2) * r * plan.core;
-  const float* inner = plan.inner.data();
-  const std::ptrdiff_t fold_step = plan.core * in_step;
-#define SEASCAPE_STAGES(R1, R2, FOLD, QUARTERS, TURN)                                                                       \
-  core_stages<R1, R2>(Inputs<FOLD, QUARTERS, TURN>{in_re, in_im, in_step, fold_step, outer}, inner, out_re, out_im, out_step)
-#define SEASCAPE_RADICES(R1, R2)            \
-  if (r == 0) SEASCAPE_STAGES(R1, R2, 1, 0, false); \
-  else SEASCAPE_STAGES(R1, R2, 1, 0, true)
-#define SEASCAPE_FOLDS(FOLD)                                 \
-  if (r == 0) SEASCAPE_STAGES(16, 16, FOLD, 0, false);       \
-  else if (quarters == 1) SEASCAPE_STAGES(16, 16, FOLD, 1, true); \
-  else if (quarters == 2) SEASCAPE_STAGES(16, 16, FOLD, 2, true); \
-  else SEASCAPE_STAGES(16, 16, FOLD, 3, true)
+template <class D, int R1, int R2, int Fold, int Quarters, bool Turn>
+HWY_NOINLINE void column_stage_1(const Factors& f, const float* in_re, const float* in_im, std::ptrdiff_t step, float* work) {
+  constexpr std::ptrdiff_t lanes = hn::MaxLanes(D()), group = column_group<D>(R2);
+  for (int j2 = 0; j2 < R2; ++j2)
+    butterfly<R1>(D(), Inputs<D, Lay::columns, R1, Fold, Quarters, Turn>{in_re + j2 * step, in_im + j2 * step, R2 * step,
+                                                                         f.outer_cosines + j2, f.outer_sines + j2, R2},
+                  Results<D, Lay::columns, true>{work + j2 * lanes, work + R1 * group + j2 * lanes, group, f.inner_cosines + j2,
+                                                 f.inner_sines + j2, R2});
+}
+
+template <class D, int R1, int R2>
+HWY_NOINLINE void column_stage_2(const float* work, float* out_re, float* out_im, std::ptrdiff_t step) {
+  constexpr std::ptrdiff_t lanes = hn::MaxLanes(D()), group = column_group<D>(R2);
+  for (int q1 = 0; q1 < R1; ++q1)
+    butterfly<R2>(D(), Lines<D>{work + q1 * group, work + (R1 + q1) * group, lanes},
+                  Results<D, Lay::columns, false>{out_re + q1 * step, out_im + q1 * step, R1 * step, nullptr, nullptr, 0});
+}
+
+// One row's transform r: its first stage with lanes along j2, a transposition, its second with lanes along q1.
+template <int R1, int R2, int Fold, int Quarters, bool Turn>
+HWY_NOINLINE void row_core(const Factors& f, const float* in_re, const float* in_im, float* out_re, float* out_im) {
+  using D = hn::CappedTag<float, R1 < R2 ? R1 : R2>;
+  constexpr int lanes = int(hn::MaxLanes(D()));
+  alignas(64) float first[2][R1 * R2], second[2][R1 * R2];
+  for (int j2 = 0; j2 < R2; j2 += lanes)
+    butterfly<R1>(D(), Inputs<D, Lay::row, R1, Fold, Quarters, Turn>{in_re + j2, in_im + j2, R2, f.outer_cosines + j2,
+                                                                     f.outer_sines + j2, R2},
+                  Results<D, Lay::row, true>{first[0] + j2, first[1] + j2, R2, f.inner_cosines + j2, f.inner_sines + j2, R2});
+  // Blocks of 4 x 4 in their place, by which each vector of the second stage is whole blocks side by side.
+  for (int part = 0; part < 2; ++part)
+    for (int q1 = 0; q1 < R1; q1 += 4)
+      for (int j2 = 0; j2 < R2; j2 += lanes) {
+        const D d;
+        const float* from = first[part] + q1 * R2 + j2;
+        float* to = second[part] + q1 * R2 + j2;
+        const auto a = hn::Load(d, from), b = hn::Load(d, from + R2), c = hn::Load(d, from + 2 * R2), e = hn::Load(d, from + 3 * R2);
+        const auto ac_low = hn::InterleaveLower(d, a, c), be_low = hn::InterleaveLower(d, b, e);
+        const auto ac_high = hn::InterleaveUpper(d, a, c), be_high = hn::InterleaveUpper(d, b, e);
+        hn::Store(hn::InterleaveLower(d, ac_low, be_low), d, to);
+        hn::Store(hn::InterleaveUpper(d, ac_low, be_low), d, to + R2);
+        hn::Store(hn::InterleaveLower(d, ac_high, be_high), d, to + 2 * R2);
+        hn::Store(hn::InterleaveUpper(d, ac_high, be_high), d, to + 3 * R2);
+      }
+  for (int q1 = 0; q1 < R1; q1 += lanes)
+    butterfly<R2>(D(), Blocks<D>{second[0] + q1 * R2, second[1] + q1 * R2, R2 },
+                  Results<D, Lay::row, false>{out_re + q1, out_im + q1, R1, nullptr, nullptr, 0});
+}
+
+// Calls work.template stages<R1, R2, Fold, Quarters, Turn>() for transform r of a plan.
+template <class Work>
+HWY_INLINE void with_stages(const FftPlan& plan, int r, const Work& work) {
   if (plan.fold > 1) {
     // Value j + core of a band: m = j + core, or j - core where the band is two cores wide.
     const int quarters = (plan.fold == 2 ? 4 - 4 * r / plan.repeats : 4 * r / plan.repeats) % 4;
-    if (plan.fold == 2) { SEASCAPE_FOLDS(2); }
-    else { SEASCAPE_FOLDS(4); }
-  } else if (plan.core == 256) { SEASCAPE_RADICES(16, 16);
-  } else if (plan.core == 128) { SEASCAPE_RADICES(8, 16);
-  } else if (plan.core == 64) { SEASCAPE_RADICES(8, 8);
-  } else if (plan.core == 32) { SEASCAPE_RADICES(4, 8);
-  } else { SEASCAPE_RADICES(4, 4);
+    if (plan.fold == 2) {
+      if (r == 0) work.template stages<16, 16, 2, 0, false>();
+      else if (quarters == 1) work.template stages<16, 16, 2, 1, true>();
+      else if (quarters == 2) work.template stages<16, 16, 2, 2, true>();
+      else work.template stages<16, 16, 2, 3, true>();
+    } else {
+      if (r == 0) work.template stages<16, 16, 4, 0, false>();
+      else if (quarters == 1) work.template stages<16, 16, 4, 1, true>();
+      else if (quarters == 2) work.template stages<16, 16, 4, 2, true>();
+      else work.template stages<16, 16, 4, 3, true>();
+    }
+  } else if (plan.core == 256) {
+    if (r == 0) work.template stages<16, 16, 1, 0, false>();
+    else work.template stages<16, 16, 1, 0, true>();
+  } else if (plan.core == 128) {
+    if (r == 0) work.template stages<8, 16, 1, 0, false>();
+    else work.template stages<8, 16, 1, 0, true>();
+  } else if (plan.core == 64) {
+    if (r == 0) work.template stages<8, 8, 1, 0, false>();
+    else work.template stages<8, 8, 1, 0, true>();
+  } else if (plan.core == 32) {
+    if (r == 0) work.template stages<4, 8, 1, 0, false>();
+    else work.template stages<4, 8, 1, 0, true>();
+  } else {
+    if (r == 0) work.template stages<4, 4, 1, 0, false>();
+    else work.template stages<4, 4, 1, 0, true>();
   }
-#undef SEASCAPE_FOLDS
-#undef SEASCAPE_RADICES
-#undef SEASCAPE_STAGES
+}
+
+// Lanes(D()) columns side by side: value m + band/2 at in + (m + band/2) * step. `work` holds column_work<D>(plan) floats, on a whole
+// line.
+template <class D>
+struct ColumnsIn {
+  const Factors& factors;
+  const float *re, *im;
+  std::ptrdiff_t step;
+  float* work;
+  template <int R1, int R2, int Fold, int Quarters, bool Turn>
+  HWY_INLINE void stages() const {
+    column_stage_1<D, R1, R2, Fold, Quarters, Turn>(factors, re, im, step, work);
+  }
+};
+template <class D>
+struct ColumnsOut {
+  const float* work;
+  float *re, *im;
+  std::ptrdiff_t step;
+  template <int R1, int R2, int, int, bool>
+  HWY_INLINE void stages() const {
+    column_stage_2<D, R1, R2>(work, re, im, step);
+  }
+};
+struct RowCore {
+  const Factors& factors;
+  const float *re, *im;
+  float *out_re, *out_im;
+  template <int R1, int R2, int Fold, int Quarters, bool Turn>
+  HWY_INLINE void stages() const {
+    row_core<R1, R2, Fold, Quarters, Turn>(factors, re, im, out_re, out_im);
+  }
+};
+
+template <class D>
+HWY_INLINE std::ptrdiff_t column_work(const FftPlan& plan) {
+  return 2 * (plan.core + 16) * std::ptrdiff_t(hn::MaxLanes(D()));
+}
+
+// The first stage of transform r, of whatever plan; the second, whose results x = repeats q + r go to out + q * step.
+template <class D>
+HWY_INLINE void columns_in(const FftPlan& plan, int r, const float* re, const float* im, std::ptrdiff_t step, float* work) {
+  const Factors factors(plan, r);
+  with_stages(plan, r, ColumnsIn<D>{factors, re, im, step, work});
+}
+template <class D>
+HWY_INLINE void columns_out(const FftPlan& plan, int r, const float* work, float* re, float* im, std::ptrdiff_t step) {
+  with_stages(plan, r, ColumnsOut<D>{work, re, im, step});
+}
+
+// One whole row: value m + band/2 at in + m + band/2, sample x at out + x. `work` holds row_work(plan) floats.
+inline std::ptrdiff_t row_work(const FftPlan& plan) { return plan.repeats == 1 ? 0 : std::ptrdiff_t(4) * plan.n; }
+HWY_INLINE void transform_row(const FftPlan& plan, const float* in_re, const float* in_im, float* out_re, float* out_im, float* work) {
+  const hn::CappedTag<float, 16> d;
+  const int n = plan.n, lanes = int(hn::Lanes(d));
+  float *re = work, *im = work + n, *next_re = work + 2 * n, *next_im = work + 3 * n;
+  for (int r = 0; r < plan.repeats; ++r) {
+    const Factors factors(plan, r);
+    float* to_re = plan.repeats == 1 ? out_re : re + std::ptrdiff_t(r) * plan.core;
+    float* to_im = plan.repeats == 1 ? out_im : im + std::ptrdiff_t(r) * plan.core;
+    with_stages(plan, r, RowCore{factors, in_re, in_im, to_re, to_im});
+  }
+  // Results q of r and of r + parts/2 shuffled together are results q of r in half as many parts.
+  for (int parts = plan.repeats, size = plan.core; parts > 1; parts /= 2, size *= 2) {
+    if (parts == 2) next_re = out_re, next_im = out_im;
+    const int half = parts / 2 * size;
+    for (int i = 0; i < half; i += lanes) {
+      hn::StoreInterleaved2(hn::LoadU(d, re + i), hn::LoadU(d, re + half + i), d, next_re + 2 * i);
+      hn::StoreInterleaved2(hn::LoadU(d, im + i), hn::LoadU(d, im + half + i), d, next_im + 2 * i);
+    }
+    std::swap(re, next_re), std::swap(im, next_im);
+  }
 }
 
 }  // namespace

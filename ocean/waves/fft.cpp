@@ -4,7 +4,9 @@
 
 #include "ocean/waves/fft-inl.h"
 
+#include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 
@@ -12,43 +14,42 @@ HWY_BEFORE_NAMESPACE();
 namespace seascape {
 namespace HWY_NAMESPACE {
 
-void inverse_fft_2d(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride) {
-  const int n = plan.n, band = plan.band, lanes = int(hn::Lanes(Lanes()));
-  const int pad = band + 16;
-  // Along z first: the columns of the band, then rows of the band become rows of the tile.
-  std::vector<float> memory(std::size_t(2) * pad * band + std::size_t(2) * pad * n + std::size_t(4) * n * 8);
-  float* in_re = memory.data();
-  float* in_im = in_re + pad * band;
-  float* mid_re = in_im + pad * band;  // [z][mx]
-  float* mid_im = mid_re + std::ptrdiff_t(pad) * n;
-  float* column_re = mid_im + std::ptrdiff_t(pad) * n;  // [mx modulo band][lane], lanes are rows of the tile
-  float* column_im = column_re + std::ptrdiff_t(n) * 8;
-  float* result_re = column_im + std::ptrdiff_t(n) * 8;  // [x][lane]
-  float* result_im = result_re + std::ptrdiff_t(n) * 8;
-  for (int j = 0; j < band; ++j)
-    for (int i = 0; i < band; ++i) {
-      const int row = (j + band / 2) % band;
-      in_re[j * pad + i] = spectrum_re[row * band + i];
-      in_im[j * pad + i] = spectrum_im[row * band + i];
+namespace {
+using Wide = hn::CappedTag<float, 16>;
+constexpr std::ptrdiff_t line = 16;  // floats
+std::ptrdiff_t middle_stride(const FftPlan& plan) { return plan.n + line; }
+// A dense transform goes through its result: its columns are then read before any of them is written.
+bool in_place(const FftPlan& plan) { return plan.band == plan.n; }
+}  // namespace
+
+std::size_t floats_2d(const FftPlan& plan) {
+  return std::size_t(line + row_work(plan) + column_work<Wide>(plan) * (in_place(plan) ? plan.repeats : 1) +
+                     (in_place(plan) ? 0 : 2 * plan.band * middle_stride(plan)));
+}
+
+void inverse_fft_2d(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride,
+                    float* workspace) {
+  const int n = plan.n, band = plan.band, lanes = int(hn::Lanes(Wide()));
+  float* columns = workspace + (line - std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(workspace) / sizeof(float)) % line) % line;
+  const std::ptrdiff_t work = column_work<Wide>(plan);
+  float* rows = columns + work * (in_place(plan) ? plan.repeats : 1);
+  float* middle_re = in_place(plan) ? re : rows + row_work(plan);  // [mz + band/2][x]
+  float* middle_im = in_place(plan) ? im : middle_re + band * middle_stride(plan);
+  const std::ptrdiff_t middle = in_place(plan) ? stride : middle_stride(plan);
+  // Rows first: of these there are only as many as the band has, and each has to be transposed within.
+  for (std::ptrdiff_t i = 0; i < band; ++i)
+    transform_row(plan, spectrum_re + i * band, spectrum_im + i * band, middle_re + i * middle, middle_im + i * middle, rows);
+  for (int x = 0; x < n; x += lanes) {
+    if (in_place(plan)) {
+      for (int r = 0; r < plan.repeats; ++r) columns_in<Wide>(plan, r, middle_re + x, middle_im + x, middle, columns + r * work);
+      for (std::ptrdiff_t r = 0; r < plan.repeats; ++r)
+        columns_out<Wide>(plan, int(r), columns + r * work, re + r * stride + x, im + r * stride + x, plan.repeats * std::ptrdiff_t(stride));
+    } else {
+      for (std::ptrdiff_t r = 0; r < plan.repeats; ++r) {
+        columns_in<Wide>(plan, int(r), middle_re + x, middle_im + x, middle, columns);
+        columns_out<Wide>(plan, int(r), columns, re + r * stride + x, im + r * stride + x, plan.repeats * std::ptrdiff_t(stride));
+      }
     }
-  for (int i = 0; i < band; i += lanes)
-    for (int r = 0; r < plan.repeats; ++r)
-      transform_band(plan, r, in_re + i, in_im + i, pad, mid_re + std::ptrdiff_t(r) * pad + i, mid_im + std::ptrdiff_t(r) * pad + i,
-                     std::ptrdiff_t(plan.repeats) * pad);
-  for (int z = 0; z < n; z += lanes) {
-    for (int i = 0; i < band; ++i)
-      for (int lane = 0; lane < lanes; ++lane) {
-        const std::ptrdiff_t from = std::ptrdiff_t(z + lane) * pad + (i + band / 2) % band;
-        column_re[i * 8 + lane] = mid_re[from];
-        column_im[i * 8 + lane] = mid_im[from];
-      }
-    for (int r = 0; r < plan.repeats; ++r)
-      transform_band(plan, r, column_re, column_im, 8, result_re + r * 8, result_im + r * 8, std::ptrdiff_t(plan.repeats) * 8);
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int x = 0; x < n; ++x) {
-        re[std::ptrdiff_t(z + lane) * stride + x] = result_re[x * 8 + lane];
-        im[std::ptrdiff_t(z + lane) * stride + x] = result_im[x * 8 + lane];
-      }
   }
 }
 
@@ -60,6 +61,7 @@ HWY_AFTER_NAMESPACE();
 namespace seascape {
 
 HWY_EXPORT(inverse_fft_2d);
+HWY_EXPORT(floats_2d);
 
 FftPlan make_fft_plan(int n, int band) {
   const auto allowed = [](int size, int most) { return size >= 16 && size <= most && (size & (size - 1)) == 0; };
@@ -72,21 +74,28 @@ FftPlan make_fft_plan(int n, int band) {
   plan.fold = band / plan.core;
   plan.repeats = n / plan.core;
   const int radix_1 = plan.core >= 256 ? 16 : plan.core >= 64 ? 8 : 4, radix_2 = plan.core / radix_1;
-  const auto push = [](std::vector<float>& table, double turns) {
-    table.push_back(float(std::cos(2.0 * std::numbers::pi * turns)));
-    table.push_back(float(std::sin(2.0 * std::numbers::pi * turns)));
+  plan.outer.resize(std::size_t(2) * plan.n);
+  plan.inner.resize(std::size_t(2) * plan.core);
+  const auto put = [](float* cosines, int size, int at, double turns) {
+    cosines[at] = float(std::cos(2.0 * std::numbers::pi * turns));
+    cosines[size + at] = float(std::sin(2.0 * std::numbers::pi * turns));
   };
   for (int r = 0; r < plan.repeats; ++r)
-    for (int j = 0; j < plan.core; ++j) push(plan.outer, double((j < band / 2 ? j : j - band) * r) / n);
+    for (int j = 0; j < plan.core; ++j)
+      put(&plan.outer[std::size_t(2) * r * plan.core], plan.core, j, double((j < band / 2 ? j : j - band) * r) / n);
   for (int q1 = 0; q1 < radix_1; ++q1)
-    for (int j2 = 0; j2 < radix_2; ++j2) push(plan.inner, double(q1 * j2) / plan.core);
+    for (int j2 = 0; j2 < radix_2; ++j2) put(plan.inner.data(), plan.core, q1 * radix_2 + j2, double(q1 * j2) / plan.core);
   return plan;
 }
 
 FftPlan make_fft_plan(int n) { return make_fft_plan(n, std::min(n, 64)); }
 
-void inverse_fft(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride) {
-  HWY_DYNAMIC_DISPATCH(inverse_fft_2d)(plan, spectrum_re, spectrum_im, re, im, stride);
+std::size_t inverse_fft_floats(const FftPlan& plan) { return HWY_DYNAMIC_DISPATCH(floats_2d)(plan); }
+
+void inverse_fft(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride,
+                 std::span<float> workspace) {
+  assert(workspace.size() >= inverse_fft_floats(plan));
+  HWY_DYNAMIC_DISPATCH(inverse_fft_2d)(plan, spectrum_re, spectrum_im, re, im, stride, workspace.data());
 }
 
 }  // namespace seascape

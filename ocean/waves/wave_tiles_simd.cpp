@@ -15,7 +15,7 @@ namespace seascape {
 // The workspace of a cascade: waves turned to their phase, packed spectra, and these transformed along x.
 struct Workspace {
   std::ptrdiff_t row;         // floats from one row of mz to the next, padded against cache aliasing
-  std::ptrdiff_t spectrum;    // offset of the packed spectra: [field][re, im][mx modulo band][mz + band/2]
+  std::ptrdiff_t spectrum;    // offset of the packed spectra: [field][re, im][mx + band/2][mz + band/2]
   std::ptrdiff_t half_done;   // offset of their transforms along x: [field][re, im][x][mz + band/2]
   std::ptrdiff_t floats;
   Workspace(const FftPlan& plan, bool velocity)
@@ -34,6 +34,9 @@ namespace HWY_NAMESPACE {
 
 namespace {
 
+// Wider vectors gain nothing here and would push the scratch of a strip out of the first-level cache.
+using Lanes = hn::CappedTag<float, 8>;
+using Vector = hn::Vec<Lanes>;
 using Ints = hn::RebindToSigned<Lanes>;
 
 // gpu::cos_sin_turns (shaders/shared/phase.h), the same operations in the same order.
@@ -81,10 +84,10 @@ HWY_INLINE Vector reversed(const float* last) {  // last[0], last[-1], ...
 }
 }  // namespace
 
-void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
+void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace, float* scratch) {
   const Lanes d;
   const Ints di;
-  const int band = plan.band, half = band / 2, lanes = int(hn::Lanes(d));
+  const int band = plan.band, lanes = int(hn::Lanes(d));
   const Workspace layout(plan, velocity);
   const std::ptrdiff_t row = layout.row;
   float* turned_re = workspace;
@@ -112,7 +115,7 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
   // is i k, its displacement i k / |k| times chop, which narrows crests), packed as packed_fields() says.
   const std::ptrdiff_t plane = row * band;
   for (int i = 0; i < band; ++i) {
-    float* to = workspace + layout.spectrum + ((i + half) % band) * row;
+    float* to = workspace + layout.spectrum + i * row;
     const float* here_re = turned_re + i * row;
     const float* here_im = turned_im + i * row;
     const float* mirror_re = turned_re + (band - i) * row + band;
@@ -152,8 +155,10 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
     float* out_re = workspace + layout.half_done + 2 * part * row * plan.n;
     float* out_im = out_re + row * plan.n;
     for (int j = 0; j < band; j += lanes)
-      for (int r = 0; r < plan.repeats; ++r)
-        transform_band(plan, r, in_re + j, in_re + plane + j, row, out_re + r * row + j, out_im + r * row + j, plan.repeats * row);
+      for (int r = 0; r < plan.repeats; ++r) {
+        columns_in<Lanes>(plan, r, in_re + j, in_re + plane + j, row, scratch);
+        columns_out<Lanes>(plan, r, scratch, out_re + r * row + j, out_im + r * row + j, plan.repeats * row);
+      }
   }
 }
 
@@ -161,15 +166,15 @@ void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bo
 constexpr int column_width = 8;
 constexpr int pair_planes = 4;  // [field of two][re, im]
 
-// plane[p]: [mz modulo band][lane].
+// columns: [plane][mz + band/2][lane].
 HWY_INLINE void columns_of_pair(const Workspace& layout, const FftPlan& plan, const float* workspace, int pair, int x, float* columns) {
-  const int half = plan.band / 2, lanes = int(hn::Lanes(Lanes()));
+  const int lanes = int(hn::Lanes(Lanes()));
   const std::ptrdiff_t size = std::ptrdiff_t(plan.band) * column_width;
   for (int p = 0; p < pair_planes; ++p) {
     const float* rows = workspace + layout.half_done + (std::ptrdiff_t(pair_planes * pair + p) * plan.n + x) * layout.row;
     for (int j = 0; j < plan.band; j += 4)
       for (int lane = 0; lane < lanes; lane += 4)
-        transpose_4(rows + lane * layout.row + j, layout.row, columns + p * size + ((j + half) % plan.band) * column_width + lane,
+        transpose_4(rows + lane * layout.row + j, layout.row, columns + p * size + j * column_width + lane,
                     column_width);
   }
 }
@@ -180,16 +185,18 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
   const int lanes = int(hn::Lanes(d));
   const Workspace layout(plan, velocity);
   const std::ptrdiff_t column = std::ptrdiff_t(plan.band) * column_width, part = std::ptrdiff_t(plan.core) * column_width;
-  float* columns = scratch;
-  float* results = scratch + pair_planes * column;
+  float* work = scratch;
+  float* columns = scratch + column_work<Lanes>(plan);
+  float* results = columns + pair_planes * column;
   const Vector shear = hn::Set(d, 1.0f / table.shear_length_m);
   for (int x = first_x; x < first_x + strip_width; x += lanes)
     for (int pair = 0; 2 * pair < packed_fields(velocity); ++pair) {
       columns_of_pair(layout, plan, workspace, pair, x, columns);
       for (int r = 0; r < plan.repeats; ++r) {
-        for (int p = 0; p < pair_planes; p += 2)
-          transform_band(plan, r, columns + p * column, columns + (p + 1) * column, column_width, results + p * part,
-                         results + (p + 1) * part, column_width);
+        for (int p = 0; p < pair_planes; p += 2) {
+          columns_in<Lanes>(plan, r, columns + p * column, columns + (p + 1) * column, column_width, work);
+          columns_out<Lanes>(plan, r, work, results + p * part, results + (p + 1) * part, column_width);
+        }
         for (int q = 0; q < plan.core; ++q) {
           const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
           const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * column_width); };
@@ -238,21 +245,13 @@ HWY_EXPORT(average);
 
 std::size_t workspace_floats(const FftPlan& plan, bool velocity) { return std::size_t(Workspace(plan, velocity).floats); }
 
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
-  HWY_DYNAMIC_DISPATCH(along_x)(table, plan, ticks, velocity, workspace);
-}
-
-void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
-  HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
-}
-
 namespace {
 // The columns and results of a pair of fields; the thread's own, so that strips find them in its core's caches.
 float* strip_scratch(const FftPlan& plan) {
   thread_local std::vector<float> memory;
   thread_local float* aligned = nullptr;
   constexpr std::size_t planes = 4, width = 8, line = 64;
-  const std::size_t floats = planes * width * std::size_t(plan.band + plan.core);
+  const std::size_t floats = planes * width * std::size_t(plan.band + plan.core) + 2 * width * std::size_t(plan.core + 16);
   if (memory.size() < floats + line / sizeof(float)) {
     memory.resize(floats + line / sizeof(float));
     void* first = memory.data();
@@ -262,6 +261,14 @@ float* strip_scratch(const FftPlan& plan) {
   return aligned;
 }
 }  // namespace
+
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
+  HWY_DYNAMIC_DISPATCH(along_x)(table, plan, ticks, velocity, workspace, strip_scratch(plan));
+}
+
+void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
+  HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
+}
 
 void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
   HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, levels[0], strip_scratch(plan));

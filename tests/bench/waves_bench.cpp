@@ -1,6 +1,5 @@
-// What the CPU's sea costs: the transform of a band beside FFTW's of the whole grid, a sea's tiles, and the answers to queries.
+// What the CPU's sea costs: its tiles, and the answers to queries.
 #include <benchmark/benchmark.h>
-#include <fftw3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,101 +8,11 @@
 #include <vector>
 
 #include "app/quality.h"
-#include "ocean/waves/fft.h"
 #include "ocean/waves/query.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
 namespace {
-
-// A band of random amplitudes, the same for both transforms.
-struct Spectrum {
-  explicit Spectrum(int band) : re(std::size_t(band) * std::size_t(band)), im(re.size()) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
-    for (float& value : re) value = uniform(random);
-    for (float& value : im) value = uniform(random);
-  }
-  std::vector<float> re, im;
-};
-
-struct OurTransform {
-  explicit OurTransform(int size) : plan(make_fft_plan(size)), n(size), stride(size + 16), re(std::size_t(n) * std::size_t(stride)), im(re.size()) {}
-  void run(const Spectrum& spectrum) { inverse_fft(plan, spectrum.re.data(), spectrum.im.data(), re.data(), im.data(), stride); }
-  FftPlan plan;
-  int n, stride;
-  std::vector<float> re, im;
-};
-
-// One thread, in place, every bin of the grid: what a general library is asked for a spectrum that is mostly zero.
-struct FftwTransform {
-  explicit FftwTransform(int size) : n(size), grid(fftwf_alloc_complex(std::size_t(n) * std::size_t(n)), &fftwf_free) {
-    plan = fftwf_plan_dft_2d(n, n, grid.get(), grid.get(), FFTW_BACKWARD, FFTW_MEASURE);
-  }
-  ~FftwTransform() { fftwf_destroy_plan(plan); }
-  FftwTransform(const FftwTransform&) = delete;
-  FftwTransform& operator=(const FftwTransform&) = delete;
-  void fill(const Spectrum& spectrum, int band) {
-    std::fill_n(&grid.get()[0][0], std::size_t(n) * std::size_t(n) * 2, 0.0f);
-    for (int z = 0; z < band; ++z)
-      for (int x = 0; x < band; ++x) {
-        const std::size_t to = std::size_t((z - band / 2 + n) % n) * std::size_t(n) + std::size_t((x - band / 2 + n) % n);
-        const std::size_t from = std::size_t(z) * std::size_t(band) + std::size_t(x);
-        grid.get()[to][0] = spectrum.re[from];
-        grid.get()[to][1] = spectrum.im[from];
-      }
-  }
-  int n;
-  std::unique_ptr<fftwf_complex, decltype(&fftwf_free)> grid;
-  fftwf_plan plan;
-};
-
-// The largest difference of the two, relative to the largest value: a fast transform of something else is no yardstick.
-double disagreement(int n) {
-  OurTransform ours(n);
-  FftwTransform theirs(n);
-  const Spectrum spectrum(ours.plan.band);
-  ours.run(spectrum);
-  theirs.fill(spectrum, ours.plan.band);
-  fftwf_execute(theirs.plan);
-  double difference = 0.0, largest = 0.0;
-  for (int z = 0; z < n; ++z)
-    for (int x = 0; x < n; ++x) {
-      const std::size_t a = std::size_t(z) * std::size_t(ours.stride) + std::size_t(x), b = std::size_t(z) * std::size_t(n) + std::size_t(x);
-      const double re = theirs.grid.get()[b][0], im = theirs.grid.get()[b][1];
-      difference = std::max(difference, std::hypot(ours.re[a] - re, ours.im[a] - im));
-      largest = std::max(largest, std::hypot(re, im));
-    }
-  return difference / largest;
-}
-
-void transform_ours(benchmark::State& state) {
-  const int n = int(state.range(0));
-  OurTransform transform(n);
-  const Spectrum spectrum(transform.plan.band);
-  for (auto _ : state) {
-    transform.run(spectrum);
-    benchmark::DoNotOptimize(transform.re.data());
-    benchmark::ClobberMemory();
-  }
-  const double difference = disagreement(n);
-  if (!(difference < 1e-5)) state.SkipWithError("differs from FFTW");
-  state.counters["difference"] = difference;
-}
-BENCHMARK(transform_ours)->Arg(64)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::kMicrosecond);
-
-// With the filling of its grid, which the band's transform does on its way.
-void transform_fftw(benchmark::State& state) {
-  const int n = int(state.range(0)), band = std::min(n, 64);
-  FftwTransform transform(n);
-  const Spectrum spectrum(band);
-  for (auto _ : state) {
-    transform.fill(spectrum, band);
-    fftwf_execute(transform.plan);
-    benchmark::ClobberMemory();
-  }
-}
-BENCHMARK(transform_fftw)->Arg(64)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::kMicrosecond);
 
 Settings settings_of(std::int64_t preset) {
   Settings settings;

@@ -48,11 +48,13 @@ TEST(FftHard, bits_do_not_depend_on_the_instruction_set) {
     for (std::size_t i = 0; i < re.size(); ++i) re[i] = float(random() % 2001) - 1000, im[i] = float(random() % 2001) - 1000;
     const std::size_t floats = std::size_t(n) * (n + 16);
     std::vector<float> best_re(floats), best_im(floats), other_re(floats), other_im(floats);
-    inverse_fft(plan, re.data(), im.data(), best_re.data(), best_im.data(), n + 16);
+    std::vector<float> workspace(inverse_fft_floats(plan));
+    inverse_fft(plan, re.data(), im.data(), best_re.data(), best_im.data(), n + 16, workspace);
     for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
       hwy::SetSupportedTargetsForTest(left & -left);
       hwy::GetChosenTarget().DeInit();
-      inverse_fft(plan, re.data(), im.data(), other_re.data(), other_im.data(), n + 16);
+      workspace.resize(inverse_fft_floats(plan));
+      inverse_fft(plan, re.data(), im.data(), other_re.data(), other_im.data(), n + 16, workspace);
       EXPECT_EQ(std::memcmp(best_re.data(), other_re.data(), floats * 4), 0) << hwy::TargetName(left & -left) << " " << n << " " << band;
       EXPECT_EQ(std::memcmp(best_im.data(), other_im.data(), floats * 4), 0) << hwy::TargetName(left & -left) << " " << n << " " << band;
     }

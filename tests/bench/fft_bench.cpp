@@ -1,0 +1,174 @@
+// Our transforms beside FFTW's, one after the other within the same loop, so that a slow moment of the machine slows both: what counts
+// is the ratio of their medians.
+#include <benchmark/benchmark.h>
+#include <fftw3.h>
+#include <tbb/cache_aligned_allocator.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "ocean/waves/fft.h"
+
+namespace seascape {
+namespace {
+
+constexpr int fields = 4;  // complex fields of a cascade
+
+// Beginning with a cache line, as FFTW's own allocation does.
+using Floats = std::vector<float, tbb::cache_aligned_allocator<float>>;
+
+// A band of random amplitudes, none of them zero.
+struct Spectrum {
+  Spectrum(int width, unsigned seed) : band(width), re(std::size_t(band) * std::size_t(band)), im(re.size()) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+    const auto value = [&] {
+      const float v = uniform(random);
+      return v + std::copysign(0.1f, v);
+    };
+    for (float& part : re) part = value();
+    for (float& part : im) part = value();
+  }
+  int band;
+  Floats re, im;
+};
+
+struct OurTransform {
+  OurTransform(int size, int band)
+      : plan(make_fft_plan(size, band)), n(size), stride(size + 16), re(std::size_t(n) * std::size_t(stride)), im(re.size()),
+        workspace(inverse_fft_floats(plan)) {}
+  void run(const Spectrum& spectrum) {
+    inverse_fft(plan, spectrum.re.data(), spectrum.im.data(), re.data(), im.data(), stride, workspace);
+  }
+  FftPlan plan;
+  int n, stride;
+  Floats re, im, workspace;
+};
+
+enum class Layout { in_place, out_of_place };
+
+// One thread, every bin of the grid, planned by measurement.
+class FftwTransform {
+ public:
+  FftwTransform(int size, Layout layout) : n_(size), in_(grid()), out_(layout == Layout::in_place ? nullptr : fftwf_alloc_complex(cells()), &fftwf_free) {
+    plan_ = fftwf_plan_dft_2d(n_, n_, in_.get(), result(), FFTW_BACKWARD, FFTW_MEASURE);
+  }
+  ~FftwTransform() { fftwf_destroy_plan(plan_); }
+  FftwTransform(FftwTransform&& from) noexcept
+      : n_(from.n_), in_(std::move(from.in_)), out_(std::move(from.out_)), plan_(std::exchange(from.plan_, nullptr)) {}
+  void fill(const Spectrum& spectrum) {
+    const int band = spectrum.band;
+    std::fill_n(&in_.get()[0][0], cells() * 2, 0.0f);
+    for (int z = 0; z < band; ++z)
+      for (int x = 0; x < band; ++x) {
+        const std::size_t to = std::size_t((z - band / 2 + n_) % n_) * std::size_t(n_) + std::size_t((x - band / 2 + n_) % n_);
+        const std::size_t from = std::size_t(z) * std::size_t(band) + std::size_t(x);
+        in_.get()[to][0] = spectrum.re[from];
+        in_.get()[to][1] = spectrum.im[from];
+      }
+  }
+  void run() { fftwf_execute(plan_); }
+  fftwf_complex* result() { return out_ ? out_.get() : in_.get(); }
+
+ private:
+  std::size_t cells() const { return std::size_t(n_) * std::size_t(n_); }
+  std::unique_ptr<fftwf_complex, decltype(&fftwf_free)> grid() { return {fftwf_alloc_complex(cells()), &fftwf_free}; }
+  int n_;
+  std::unique_ptr<fftwf_complex, decltype(&fftwf_free)> in_, out_;
+  fftwf_plan plan_;
+};
+
+// The largest difference of the two, relative to the largest value: a fast transform of something else is no yardstick.
+double disagreement(OurTransform& ours, FftwTransform& theirs, const Spectrum& spectrum) {
+  ours.run(spectrum);
+  theirs.fill(spectrum);
+  theirs.run();
+  double difference = 0.0, largest = 0.0;
+  for (int z = 0; z < ours.n; ++z)
+    for (int x = 0; x < ours.n; ++x) {
+      const std::size_t a = std::size_t(z) * std::size_t(ours.stride) + std::size_t(x), b = std::size_t(z) * std::size_t(ours.n) + std::size_t(x);
+      const double re = theirs.result()[b][0], im = theirs.result()[b][1];
+      difference = std::max(difference, std::hypot(ours.re[a] - re, ours.im[a] - im));
+      largest = std::max(largest, std::hypot(re, im));
+    }
+  return difference / largest;
+}
+
+// Microseconds of each call of one of several rivals.
+struct Times {
+  std::vector<double> us;
+  template <class Work>
+  void take(Work work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+  }
+  double median() {
+    std::nth_element(us.begin(), us.begin() + std::ptrdiff_t(us.size() / 2), us.end());
+    return us[us.size() / 2];
+  }
+  double least() const { return *std::min_element(us.begin(), us.end()); }
+};
+
+// Four complex fields of n x n samples from a band: ours on one thread and over two, FFTW's in place and out of place on one thread
+// and, by the faster of these, over two. Ratios are to the faster FFTW.
+void four_fields(benchmark::State& state) {
+  const int n = int(state.range(0)), band = int(state.range(1));
+  std::vector<Spectrum> spectra;
+  std::vector<OurTransform> ours;
+  std::vector<FftwTransform> in_place, out_of_place;
+  for (int i = 0; i < fields; ++i) {
+    spectra.emplace_back(band, unsigned(i + 1));
+    ours.emplace_back(n, band);
+    in_place.emplace_back(n, Layout::in_place);
+    out_of_place.emplace_back(n, Layout::out_of_place);
+  }
+  double difference = 0.0;
+  for (int i = 0; i < fields; ++i) {
+    const auto at = std::size_t(i);
+    difference = std::max({difference, disagreement(ours[at], in_place[at], spectra[at]), disagreement(ours[at], out_of_place[at], spectra[at])});
+  }
+  tbb::task_arena two(2);
+  const auto share = [&](auto work) {
+    two.execute([&] { tbb::parallel_for(0, fields, work, tbb::simple_partitioner()); });
+  };
+  Times ours_1, ours_2, in_1, out_1, in_2, out_2;
+  for (auto _ : state) {
+    ours_1.take([&] { for (std::size_t i = 0; i < fields; ++i) ours[i].run(spectra[i]); });
+    out_1.take([&] { for (FftwTransform& transform : out_of_place) transform.run(); });
+    // In place a transform eats its input; sums of sums would overflow after a few.
+    for (std::size_t i = 0; i < fields; ++i) in_place[i].fill(spectra[i]);
+    in_1.take([&] { for (FftwTransform& transform : in_place) transform.run(); });
+    ours_2.take([&] { share([&](int i) { ours[std::size_t(i)].run(spectra[std::size_t(i)]); }); });
+    out_2.take([&] { share([&](int i) { out_of_place[std::size_t(i)].run(); }); });
+    for (std::size_t i = 0; i < fields; ++i) in_place[i].fill(spectra[i]);
+    in_2.take([&] { share([&](int i) { in_place[std::size_t(i)].run(); }); });
+  }
+  if (!(difference < 1e-5)) state.SkipWithError("differs from FFTW");
+  Times& best_1 = in_1.median() < out_1.median() ? in_1 : out_1;
+  Times& best_2 = in_2.median() < out_2.median() ? in_2 : out_2;
+  state.counters["ours_us"] = ours_1.median();
+  state.counters["fftw_us"] = best_1.median();
+  state.counters["ratio"] = ours_1.median() / best_1.median();
+  state.counters["ratio_min"] = ours_1.least() / best_1.least();
+  state.counters["ours2_us"] = ours_2.median();
+  state.counters["ratio2"] = ours_2.median() / best_1.median();
+  state.counters["ratio2_min"] = ours_2.least() / best_1.least();
+  state.counters["ratio2_fftw2"] = ours_2.median() / best_2.median();
+  state.counters["difference"] = difference;
+}
+BENCHMARK(four_fields)
+    ->ArgNames({"n", "band"})
+    ->Args({16, 16})->Args({32, 32})->Args({64, 64})->Args({128, 128})->Args({256, 256})->Args({512, 512})->Args({1024, 1024})
+    ->Args({128, 64})->Args({256, 64})->Args({512, 64})->Args({512, 256})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace seascape
