@@ -53,16 +53,14 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture.
   const bool tile = e.in_tile();
   const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
-  frame.draw_pass("surface", tile ? e.picture_ : e.lit_,
-                  {use(waves.displacement(), Access::surface_read), use(waves.derivatives(), Access::surface_read),
-                   use(waves.moments(), Access::surface_read), use(e.sky_->map(), Access::surface_read),
-                   use(e.sky_->light(), Access::surface_read), probe},
-                  [&](Commands& c) {
-                    e.surface_->draw(c, frame, selection, uniform);
-                    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
-                    c.push(gpu::DrawPush{c.eye()});
-                    c.draw(3);
-                  });
+  Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
+  waves.add_uses(uses, Access::surface_read);
+  frame.draw_pass("surface", tile ? e.picture_ : e.lit_, uses, [&](Commands& c) {
+    e.surface_->draw(c, frame, selection, uniform);
+    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
+    c.push(gpu::DrawPush{c.eye()});
+    c.draw(3);
+  });
 
   // 5. The desktop frame's tone mapping.
   if (!tile)

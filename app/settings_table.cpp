@@ -84,7 +84,7 @@ const std::vector<Setting>& table() {
        sea<&SeaState::loop_s>, 0.0, 86400.0, {}, false, rebuild},
       {"waves.seed", "", "Which sea of the same statistics; independent of quality.", sea<&SeaState::seed>, 0.0,
        4294967295.0, {}, false, rebuild},
-      {"waves.resolution", "", "Samples a side of each cascade's tile.", waves<&WaveQuality::resolution>, 16.0, 512.0,
+      {"waves.resolution", "", "Samples a side of each cascade's tile; the longest has four times as many, up to 512.", waves<&WaveQuality::resolution>, 16.0, 512.0,
        {"16", "32", "64", "128", "256", "512"}, quality, rebuild},
       {"waves.cascades", "", "How many cascades of waves are kept, the longest first.", waves<&WaveQuality::cascades>, 1.0,
        5.0, {}, quality, rebuild},

@@ -184,13 +184,13 @@ void Frame::open(const char* name, BarrierBatch& barriers) {
   ++counts_.passes;
 }
 
-void Frame::begin_pass(const char* name, std::initializer_list<Use> uses) {
+void Frame::begin_pass(const char* name, const Uses& uses) {
   BarrierBatch barriers;
   for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
   open(name, barriers);
 }
 
-void Frame::begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses) {
+void Frame::begin_target(const char* name, const RenderTarget& target, const Uses& uses) {
   BarrierBatch barriers;
   for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
   barriers.add(target.colour(), target.resolved_eye() ? Access::transfer_write : Access::colour_target, true);

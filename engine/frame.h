@@ -22,6 +22,20 @@ struct Use {
 };
 inline Use use(const Image& image, Access access, bool discard = false) { return {&image, nullptr, access, discard}; }
 inline Use use(const Buffer& buffer, Access access) { return {nullptr, &buffer, access, false}; }
+// All that a pass uses; up to 16, without allocation.
+class Uses {
+ public:
+  Uses(std::initializer_list<Use> uses) {
+    for (const Use& u : uses) add(u);
+  }
+  void add(const Use& use) { list_.at(count_++) = use; }
+  const Use* begin() const { return list_.data(); }
+  const Use* end() const { return list_.data() + count_; }
+
+ private:
+  std::array<Use, 16> list_;
+  std::size_t count_ = 0;
+};
 
 // What a frame recorded. The hash covers every command with its arguments, uploads excepted.
 struct FrameCounts {
@@ -92,14 +106,14 @@ class Frame {
   // Waits until the slot's last frame has left the GPU, reads its timers, and begins to record.
   void begin();
   template <typename Record>
-  void pass(const char* name, std::initializer_list<Use> uses, Record&& record) {
+  void pass(const char* name, const Uses& uses, Record&& record) {
     begin_pass(name, uses);
     record(commands_);
     end_pass();
   }
   // Draws into the target: once for all views, or once an eye where the target says so.
   template <typename Record>
-  void draw_pass(const char* name, const RenderTarget& target, std::initializer_list<Use> uses, Record&& record) {
+  void draw_pass(const char* name, const RenderTarget& target, const Uses& uses, Record&& record) {
     begin_target(name, target, uses);
     for (std::size_t p = 0; p < target.passes(); ++p) {
       begin_eye(target, p);
@@ -141,8 +155,8 @@ class Frame {
     std::uint64_t frame = 0;
     bool pending = false;
   };
-  void begin_pass(const char* name, std::initializer_list<Use> uses);
-  void begin_target(const char* name, const RenderTarget& target, std::initializer_list<Use> uses);
+  void begin_pass(const char* name, const Uses& uses);
+  void begin_target(const char* name, const RenderTarget& target, const Uses& uses);
   void begin_eye(const RenderTarget& target, std::size_t pass);
   void end_eye(const RenderTarget& target, std::size_t pass);
   void end_pass();

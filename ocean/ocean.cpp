@@ -21,7 +21,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
              on_gpu(device, settings.wave_place) ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT),
       quadtree_(settings.lod) {
   if (on_gpu(device, settings.wave_place))
-    compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, settings.waves, bins_, waves_);
+    compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, bins_, waves_);
   else
     upload_ = std::make_unique<WaveUpload>(device, settings.sea, settings.waves, bins_, waves_);
 }

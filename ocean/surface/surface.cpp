@@ -18,19 +18,22 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
   spec.fragment = "surface.frag";
   spec.values = {{0, !target.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
                  {foam_constant, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
-                 {7, waves.displacement().spec().layers}};
+                 {7, std::uint32_t(waves.cascades())}};
   spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
   spec.wireframe = look.wireframe && device.facts().wireframe;
   pipeline_ = make_graphics_pipeline(device, shaders, target, spec);
   std::vector<Bound> entries = {
       {.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
-      {.binding = 1, .view = waves.displacement().view(), .sampler = waves.vertex_sampler()},
-      {.binding = 2, .view = waves.derivatives().view(), .sampler = waves.pixel_sampler()},
-      {.binding = 3, .view = waves.moments().view(), .sampler = waves.pixel_sampler()},
       {.binding = 4, .view = light.sky_map, .sampler = light.sky_sampler},
       {.binding = 5, .buffer = light.sky_light},
   };
+  for (const WaveImages::Set& set : waves.sets()) {
+    const std::uint32_t first = set.first == 0 ? 1 : 9;  // shaders/lib/sea.glsl
+    entries.push_back({.binding = first, .view = set.displacement.view(), .sampler = waves.vertex_sampler()});
+    entries.push_back({.binding = first + 1, .view = set.derivatives.view(), .sampler = waves.pixel_sampler()});
+    entries.push_back({.binding = first + 2, .view = set.moments.view(), .sampler = waves.pixel_sampler()});
+  }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

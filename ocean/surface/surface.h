@@ -37,7 +37,7 @@ class Surface {
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
-  static constexpr std::uint32_t probe_patches = 1024;
+  static constexpr std::uint32_t probe_patches = 2048;
 
  private:
   Buffer indices_, probe_;

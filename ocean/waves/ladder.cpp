@@ -8,11 +8,34 @@
 namespace seascape {
 
 namespace {
-constexpr double waves_of_longest_tile = 18.0;  // peak waves along the longest tile
-constexpr double fade_from = 25.0, fade_to = 31.0;  // |m| between which a tile hands over to the next
+constexpr double longest_side = 16937.0, longest_last = 2.47;  // sides of the first and the last tile of the longest class
+constexpr int classes = 3;                 // each half as long as the one before
+constexpr double most_left = 0.125;        // share of the variance that the shorter tiles may carry
+// |m| between which a tile hands over to the next.
+constexpr std::array<double, 2> fade{25.0, 31.0}, long_fade{108.0, 127.0};
 constexpr double golden_quarter = 0.9708055193627733;  // 90 degrees divided by the golden ratio: lattices never line up
 // Off the geometric row by a little, so that no side is near a whole multiple of another.
-constexpr std::array<double, gpu::max_cascades> jitter{1.0, 1.0173, 0.9881, 1.0117, 1.0};
+constexpr std::array<double, gpu::max_cascades> jitter{1.0, 1.0263, 0.9881, 1.0117, 1.0};
+
+// The variance of waves longer than 2 pi / k for each k of `ks`, which rise, over that of all.
+template <std::size_t N>
+std::array<double, N> share_below(const SeaState& sea, const std::array<double, N>& ks) {
+  const Spectrum spectrum(sea);
+  std::array<double, N> below{};
+  double all = 0.0;
+  constexpr double from = 1e-4, to = 60.0, step = 0.02;  // rad/m; over ln k. Narrow swells are some ten steps wide
+  for (double ln_k = std::log(from); ln_k < std::log(to); ln_k += step) {
+    const double k = std::exp(ln_k);
+    double density = 0.0;
+    for (int component = 0; component < Spectrum::components; ++component)
+      if (spectrum.present(component)) density += spectrum.radial(component, k);
+    all += density * k * k;
+    for (std::size_t i = 0; i < N; ++i)
+      if (k < ks[i]) below[i] += density * k * k;
+  }
+  for (double& share : below) share = all > 0.0 ? share / all : 1.0;
+  return below;
+}
 
 double share_above(double k, const std::array<double, 2>& edge) {
   if (edge[1] <= 0.0 || k >= edge[1]) return 1.0;
@@ -23,21 +46,29 @@ double share_above(double k, const std::array<double, 2>& edge) {
 }  // namespace
 
 Ladder ladder(const SeaState& sea) {
-  const double longest = longest_peak_wave_m(sea);
-  // Classes 0 to 3 are factors of 1/4 to 2 on 1500 m.
-  const double ideal = longest > 0.0 ? std::round(std::log2(waves_of_longest_tile * longest / 1500.0)) : -2.0;
-  const double scale = std::exp2(std::clamp(ideal, -2.0, 1.0));
-  const double first = 1499.3 * scale;
-  const double last = 1.73 * std::pow(scale, 0.7);
-  const double ratio = std::pow(first / last, 1.0 / (gpu::max_cascades - 1));
+  std::array<double, classes> hand_over;
+  for (int i = 0; i < classes; ++i) hand_over[i] = std::numbers::pi * (long_fade[0] + long_fade[1]) * std::exp2(i) / longest_side;
+  int chosen = 0;
+  if (longest_peak_wave_m(sea) > 0.0) {
+    const auto below = share_below(sea, hand_over);
+    while (chosen + 1 < classes && 1.0 - below[chosen] > most_left) ++chosen;
+  } else {
+    chosen = classes - 1;
+  }
+  const double first = longest_side * std::exp2(-chosen), last = longest_last * std::pow(0.78, chosen);
+  // The wave at which each tile hands over falls by one ratio.
+  const auto middle = [](const std::array<double, 2>& edge) { return 0.5 * (edge[0] + edge[1]); };
+  const double longest = first / middle(long_fade), shortest = last / middle(fade);
+  const double ratio = std::pow(longest / shortest, 1.0 / (gpu::max_cascades - 1));
 
   Ladder result{};
   for (int i = 0; i < gpu::max_cascades; ++i) {
     Cascade& c = result[i];
-    c.side_m = first * std::pow(ratio, -i) * jitter[i];
+    c.side_m = (i == 0 ? first : longest * std::pow(ratio, -i) * middle(fade)) * jitter[i];
     c.rotation_rad = 0.2137 + i * golden_quarter;
     const double step = 2.0 * std::numbers::pi / c.side_m;
-    c.k_out = {fade_from * step, fade_to * step};
+    const auto& edge = i == 0 ? long_fade : fade;
+    c.k_out = {edge[0] * step, edge[1] * step};
     c.k_in = i == 0 ? std::array<double, 2>{0.0, 0.0} : result[i - 1].k_out;
   }
   return result;
@@ -54,6 +85,17 @@ double longest_wave(const Cascade& cascade) {
 
 double kept_share(const Cascade& cascade, double footprint_m) {
   return std::clamp(2.0 - 2.0 * footprint_m / longest_wave(cascade), 0.0, 1.0);
+}
+
+double shortest_wave(const Cascade& cascade) { return 2.0 * std::numbers::pi / cascade.k_out[1]; }
+
+double sampled_share(int mx, int mz, int samples) {
+  const auto axis = [&](int m) {
+    const double x = std::numbers::pi * std::min(std::abs(m) / double(samples), 0.25);
+    const double sinc = x > 0.0 ? std::sin(x) / x : 1.0;
+    return sinc * sinc;
+  };
+  return axis(mx) * axis(mz);
 }
 
 }  // namespace seascape

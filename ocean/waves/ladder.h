@@ -1,5 +1,6 @@
 // The fixed ladder of cascades of a sea: which tile carries which waves. It belongs to the sea, never to the quality.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -8,6 +9,13 @@
 #include "shaders/shared/wave_bin.h"
 
 namespace seascape {
+
+// Bins a side of a cascade's table.
+constexpr int bins_of(int cascade) { return cascade == 0 ? gpu::long_tile_bins : gpu::wave_bins; }
+// Samples a side of its tile at a quality: the longest has four times as many as the others, up to 512.
+inline int tile_samples(const WaveQuality& quality, int cascade) {
+  return cascade == 0 ? std::min(4 * quality.resolution, longest_tile_samples) : quality.resolution;
+}
 
 // A square periodic tile of waves. Tile coordinates are u = rotate(-rotation) (x, z) / side; a bin's world wave vector is
 // k = rotate(rotation) (2 pi m / side).
@@ -21,14 +29,20 @@ struct Cascade {
 
 using Ladder = std::array<Cascade, gpu::max_cascades>;
 
-// The longest tile is about 18 of the sea's longest peak waves, rounded to one of four classes (375, 750, 1500 or 3000 m),
-// so that a change of wind within a class keeps every wave in its place; the sides after it fall by a ratio of 4.8 to 6 to a last one of 1 to 3 m.
-// Each tile carries |m| < 31 of its own waves and starts where |m| is about 5. Throws Error as validate() does.
+// The longest tile has one of three sides (4.3, 8.6 or 17.2 km), so that a change of wind within a class keeps every wave in its
+// place: the longest that still leaves at most an eighth of the sea's variance to the shorter tiles, which repeat within sight, and
+// 4.3 km where none does (winds below 9 m/s without a swell). The sides after it fall by a ratio of 5 to 6.5 to a last one of 1.5 to
+// 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31 and start where |m| is about 5. Throws Error as validate() does.
 Ladder ladder(const SeaState& sea);
 
 // Share of variance, 0 to 1, that cascade `index` carries at wave number k (rad/m). Over all cascades the shares add to 1
 // below the last cascade's k_out[0].
 double band_share(const Ladder& ladder, int index, double k);
+
+// What the bilinear filter leaves of a wave's amplitude where it is sampled between `samples` texels a side: the best fit of a wave
+// to its own linear interpolation is sinc^2(m / samples) of it an axis. Tiles carry their waves higher by the inverse, down to four
+// texels a wave; shorter ones, which only tiles of few samples have, are raised no more than that.
+double sampled_share(int mx, int mz, int samples);
 
 // (x, z) turned by `angle`, from x towards z.
 inline glm::dvec2 rotate_xz(glm::dvec2 v, double angle) {
@@ -40,5 +54,7 @@ inline glm::dvec2 rotate_xz(glm::dvec2 v, double angle) {
 // it begins to fade the cascade, one of all of it leaves nothing (kept_share).
 double longest_wave(const Cascade& cascade);
 double kept_share(const Cascade& cascade, double footprint_m);
+// The shortest, below which its share is none.
+double shortest_wave(const Cascade& cascade);
 
 }  // namespace seascape

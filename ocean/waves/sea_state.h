@@ -33,9 +33,11 @@ struct SeaState {
   std::uint32_t seed = 1;           // another seed, another sea of the same statistics; independent of quality
 };
 
+inline constexpr int longest_tile_samples = 512;
+
 // How finely the sea is computed; it never changes a wave that it keeps.
 struct WaveQuality {
-  int resolution = 256;  // samples a side of each cascade's tile, a power of two from 16 to 512
+  int resolution = 256;  // samples a side of each cascade's tile but the first (ladder.h), a power of two from 16 to 512
   int cascades = 4;      // how many cascades of the ladder are kept, longest waves first, 1 to 5
   bool half_storage = false;  // store the tiles on the GPU as 16-bit floats
 };

@@ -16,15 +16,15 @@ constexpr double least_tail = 0.05;        // share of the whole spectrum's slop
 SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
   validate(sea);
   SeaStatistics result;
-  constexpr int n = gpu::wave_bins;
   double sum_of_amplitudes = 0.0;
   for (int index = 0; index < bins.cascades; ++index) {
     const Cascade& cascade = bins.ladder[index];
     const double step = 2.0 * std::numbers::pi / cascade.side_m;
     const double cosine = std::cos(cascade.rotation_rad), sine = std::sin(cascade.rotation_rad);
+    const int n = bins_of(index);
     for (int mz = -n / 2; mz < n / 2; ++mz)
       for (int mx = -n / 2; mx < n / 2; ++mx) {
-        const glm::dvec2 a(bins.bins[(std::size_t(index) * n + mz + n / 2) * n + mx + n / 2].amplitude);
+        const glm::dvec2 a(bins.at(index, mx, mz).amplitude);
         const double variance = 0.5 * glm::dot(a, a);
         const glm::dvec2 k{step * (cosine * mx - sine * mz), step * (sine * mx + cosine * mz)};
         result.height_variance += variance;

@@ -2,6 +2,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -22,9 +23,9 @@ struct Corner {
   float weight[4];
 };
 
-Corner corner(const WaveTiles& tiles, int level, glm::dvec2 coordinates) {
-  const int size = tiles.resolution() >> level;
-  const std::ptrdiff_t stride = tiles.stride(level);
+Corner corner(const WaveTileLayout::Level& level, glm::dvec2 coordinates) {
+  const int size = level.size;
+  const std::ptrdiff_t stride = level.stride;
   // Coordinates are in [0, 2), so that a whole number added makes truncation the floor; & wraps.
   const double x = coordinates.x * size + (size - 0.5), z = coordinates.y * size + (size - 0.5);
   const int whole_x = int(x), whole_z = int(z);
@@ -76,7 +77,7 @@ struct SeaSum {
   void resolved(const Spot& spot) {
     const double share = spot.share;
     const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift), slope = share * sample(tiles, spot, WavePlane::slope);
-    const glm::dvec4 all(*tiles.texels(spot.cascade, WavePlane::moments, tiles.levels() - 1));
+    const glm::dvec4 all(*tiles.texels(spot.cascade, WavePlane::moments, tiles.levels(spot.cascade) - 1));
     const glm::dvec4 moments = glm::mix(all, sample(tiles, spot, WavePlane::moments), share);
     to.displacement += glm::dvec3(shift);
     to.height_gradient += glm::dvec2(slope);
@@ -87,7 +88,7 @@ struct SeaSum {
     to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
   }
   void unresolved(int cascade) {
-    const glm::dvec4 moments(*tiles.texels(cascade, WavePlane::moments, tiles.levels() - 1));
+    const glm::dvec4 moments(*tiles.texels(cascade, WavePlane::moments, tiles.levels(cascade) - 1));
     to.slope_moments += glm::dvec3(moments);
     to.divergence_moment += moments.w;
   }
@@ -96,9 +97,9 @@ struct SeaSum {
 
 WaveField::Filter WaveField::filter(double footprint_m) const {
   Filter result{};
-  const int last = int(std::lround(std::log2(quality_.resolution)));
   for (int i = 0; i < quality_.cascades; ++i) {
     const double texel = places_[i].texel_m;
+    const int last = std::countr_zero(unsigned(plans_[i].n));
     const double lod = footprint_m > texel ? std::min(std::log2(footprint_m / texel), double(last)) : 0.0;
     result.level[i] = int(lod);
     result.between[i] = float(lod - int(lod));
@@ -110,14 +111,14 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
 // Calls visit.resolved(spot) for each cascade that the footprint resolves and visit.unresolved(cascade) for each other.
 template <class Visit>
 void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, Visit visit) const {
-  assert(tiles.cascades() == quality_.cascades && tiles.resolution() == quality_.resolution);
-  const double half_texel = 0.5 / quality_.resolution;
+  assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
   for (int i = 0; i < quality_.cascades; ++i) {
-    if (filter.level[i] >= tiles.levels() - 1 || filter.share[i] <= 0.0f) {
+    if (filter.level[i] >= tiles.levels(i) - 1 || filter.share[i] <= 0.0f) {
       visit.unresolved(i);
       continue;
     }
     const Place& place = places_[i];
+    const double half_texel = 0.5 / tiles.samples(i);
     // In double, so that a sample a thousand kilometres out is as exact as one at the origin.
     const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side;
     const double v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side;
@@ -127,8 +128,8 @@ void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Fi
     spot.level = filter.level[i];
     spot.between = filter.between[i];
     spot.share = filter.share[i];
-    spot.fine = corner(tiles, spot.level, coordinates);
-    if (spot.between > 0.0f) spot.coarse = corner(tiles, spot.level + 1, coordinates);
+    spot.fine = corner(tiles.layout().level(i, spot.level), coordinates);
+    if (spot.between > 0.0f) spot.coarse = corner(tiles.layout().level(i, spot.level + 1), coordinates);
     visit.resolved(spot);
   }
 }

@@ -16,7 +16,6 @@
 namespace seascape {
 
 namespace {
-constexpr int half_bins = gpu::wave_bins / 2;
 constexpr double turn = 2.0 * std::numbers::pi;
 
 // Gauss-Legendre nodes and weights on [-1/2, 1/2].
@@ -36,10 +35,10 @@ class Cells {
   struct Node {
     double log_m, to_rad, weight;  // direction clockwise from the tile's -z, -pi to pi; the weights of a cell add to 1
   };
-  Cells() {
-    offset_.reserve(gpu::wave_bins * gpu::wave_bins + 1);
-    for (int mz = -half_bins; mz < half_bins; ++mz)
-      for (int mx = -half_bins; mx < half_bins; ++mx) {
+  explicit Cells(int bins) : half_(bins / 2) {
+    offset_.reserve(std::size_t(bins) * std::size_t(bins) + 1);
+    for (int mz = -half_; mz < half_; ++mz)
+      for (int mx = -half_; mx < half_; ++mx) {
         offset_.push_back(nodes_.size());
         add(mx, mz);
       }
@@ -49,10 +48,10 @@ class Cells {
   const Node* end(int mx, int mz) const { return nodes_.data() + offset_[place(mx, mz) + 1]; }
 
  private:
-  static int place(int mx, int mz) { return (mz + half_bins) * gpu::wave_bins + mx + half_bins; }
+  std::size_t place(int mx, int mz) const { return std::size_t(mz + half_) * std::size_t(2 * half_) + std::size_t(mx + half_); }
   void add(int mx, int mz) {
     const double m = std::hypot(double(mx), double(mz));
-    if (m == 0.0 || m >= half_bins) return;
+    if (m == 0.0 || m >= half_) return;
     const int cuts = m < 7.0 ? 4 : m < 10.0 ? 2 : 1;
     const Rule& rule = m < 7.0 ? three : two;
     for (int j = 0; j < cuts * rule.n; ++j)
@@ -63,18 +62,19 @@ class Cells {
                           rule.weight[i % rule.n] * rule.weight[j % rule.n] / (cuts * cuts)});
       }
   }
+  int half_;
   std::vector<Node> nodes_;
   std::vector<std::size_t> offset_;
 };
 
-const Cells& cells() {
-  static const Cells made;  // constants, some 0.5 MB, that every sea asks for
-  return made;
+const Cells& cells_of(int cascade) {  // constants, some 6 MB, that every sea asks for
+  static const Cells of_longest(bins_of(0)), of_others(bins_of(1));
+  return cascade == 0 ? of_longest : of_others;
 }
 
 // Frequency of each m^2 = mx^2 + mz^2 below half_bins^2 in turns a tick, times 2^64; 0 where no bin has that m^2.
-std::vector<std::uint64_t> turns_of(const SeaState& sea, double side_m) {
-  std::vector<std::uint64_t> turns(half_bins * half_bins, 0);
+std::vector<std::uint64_t> turns_of(const SeaState& sea, double side_m, int half_bins) {
+  std::vector<std::uint64_t> turns(std::size_t(half_bins) * std::size_t(half_bins), 0);
   const std::int64_t loop = std::llround(sea.loop_s * double(gpu::ticks_per_second));
   for (int a = 0; a < half_bins; ++a)
     for (int b = a; b < half_bins && a * a + b * b < half_bins * half_bins; ++b) {
@@ -108,29 +108,29 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
   WaveBins result;
   result.ladder = ladder(sea);
   result.cascades = quality.cascades;
-  result.bins.assign(std::size_t(quality.cascades) * gpu::wave_bins * gpu::wave_bins, gpu::WaveBin{});
+  result.bins.assign(WaveBins::first(quality.cascades), gpu::WaveBin{});
   if (!(sea.depth_m > 0.0)) return result;
-  const int limit = std::min(quality.resolution / 2, half_bins);
   const auto step = [&](int index) { return turn / result.ladder[index].side_m; };
-  const SpectrumTable table(spectrum, 0.25 * step(0), 1.5 * half_bins * step(quality.cascades - 1));
+  const SpectrumTable table(spectrum, 0.25 * step(0), 0.75 * bins_of(quality.cascades - 1) * step(quality.cascades - 1));
   struct Prepared {
     SpectrumTable::Band band;
     std::vector<std::uint64_t> turns;
   };
   std::vector<Prepared> prepared(std::size_t(quality.cascades));
   tbb::parallel_for(0, quality.cascades, [&](int i) {
-    prepared[i] = {table.band(result.ladder, i), turns_of(sea, result.ladder[i].side_m)};
+    prepared[i] = {table.band(result.ladder, i), turns_of(sea, result.ladder[i].side_m, bins_of(i) / 2)};
   });
   // Every bin is a function of its key alone, so the division into threads cannot change it.
-  tbb::parallel_for(0, quality.cascades * gpu::wave_bins, [&](int row) {
-    const int index = row / gpu::wave_bins, mz = row % gpu::wave_bins - half_bins;
+  const auto fill_row = [&](int index, int mz) {
     const Cascade& cascade = result.ladder[index];
+    const Cells& cells = cells_of(index);
+    const int half_bins = bins_of(index) / 2, limit = std::min(tile_samples(quality, index) / 2, half_bins);
     const double log_step = std::log(step(index)), area = step(index) * step(index);
     const double rotation = std::remainder(cascade.rotation_rad, turn);
     for (int mx = -half_bins; mx < half_bins; ++mx) {
       const int m2 = mx * mx + mz * mz;
       if (m2 == 0 || m2 >= limit * limit) continue;
-      gpu::WaveBin& bin = result.bins[(std::size_t(row) * gpu::wave_bins) + mx + half_bins];
+      gpu::WaveBin& bin = result.at(index, mx, mz);
       const std::uint64_t turns = prepared[index].turns[std::size_t(m2)];
       bin.turns_high = std::uint32_t(turns >> 32);
       bin.turns_low = std::uint32_t(turns);
@@ -138,12 +138,31 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
       constexpr double half_diagonal = 0.7072;
       if (step(index) * (m + half_diagonal) <= cascade.k_in[0] || step(index) * (m - half_diagonal) >= cascade.k_out[1]) continue;
       double density = 0.0;
-      for (const Cells::Node* node = cells().begin(mx, mz); node != cells().end(mx, mz); ++node)
+      for (const Cells::Node* node = cells.begin(mx, mz); node != cells.end(mx, mz); ++node)
         density += node->weight * table(prepared[index].band, node->log_m + log_step, node->to_rad + rotation);
       if (density > 0.0) bin.amplitude = glm::vec2(std::sqrt(density * area) * gaussian_pair(sea.seed, index, mx, mz));
     }
-  });
+  };
+  for (int index = 0; index < quality.cascades; ++index)
+    tbb::parallel_for(-bins_of(index) / 2, bins_of(index) / 2, [&](int mz) { fill_row(index, mz); });
   return result;
+}
+
+glm::vec2 drawn_amplitude(const gpu::WaveBin& bin, int mx, int mz, int samples) {
+  return glm::vec2(glm::dvec2(bin.amplitude) / sampled_share(mx, mz, samples));
+}
+
+float moment_share(const WaveBins& bins, int cascade, int samples) {
+  const int half = bins_of(cascade) / 2;
+  double waves = 0.0, texels = 0.0;
+  for (int mz = -half; mz < half; ++mz)
+    for (int mx = -half; mx < half; ++mx) {
+      const glm::dvec2 a(bins.at(cascade, mx, mz).amplitude);
+      const double slopes = glm::dot(a, a) * (double(mx) * mx + double(mz) * mz), share = sampled_share(mx, mz, samples);
+      waves += slopes;
+      texels += slopes / (share * share);
+    }
+  return texels > 0.0 ? float(waves / texels) : 1.0f;
 }
 
 std::int64_t ticks_from_seconds(double time_s) {

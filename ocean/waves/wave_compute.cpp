@@ -3,42 +3,67 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/shared/wave_compute.h"
-
 namespace seascape {
 
-WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveQuality& quality,
-                         const WaveBins& bins, WaveImages& images)
-    : sea_(sea), quality_(quality), ladder_(bins.ladder), images_(images) {
-  const EffectScope scope(device, "waves");
-  const auto n = std::uint32_t(quality.resolution), cascades = std::uint32_t(bins.cascades);
-  Image &displacement = images.displacement_, &derivatives = images.derivatives_, &moments = images.moments_;
-  bins_ = make_filled_buffer(device, "wave bins", bins.bins.data(), bins.bins.size() * sizeof(gpu::WaveBin),
-                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  rows_ = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * gpu::wave_bins * n * 8,
-                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  fetch_sampler_ = make_sampler(device, "waves, mips", {false, true, 1.0f});
+namespace {
+gpu::WavePush push_of(const SeaState& sea, const WaveBins& bins, const WaveImages::Set& set) {
+  gpu::WavePush push{};
+  push.samples = set.samples;
+  push.chop = float(sea.chop);
+  for (int i = 0; i < set.cascades; ++i) {
+    const Cascade& cascade = bins.ladder[std::size_t(set.first + i)];
+    const double dk = 2.0 * M_PI / cascade.side_m;
+    // Two fields of one transform share its rounding: the shear is carried at the size of the shift.
+    const float length = std::exp2(std::round(std::log2(float(1.0 / (12.0 * dk)))));
+    push.wave_vector[i] = glm::vec4(float(dk * std::cos(cascade.rotation_rad)), float(dk * std::sin(cascade.rotation_rad)), length,
+                                    moment_share(bins, set.first + i, set.samples));
+  }
+  return push;
+}
+}  // namespace
 
-  const std::string format = images.half_storage() ? "half" : "full";
-  rows_pipeline_ = make_compute_pipeline(device, shaders, "wave_rows.comp");
-  columns_pipeline_ = make_compute_pipeline(device, shaders, "wave_columns_" + format + ".comp");
-  mips_pipeline_ = make_compute_pipeline(device, shaders, "wave_mips_" + format + ".comp");
-  rows_bindings_ = Bindings(device, rows_pipeline_, {{.binding = 0, .buffer = &bins_}, {.binding = 1, .buffer = &rows_}}, "wave rows");
-  columns_bindings_ = Bindings(device, columns_pipeline_,
-                               {{.binding = 0, .buffer = &rows_},
-                                {.binding = 1, .view = displacement.subview(0, 1, 0, cascades)},
-                                {.binding = 2, .view = derivatives.subview(0, 1, 0, cascades)},
-                                {.binding = 3, .view = moments.subview(0, 1, 0, cascades)}},
-                               "wave columns");
-  const int levels = images.levels();
-  for (int level = 0; level + 1 < levels; level += 3) {
+WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages& images)
+    : images_(images) {
+  const EffectScope scope(device, "waves");
+  fetch_sampler_ = make_sampler(device, "waves, mips", {false, true, 1.0f});
+  mips_pipeline_ = make_compute_pipeline(device, shaders, images.half_storage() ? "wave_mips_half.comp" : "wave_mips_full.comp");
+  for (WaveImages::Set& set : images.sets_) work_.push_back(make_work(device, shaders, sea, bins, set));
+}
+
+WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins,
+                                         WaveImages::Set& set) const {
+  const auto n = std::uint32_t(set.samples), cascades = std::uint32_t(set.cascades), table = std::uint32_t(bins_of(set.first));
+  Work work;
+  work.set = &set;
+  work.band = std::min(table, std::max(n, 64u));
+  work.push = push_of(sea, bins, set);
+  std::vector<gpu::WaveBin> drawn;
+  for (int c = set.first; c < set.first + set.cascades; ++c)
+    for (int mz = -int(table) / 2; mz < int(table) / 2; ++mz)
+      for (int mx = -int(table) / 2; mx < int(table) / 2; ++mx) {
+        drawn.push_back(bins.at(c, mx, mz));
+        drawn.back().amplitude = drawn_amplitude(drawn.back(), mx, mz, set.samples);
+      }
+  work.bins = make_filled_buffer(device, "wave bins", drawn.data(), drawn.size() * sizeof(gpu::WaveBin), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  work.rows = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * work.band * n * 8, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const std::vector<SpecValue> sizes{{0, table}, {1, work.band}};
+  work.rows_pipeline = make_compute_pipeline(device, shaders, "wave_rows.comp", sizes);
+  work.columns_pipeline = make_compute_pipeline(device, shaders, images_.half_storage() ? "wave_columns_half.comp" : "wave_columns_full.comp", sizes);
+  work.rows_bindings = Bindings(device, work.rows_pipeline, {{.binding = 0, .buffer = &work.bins}, {.binding = 1, .buffer = &work.rows}}, "wave rows");
+  work.columns_bindings = Bindings(device, work.columns_pipeline,
+                                   {{.binding = 0, .buffer = &work.rows},
+                                    {.binding = 1, .view = set.displacement.subview(0, 1, 0, cascades)},
+                                    {.binding = 2, .view = set.derivatives.subview(0, 1, 0, cascades)},
+                                    {.binding = 3, .view = set.moments.subview(0, 1, 0, cascades)}},
+                                   "wave columns");
+  for (int level = 0; level + 1 < set.levels; level += 3) {
     MipStep step;
     step.source_level = level;
-    step.levels = std::min(3, levels - 1 - level);
-    step.groups = std::max(1, (int(n) >> (level + 1)) / 8);
+    step.levels = std::min(3, set.levels - 1 - level);
+    step.groups = std::max(1, (set.samples >> (level + 1)) / 8);
     int i = 0;
-    for (Image* image : {&displacement, &derivatives, &moments}) {
-      auto target = [&](int l) { return image->subview(std::uint32_t(std::min(level + l, levels - 1)), 1, 0, cascades); };
+    for (Image* image : {&set.displacement, &set.derivatives, &set.moments}) {
+      auto target = [&](int l) { return image->subview(std::uint32_t(std::min(level + l, set.levels - 1)), 1, 0, cascades); };
       step.bindings[i++] = Bindings(device, mips_pipeline_,
                                     {{.binding = 0, .view = image->subview(std::uint32_t(level), 1, 0, cascades),
                                       .sampler = fetch_sampler_.get(), .layout = VK_IMAGE_LAYOUT_GENERAL},
@@ -47,53 +72,55 @@ WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState&
                                      {.binding = 3, .view = target(3)}},
                                     "wave mips");
     }
-    mip_steps_.push_back(std::move(step));
+    work.mip_steps.push_back(std::move(step));
   }
+  return work;
 }
 
 void WaveCompute::update(Frame& frame, std::int64_t ticks) {
   if (computed_ && ticks == ticks_) return;
   computed_ = true;
   ticks_ = ticks;
-  gpu::WavePush push{};
-  push.ticks_high = std::uint32_t(std::uint64_t(ticks) >> 32);
-  push.ticks_low = std::uint32_t(std::uint64_t(ticks));
-  push.resolution = quality_.resolution;
-  push.chop = float(sea_.chop);
-  const auto cascades = std::uint32_t(images_.cascades());
-  for (std::uint32_t c = 0; c < cascades; ++c) {
-    const double dk = 2.0 * M_PI / ladder_[c].side_m;
-    push.wave_vector[c] = glm::vec4(float(dk * std::cos(ladder_[c].rotation_rad)), float(dk * std::sin(ladder_[c].rotation_rad)), 0, 0);
-    // Two fields of one transform share its rounding: the shear is carried at the size of the shift.
-    const float length = std::exp2(std::round(std::log2(float(1.0 / (12.0 * dk)))));
-    push.wave_vector[c].z = length;
-    push.wave_vector[c].w = 1.0f / length;
+  for (Work& work : work_) {
+    work.push.ticks_high = std::uint32_t(std::uint64_t(ticks) >> 32);
+    work.push.ticks_low = std::uint32_t(std::uint64_t(ticks));
   }
-  const auto n = std::uint32_t(quality_.resolution), phases = std::max(1u, n / 64u);
-  frame.pass("wave rows", {use(bins_, Access::compute_read), use(rows_, Access::compute_write)}, [&](Commands& c) {
-    c.bind(rows_pipeline_, rows_bindings_);
-    c.push(push);
-    c.dispatch(8 * phases, cascades, 1);
+  // The tiles of both shapes side by side: they do not wait for each other.
+  Uses rows{}, columns{}, mips{};
+  for (const Work& work : work_) {
+    rows.add(use(work.bins, Access::compute_read));
+    rows.add(use(work.rows, Access::compute_write));
+    columns.add(use(work.rows, Access::compute_read));
+  }
+  images_.add_uses(columns, Access::compute_write, true);
+  images_.add_uses(mips, Access::compute_write);
+  frame.pass("wave rows", rows, [&](Commands& c) {
+    for (const Work& work : work_) {
+      c.bind(work.rows_pipeline, work.rows_bindings);
+      c.push(work.push);
+      c.dispatch(work.band * std::max(1u, std::uint32_t(work.set->samples) / 64u) / 8, std::uint32_t(work.set->cascades), 1);
+    }
   });
-  frame.pass("wave columns",
-             {use(rows_, Access::compute_read), use(images_.displacement(), Access::compute_write, true),
-              use(images_.derivatives(), Access::compute_write, true), use(images_.moments(), Access::compute_write, true)},
-             [&](Commands& c) {
-               c.bind(columns_pipeline_, columns_bindings_);
-               c.push(push);
-               c.dispatch(n / 8, phases, cascades);
-             });
-  for (const MipStep& step : mip_steps_)
-    frame.pass("wave mips",
-               {use(images_.displacement(), Access::compute_write), use(images_.derivatives(), Access::compute_write),
-                use(images_.moments(), Access::compute_write)},
-               [&](Commands& c) {
-                 for (const Bindings& bindings : step.bindings) {
-                   c.bind(mips_pipeline_, bindings);
-                   c.push(gpu::MipPush{quality_.resolution >> step.source_level, step.levels});
-                   c.dispatch(std::uint32_t(step.groups), std::uint32_t(step.groups), cascades);
-                 }
-               });
+  frame.pass("wave columns", columns, [&](Commands& c) {
+    for (const Work& work : work_) {
+      const auto n = std::uint32_t(work.set->samples);
+      c.bind(work.columns_pipeline, work.columns_bindings);
+      c.push(work.push);
+      c.dispatch(n / 8, std::max(1u, n / 64u), std::uint32_t(work.set->cascades));
+    }
+  });
+  for (std::size_t i = 0; i < work_[0].mip_steps.size(); ++i)
+    frame.pass("wave mips", mips, [&](Commands& c) {
+      for (const Work& work : work_) {
+        if (i >= work.mip_steps.size()) continue;
+        const MipStep& step = work.mip_steps[i];
+        for (const Bindings& bindings : step.bindings) {
+          c.bind(mips_pipeline_, bindings);
+          c.push(gpu::MipPush{work.set->samples >> step.source_level, step.levels});
+          c.dispatch(std::uint32_t(step.groups), std::uint32_t(step.groups), std::uint32_t(work.set->cascades));
+        }
+      }
+    });
 }
 
 }  // namespace seascape

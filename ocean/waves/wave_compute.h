@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "ocean/waves/wave_images.h"
+#include "shaders/shared/wave_compute.h"
 
 namespace seascape {
 
 class WaveCompute {
  public:
   // `images` were made to be stored into, for the same sea and quality; they must outlive this.
-  WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
-              WaveImages& images);
+  WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages& images);
 
   // Computes all tiles for the time; nothing when they already hold it.
   void update(Frame& frame, std::int64_t ticks);
@@ -21,15 +21,21 @@ class WaveCompute {
     int source_level, levels, groups;
     Bindings bindings[3];  // displacement, derivatives, moments
   };
-  SeaState sea_;
-  WaveQuality quality_;
-  Ladder ladder_;
+  // What fills the tiles of one shape.
+  struct Work {
+    const WaveImages::Set* set;
+    std::uint32_t band;  // bins a side that its tiles carry
+    Buffer bins, rows;
+    Pipeline rows_pipeline, columns_pipeline;
+    Bindings rows_bindings, columns_bindings;
+    gpu::WavePush push;  // the time left out
+    std::vector<MipStep> mip_steps;
+  };
+  Work make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages::Set& set) const;
   const WaveImages& images_;
-  Buffer bins_, rows_;
   Owned<VkSampler> fetch_sampler_;
-  Pipeline rows_pipeline_, columns_pipeline_, mips_pipeline_;
-  Bindings rows_bindings_, columns_bindings_;
-  std::vector<MipStep> mip_steps_;
+  Pipeline mips_pipeline_;
+  std::vector<Work> work_;
   bool computed_ = false;
   std::int64_t ticks_ = 0;
 };

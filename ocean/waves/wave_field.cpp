@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -14,20 +16,23 @@
 namespace seascape {
 
 namespace {
-WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int band) {
-  constexpr int n = gpu::wave_bins;
+// Of a cascade whose tile has `samples` texels a side; `band` x `band` of its bins.
+WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int samples, int band) {
   const Cascade& cascade = bins.ladder[index];
   const double step = 2.0 * std::numbers::pi / cascade.side_m;
+  const glm::dvec2 along = rotate_xz({1.0, 0.0}, cascade.rotation_rad), across = rotate_xz({0.0, 1.0}, cascade.rotation_rad);
   WaveTable table;
+  table.moment_share = moment_share(bins, index, samples);
   table.shear_length_m = std::exp2(std::round(std::log2(float(1.0 / (12.0 * step)))));
   for (int mx = -band / 2; mx < band / 2; ++mx)
     for (int mz = -band / 2; mz < band / 2; ++mz) {
-      const gpu::WaveBin& bin = bins.bins[(std::size_t(index) * n + mz + n / 2) * n + mx + n / 2];
-      const glm::dvec2 k = step * rotate_xz({mx, mz}, cascade.rotation_rad);
+      const gpu::WaveBin& bin = bins.at(index, mx, mz);
+      const glm::vec2 amplitude = drawn_amplitude(bin, mx, mz, samples);
+      const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
       const double length = glm::length(k);
       const glm::dvec2 towards = length > 0.0 ? sea.chop / length * k : glm::dvec2(0.0);
-      table.amplitude_re.push_back(bin.amplitude.x);
-      table.amplitude_im.push_back(bin.amplitude.y);
+      table.amplitude_re.push_back(amplitude.x);
+      table.amplitude_im.push_back(amplitude.y);
       table.turns.push_back((std::uint64_t(bin.turns_high) << 32) | bin.turns_low);
       table.kx.push_back(float(k.x));
       table.kz.push_back(float(k.y));
@@ -43,60 +48,75 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int b
 WaveField::WaveField(const SeaState& sea, const WaveQuality& quality) : WaveField(sea, quality, make_wave_bins(sea, quality)) {}
 
 WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins)
-    : sea_(sea), quality_(quality), bins_(std::move(bins)), statistics_(sea_statistics(sea, bins_)),
-      plan_(make_fft_plan(quality.resolution)) {
+    : sea_(sea), quality_(quality), bins_(std::move(bins)), statistics_(sea_statistics(sea, bins_)) {
   for (int i = 0; i < quality.cascades; ++i) {
     const Cascade& cascade = bins_.ladder[i];
-    tables_.push_back(make_table(sea, bins_, i, plan_.band));
+    const int samples = tile_samples(quality, i);
+    plans_.push_back(make_fft_plan(samples, std::min(samples, bins_of(i))));
+    tables_.push_back(make_table(sea, bins_, i, samples, plans_.back().band));
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
-                       cascade.side_m / quality.resolution});
+                       cascade.side_m / samples});
   }
 }
 
-WaveTileLayout::WaveTileLayout(int cascades_kept, int texels_a_side) : cascades(cascades_kept), resolution(texels_a_side) {
-  for (int size = resolution; size >= 1; size /= 2) {
-    const int stride = size >= 32 ? size + 4 : size;
-    levels.push_back({size, stride, plane_texels});
-    plane_texels += std::size_t(cascades) * std::size_t(stride) * std::size_t(size);
+WaveTileLayout::WaveTileLayout(const WaveQuality& quality) : cascades(quality.cascades), resolution(quality.resolution) {
+  for (int i = 0; i < cascades; ++i) {
+    Tile& tile = tiles[std::size_t(i)];
+    tile.samples = tile_samples(quality, i);
+    for (int size = tile.samples; size >= 1; size /= 2) {
+      const int stride = size >= 32 ? size + 4 : size;
+      tile.level[std::size_t(tile.levels++)] = {size, stride, plane_texels};
+      plane_texels += std::size_t(stride) * std::size_t(size);
+    }
   }
 }
 
-void WaveTiles::shape(int cascades, int resolution) {
-  const bool same = cascades == layout_.cascades && resolution == layout_.resolution;
-  if (!same) layout_ = WaveTileLayout(cascades, resolution);
+void WaveTiles::shape(const WaveQuality& quality) {
+  const bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution;
+  if (!same) layout_ = WaveTileLayout(quality);
   const std::size_t texels = layout_.plane_texels * std::size_t(planes_);
   assert(given_.empty() || given_.size() >= texels);
   if (given_.empty() && texels_.size() != texels) {
     texels_.assign(texels, glm::vec4(0.0f));
     first_ = texels_.data();
   }
-  if (same) return;
-  workspace_.assign(workspace_floats(make_fft_plan(resolution), has_velocity()) * cascades, 0.0f);
 }
 
 void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
   const bool velocity = tiles.has_velocity();
-  const int n = quality_.resolution, cascades = quality_.cascades, strips = n / strip_width;
-  tiles.shape(cascades, n);
+  const int cascades = quality_.cascades;
+  tiles.shape(quality_);
   tiles.ticks_ = ticks;
-  const std::size_t floats = tiles.workspace_.size() / cascades;
+  std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
+  std::array<int, gpu::max_cascades + 1> strips{};         // and the number of its first strip
+  std::size_t floats = 0;
+  for (int i = 0; i < cascades; ++i) {
+    workspace[std::size_t(i)] = floats;
+    floats += workspace_floats(plans_[i], velocity);
+    strips[std::size_t(i) + 1] = strips[std::size_t(i)] + plans_[i].n / strip_width;
+  }
+  if (tiles.workspace_.size() != floats) tiles.workspace_.assign(floats, 0.0f);
   const auto plane_level = [&](int cascade, int level) {
     PlaneLevel result{};
     for (int plane = 0; plane < tiles.planes_; ++plane) result.texels[plane] = tiles.writable(cascade, WavePlane(plane), level);
-    result.stride = tiles.stride(level);
+    result.stride = tiles.stride(cascade, level);
     return result;
   };
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same bits.
-  tbb::parallel_for(0, cascades, [&](int i) { waves_along_x(tables_[i], plan_, ticks, velocity, &tiles.workspace_[i * floats]); });
-  tbb::parallel_for(0, cascades * strips, [&](int i) {
-    const int cascade = i / strips;
+  tbb::parallel_for(0, cascades, [&](int i) { waves_along_x(tables_[i], plans_[i], ticks, velocity, &tiles.workspace_[workspace[std::size_t(i)]]); });
+  tbb::parallel_for(0, strips[std::size_t(cascades)], [&](int i) {
+    int cascade = 0;
+    while (i >= strips[std::size_t(cascade) + 1]) ++cascade;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    strip_along_z(tables_[cascade], plan_, &tiles.workspace_[cascade * floats], velocity, i % strips * strip_width, levels);
+    const int x = (i - strips[std::size_t(cascade)]) * strip_width;
+    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
-    for (int level = strip_levels + 1; level < tiles.levels(); ++level)
-      average_down(plane_level(cascade, level - 1), plane_level(cascade, level), tiles.planes_, 0, n >> level, n >> level);
+    for (int level = strip_levels + 1; level < tiles.levels(cascade); ++level) {
+      const int size = plans_[cascade].n >> level;
+      average_down(plane_level(cascade, level - 1), plane_level(cascade, level), tiles.planes_, 0, size, size);
+    }
 }
 
 }  // namespace seascape

@@ -14,15 +14,37 @@
 
 namespace seascape {
 
-// All waves of a sea at a quality: one table of wave_bins^2 a cascade, cascade after cascade.
+// All waves of a sea at a quality: one table of bins_of(cascade)^2 a cascade, cascade after cascade.
 struct WaveBins {
   Ladder ladder;
   int cascades = 0;
   std::vector<gpu::WaveBin> bins;
+
+  // Where a cascade's table begins.
+  static constexpr std::size_t first(int cascade) {
+    std::size_t result = 0;
+    for (int i = 0; i < cascade; ++i) result += std::size_t(bins_of(i)) * std::size_t(bins_of(i));
+    return result;
+  }
+  // A bin by its wave numbers, -bins_of(cascade) / 2 and up.
+  gpu::WaveBin& at(int cascade, int mx, int mz) { return bins[place(cascade, mx, mz)]; }
+  const gpu::WaveBin& at(int cascade, int mx, int mz) const { return bins[place(cascade, mx, mz)]; }
+
+ private:
+  static std::size_t place(int cascade, int mx, int mz) {
+    const int n = bins_of(cascade);
+    return first(cascade) + std::size_t(mz + n / 2) * std::size_t(n) + std::size_t(mx + n / 2);
+  }
 };
 
-// Bins whose |m| reaches resolution / 2 are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on the quality.
+// Bins whose |m| reaches half the tile's samples are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on the quality.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality);
+
+// A bin's amplitude as a tile of `samples` texels a side carries it: higher by what bilinear sampling takes (sampled_share).
+glm::vec2 drawn_amplitude(const gpu::WaveBin& bin, int mx, int mz, int samples);
+
+// The slope variance of a cascade's waves over that of its texels, which carry them higher.
+float moment_share(const WaveBins& bins, int cascade, int samples);
 
 // Turns a tick, times 2^64, of a wave of `turns` whole turns in `ticks` (1 to 2^47, more than turns), rounded up: the phase after
 // `ticks` is then a whole turn and less than ticks 2^-64 of one, of which phase_turns sees nothing for loops shorter than 4096 s.
@@ -63,6 +85,8 @@ struct WaveTable {
   std::vector<float> frequency;         // rad/s
   // Two fields of one transform share its rounding: dDx/dz is carried at the size of Dz, times this length, a power of two.
   float shear_length_m = 1.0f;
+  // Second moments are of what sampling leaves of the tile's waves: the squares of its texels times this (drawn_amplitude).
+  float moment_share = 1.0f;
 };
 
 // Every deterministic wave of a sea, ready to be evaluated at any time. Immutable: any number of threads may use one field,
@@ -80,7 +104,7 @@ class WaveField {
   void evaluate(std::int64_t ticks, WaveTiles& tiles) const;
 
   // The surface at a rest position (x, z in metres), smoothed over a footprint of `footprint_m`: each cascade is sampled
-  // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / resolution, at tile coordinates u + 0.5 / resolution
+  // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile coordinates u + 0.5 / samples
   // (texel centres at (i + 0.5) / size on every level). From half a cascade's longest wave on a
   // footprint fades it (kept_share); one that is gone, or whose lod reaches its last level, adds only its moments.
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
@@ -109,7 +133,7 @@ class WaveField {
   WaveQuality quality_;
   WaveBins bins_;
   SeaStatistics statistics_;
-  FftPlan plan_;
+  std::vector<FftPlan> plans_;  // these three a cascade
   std::vector<WaveTable> tables_;
   struct Place {  // from world to tile coordinates
     double cosine, sine, inverse_side, texel_m;

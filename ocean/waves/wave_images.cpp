@@ -8,15 +8,15 @@
 namespace seascape {
 
 namespace {
-constexpr std::size_t bins_a_cascade = std::size_t(gpu::wave_bins) * gpu::wave_bins;
-
 // Mean squares of slope over a cascade's whole tile: sums over its bins, in time average.
-glm::dvec3 tile_moments(const Cascade& cascade, const gpu::WaveBin* bins) {
+glm::dvec3 tile_moments(const WaveBins& bins, int index) {
+  const Cascade& cascade = bins.ladder[index];
+  const int half = bins_of(index) / 2;
   glm::dvec3 sum(0.0);
   const double dk = 2.0 * M_PI / cascade.side_m, c = std::cos(cascade.rotation_rad), s = std::sin(cascade.rotation_rad);
-  for (int mz = -31; mz < 32; ++mz)
-    for (int mx = -31; mx < 32; ++mx) {
-      const gpu::WaveBin& bin = bins[(mz + 32) * gpu::wave_bins + mx + 32];
+  for (int mz = -half; mz < half; ++mz)
+    for (int mx = -half; mx < half; ++mx) {
+      const gpu::WaveBin& bin = bins.at(index, mx, mz);
       const double power = 0.5 * (double(bin.amplitude.x) * bin.amplitude.x + double(bin.amplitude.y) * bin.amplitude.y);
       const double kx = dk * (c * mx - s * mz), kz = dk * (s * mx + c * mz);
       sum += power * glm::dvec3(kx * kx, kz * kz, kx * kz);
@@ -27,26 +27,34 @@ glm::dvec3 tile_moments(const Cascade& cascade, const gpu::WaveBin* bins) {
 
 WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
                        const SeaStatistics& statistics, double anisotropy, VkImageUsageFlags filled_as)
-    : ladder_(bins.ladder), statistics_(statistics), chop_(sea.chop), resolution_(quality.resolution),
-      levels_(std::bit_width(std::uint32_t(quality.resolution))) {
+    : ladder_(bins.ladder), statistics_(statistics), chop_(sea.chop) {
   const EffectScope scope(device, "waves");
   half_ = quality.half_storage || !device.facts().float32_linear;
   if (half_ && !quality.half_storage)
     spdlog::info("waves: {} cannot filter 32-bit tiles; they are stored as 16-bit floats", device.facts().name);
   for (int c = 0; c < bins.cascades; ++c)
-    cascade_moments_.push_back(tile_moments(ladder_[c], bins.bins.data() + std::size_t(c) * bins_a_cascade));
+    cascade_moments_.push_back(tile_moments(bins, c));
 
-  ImageSpec tile;
-  tile.width = tile.height = std::uint32_t(resolution_);
-  tile.layers = std::uint32_t(bins.cascades);
-  tile.levels = std::uint32_t(levels_);
-  tile.format = half_ ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
-  tile.usage = filled_as | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  displacement_ = Image(device, "wave displacement", tile);
-  derivatives_ = Image(device, "wave derivatives", tile);
-  moments_ = Image(device, "wave moments", tile);
+  for (const int first : {0, 1}) {
+    if (first >= bins.cascades) break;
+    const int samples = tile_samples(quality, first), levels = std::bit_width(unsigned(samples));
+    const int count = first == 0 ? 1 : bins.cascades - 1;
+    ImageSpec tile;
+    tile.width = tile.height = std::uint32_t(samples);
+    tile.layers = std::uint32_t(count);
+    tile.levels = std::uint32_t(levels);
+    tile.format = half_ ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+    tile.usage = filled_as | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    sets_.push_back({first, count, samples, levels, Image(device, "wave displacement", tile), Image(device, "wave derivatives", tile),
+                     Image(device, "wave moments", tile)});
+  }
   vertex_sampler_ = make_sampler(device, "waves, vertices", {true, true, 1.0f});
   pixel_sampler_ = make_sampler(device, "waves, pixels", {true, true, float(anisotropy)});
+}
+
+void WaveImages::add_uses(Uses& uses, Access access, bool whole) const {
+  for (const Set& set : sets_)
+    for (const Image* image : {&set.displacement, &set.derivatives, &set.moments}) uses.add(use(*image, access, whole));
 }
 
 gpu::SeaData WaveImages::sea_data(glm::dvec2 grid_origin_m) const {
@@ -57,13 +65,13 @@ gpu::SeaData WaveImages::sea_data(glm::dvec2 grid_origin_m) const {
     const glm::dvec2 origin(c * grid_origin_m.x + s * grid_origin_m.y, -s * grid_origin_m.x + c * grid_origin_m.y);
     gpu::CascadeData& d = data.cascade[i];
     d.tile_from_rest = glm::vec4(float(c), float(s), float(-s), float(c));
-    const double half_texel = 0.5 / resolution_;
+    const int samples = sets_[i == 0 ? 0 : 1].samples;
+    const double half_texel = 0.5 / samples;
     d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel), float(origin.y - std::floor(origin.y) + half_texel),
-                         float(cascade.side_m / resolution_), float(cascade.side_m));
+                         float(cascade.side_m / samples), float(shortest_wave(cascade)));
     d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), float(longest_wave(cascade)));
   }
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(chop_));
-  data.shape = glm::ivec4(int(cascade_moments_.size()), levels_, resolution_, 0);
   data.footprint.z = float(statistics_.largest_height_m);
   return data;
 }

@@ -5,6 +5,7 @@
 #include "engine/frame.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_tiles.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
@@ -18,26 +19,32 @@ class WaveImages {
   // The part of SeaData that follows the place: `grid_origin_m` is the world x, z that rest positions count from.
   gpu::SeaData sea_data(glm::dvec2 grid_origin_m) const;
 
-  // Tiles as texture arrays, a layer a cascade (see shaders/lib/wave_columns.glsl for the channels).
-  const Image& displacement() const { return displacement_; }
-  const Image& derivatives() const { return derivatives_; }
-  const Image& moments() const { return moments_; }
+  // Tiles of one shape as texture arrays, a layer a cascade (see shaders/lib/wave_columns.glsl for the channels).
+  struct Set {
+    int first, cascades;  // the first cascade, and how many
+    int samples, levels;  // a side of level 0; log2(samples) + 1
+    Image displacement, derivatives, moments;
+    const Image& image(WavePlane plane) const {
+      return plane == WavePlane::shift ? displacement : plane == WavePlane::slope ? derivatives : moments;
+    }
+  };
+  // The longest tile, and all others where there are any.
+  const std::vector<Set>& sets() const { return sets_; }
+  // Adds every image as a pass uses it; `whole`: nothing of what it held is kept.
+  void add_uses(Uses& uses, Access access, bool whole = false) const;
   VkSampler vertex_sampler() const { return vertex_sampler_.get(); }
   VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
   bool half_storage() const { return half_; }
   int cascades() const { return int(cascade_moments_.size()); }
-  int resolution() const { return resolution_; }
-  int levels() const { return levels_; }  // log2(resolution) + 1
 
  private:
   friend class WaveCompute;  // which stores into views of their levels
   Ladder ladder_;
   SeaStatistics statistics_;
   double chop_;
-  int resolution_, levels_ = 1;
   bool half_ = false;
   std::vector<glm::dvec3> cascade_moments_;
-  Image displacement_, derivatives_, moments_;
+  std::vector<Set> sets_;
   Owned<VkSampler> vertex_sampler_, pixel_sampler_;
 };
 

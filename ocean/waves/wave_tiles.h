@@ -1,6 +1,7 @@
 // The sea's tiles on the CPU at one time: displacement, its derivatives and their second moments, with mip chains, laid out
 // texel for texel as the GPU holds them.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -14,30 +15,35 @@ namespace seascape {
 enum class WavePlane {
   shift,     // Dx, h, Dz, dDx/dz
   slope,     // dh/dx, dh/dz, dDx/dx, dDz/dz
-  moments,   // (dh/dx)^2, (dh/dz)^2, dh/dx dh/dz, (dDx/dx + dDz/dz)^2: averaged, not recomputed, in the mip chain
+  moments,   // (dh/dx)^2, (dh/dz)^2, dh/dx dh/dz, (dDx/dx + dDz/dz)^2, times WaveTable::moment_share: averaged, not recomputed, in the mip chain
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
 };
 
-// Where the texels of tiles lie, counted from their first: plane after plane, in it level after level, in it cascade after
-// cascade, so that a level of an image with all its layers is one copy.
+// Where the texels of tiles lie, counted from their first: plane after plane, in it cascade after cascade, in it level after level.
 struct WaveTileLayout {
   struct Level {
     int size, stride;    // rows are `stride` texels apart, a little more than `size`: power-of-two strides cost cache aliasing
     std::size_t offset;  // from the plane's first texel
   };
-  int cascades = 0, resolution = 0;
-  std::vector<Level> levels;     // log2(resolution) + 1
+  struct Tile {
+    int samples = 0, levels = 0;  // a side of level 0; log2(samples) + 1
+    std::array<Level, 10> level{};
+  };
+  int cascades = 0, resolution = 0;  // of the quality that it was made for
+  std::array<Tile, gpu::max_cascades> tiles;
   std::size_t plane_texels = 0;  // from one plane to the next
 
   WaveTileLayout() = default;
-  WaveTileLayout(int cascades, int resolution);
-  std::size_t offset(int cascade, WavePlane plane, int level) const {
-    const Level& l = levels[std::size_t(level)];
-    return std::size_t(plane) * plane_texels + l.offset + std::size_t(cascade) * std::size_t(l.stride) * std::size_t(l.size);
+  explicit WaveTileLayout(const WaveQuality& quality);
+  const Level& level(int cascade, int level) const { return tiles[std::size_t(cascade)].level[std::size_t(level)]; }
+  std::size_t offset(int cascade, WavePlane plane, int level_index) const {
+    return std::size_t(plane) * plane_texels + level(cascade, level_index).offset;
   }
 };
+static_assert(longest_tile_samples < 1 << 10, "a tile has at most ten levels");
 
-// Filled by WaveField::evaluate. Texel (x, z) of level 0 holds the field at tile coordinates (x, z) / resolution; each level
+// Filled by WaveField::evaluate. Texel (x, z) of level 0 holds the field at tile coordinates (x, z) / samples, its waves raised
+// by what sampling between texels takes (sampled_share); each level
 // after it holds averages of two by two texels, down to one texel.
 class WaveTiles {
  public:
@@ -45,16 +51,16 @@ class WaveTiles {
   WaveTiles(const WaveTiles&) = delete;
   WaveTiles& operator=(const WaveTiles&) = delete;
   int cascades() const { return layout_.cascades; }
-  int resolution() const { return layout_.resolution; }
-  int levels() const { return int(layout_.levels.size()); }
+  int samples(int cascade) const { return layout_.tiles[std::size_t(cascade)].samples; }
+  int levels(int cascade) const { return layout_.tiles[std::size_t(cascade)].levels; }
   const WaveTileLayout& layout() const { return layout_; }
   bool has_velocity() const { return planes_ == 4; }
   std::int64_t ticks() const { return ticks_; }
-  // First texel of a level, whose rows are `stride(level)` texels apart.
+  // First texel of a level, whose rows are `stride(cascade, level)` texels apart.
   const glm::vec4* texels(int cascade, WavePlane plane, int level) const {
     return first_ + layout_.offset(cascade, plane, level);
   }
-  int stride(int level) const { return layout_.levels[std::size_t(level)].stride; }
+  int stride(int cascade, int level) const { return layout_.level(cascade, level).stride; }
   // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own. It
   // holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
   void keep_in(std::span<glm::vec4> memory) {
@@ -64,7 +70,7 @@ class WaveTiles {
 
  private:
   friend class WaveField;
-  void shape(int cascades, int resolution);
+  void shape(const WaveQuality& quality);
   glm::vec4* writable(int cascade, WavePlane plane, int level) {
     return const_cast<glm::vec4*>(texels(cascade, plane, level));
   }
@@ -74,7 +80,7 @@ class WaveTiles {
   glm::vec4* first_ = nullptr;  // of given_, or of the tiles' own texels
   std::span<glm::vec4> given_;
   std::vector<glm::vec4> texels_;
-  std::vector<float> workspace_;  // of the transforms, workspace_floats(...) a cascade
+  std::vector<float> workspace_;  // of the transforms, cascade after cascade
 };
 
 }  // namespace seascape

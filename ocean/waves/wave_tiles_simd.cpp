@@ -207,8 +207,8 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
           } else if (pair == 1) {
             const Vector divergence = hn::Add(c, e);
             hn::StoreInterleaved4(a, b, c, e, d, plane(WavePlane::slope));
-            hn::StoreInterleaved4(hn::Mul(a, a), hn::Mul(b, b), hn::Mul(a, b), hn::Mul(divergence, divergence), d,
-                                  plane(WavePlane::moments));
+            const auto moment = [&](Vector one, Vector other) HWY_ATTR { return hn::Mul(hn::Mul(one, other), hn::Set(d, table.moment_share)); };
+            hn::StoreInterleaved4(moment(a, a), moment(b, b), moment(a, b), moment(divergence, divergence), d, plane(WavePlane::moments));
           } else {
             hn::StoreInterleaved4(a, b, c, hn::Zero(d), d, plane(WavePlane::velocity));
           }

@@ -10,20 +10,24 @@ WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& q
     : field_(sea, quality, bins), images_(images) {
   const EffectScope scope(device, "waves");
   // Half floats keep the layout of the floats that they were converted from, padding and all.
-  const WaveTileLayout layout(quality.cascades, quality.resolution);
-  const std::size_t texel = bytes_per_texel(images.displacement().spec().format);
+  const WaveTileLayout layout(quality);
+  const std::size_t texel = bytes_per_texel(images.sets()[0].displacement.spec().format);
   for (Buffer& staging : staging_)  // cached, since the field reads levels there for the next: coarser ones are their averages
     staging = Buffer(device, "wave staging", planes * layout.plane_texels * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::read);
-  for (int plane = 0; plane < planes; ++plane)
-    for (int level = 0; level < images.levels(); ++level) {
-      const WaveTileLayout::Level& l = layout.levels[std::size_t(level)];
-      VkBufferImageCopy region{};
-      region.bufferOffset = layout.offset(0, WavePlane(plane), level) * texel;
-      region.bufferRowLength = std::uint32_t(l.stride);
-      region.bufferImageHeight = std::uint32_t(l.size);
-      region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, std::uint32_t(level), 0, std::uint32_t(quality.cascades)};
-      region.imageExtent = {std::uint32_t(l.size), std::uint32_t(l.size), 1};
-      regions_[std::size_t(plane)].push_back(region);
+  for (const WaveImages::Set& set : images.sets())
+    for (int plane = 0; plane < planes; ++plane) {
+      copies_.push_back({&set.image(WavePlane(plane)), {}});
+      for (int layer = 0; layer < set.cascades; ++layer)
+        for (int level = 0; level < set.levels; ++level) {
+          const WaveTileLayout::Level& l = layout.level(set.first + layer, level);
+          VkBufferImageCopy region{};
+          region.bufferOffset = layout.offset(set.first + layer, WavePlane(plane), level) * texel;
+          region.bufferRowLength = std::uint32_t(l.stride);
+          region.bufferImageHeight = std::uint32_t(l.size);
+          region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, std::uint32_t(level), std::uint32_t(layer), 1};
+          region.imageExtent = {std::uint32_t(l.size), std::uint32_t(l.size), 1};
+          copies_.back().regions.push_back(region);
+        }
     }
 }
 
@@ -44,14 +48,11 @@ void WaveUpload::update(Frame& frame, std::int64_t ticks) {
     tiles_.keep_in({staging.mapped<glm::vec4>(), staging.bytes() / sizeof(glm::vec4)});
     field_.evaluate(ticks, tiles_);
   }
-  frame.pass("wave upload",
-             {use(staging, Access::transfer_read), use(images_.displacement(), Access::transfer_write, true),
-              use(images_.derivatives(), Access::transfer_write, true), use(images_.moments(), Access::transfer_write, true)},
-             [&](Commands& c) {
-               c.copy(staging, images_.displacement(), regions_[0]);
-               c.copy(staging, images_.derivatives(), regions_[1]);
-               c.copy(staging, images_.moments(), regions_[2]);
-             });
+  Uses uses{use(staging, Access::transfer_read)};
+  images_.add_uses(uses, Access::transfer_write, true);
+  frame.pass("wave upload", uses, [&](Commands& c) {
+    for (const Copy& copy : copies_) c.copy(staging, *copy.to, copy.regions);
+  });
 }
 
 }  // namespace seascape

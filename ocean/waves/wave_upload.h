@@ -25,7 +25,11 @@ class WaveUpload {
   const WaveImages& images_;
   WaveTiles tiles_;
   std::array<Buffer, Frame::slots> staging_;
-  std::array<std::vector<VkBufferImageCopy>, planes> regions_;  // a level each
+  struct Copy {
+    const Image* to;
+    std::vector<VkBufferImageCopy> regions;  // a level of a layer each
+  };
+  std::vector<Copy> copies_;
   bool uploaded_ = false;
   std::int64_t ticks_ = 0;
 };

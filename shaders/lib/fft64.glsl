@@ -1,7 +1,8 @@
 // An inverse discrete Fourier transform of length 64 by eight invocations with eight values each: two radix-8 steps and one
 // exchange through shared memory (Cooley and Tukey 1965). A tile of N = 64 P samples whose waves all have |m| <= 32
 // needs no longer transform: its samples n = q P + s, for each s, are the transform of length 64 of the bins turned by
-// s m / N.
+// s m / N. Bins beyond that fold onto it: those of the same m modulo 64 are added after their turn. `band`, 64 or a multiple of
+// 128, is how many bins there are.
 #ifndef SEASCAPE_FFT64_GLSL
 #define SEASCAPE_FFT64_GLSL
 #include "shared/phase.h"
@@ -41,16 +42,15 @@ void twiddles(uint lane, out vec2 w[8]) {
   w[7] = times(w[4], w[3]);
 }
 
-// The index, 0 to 63, in a table that begins at m = -32, of input r of a lane: m = lane + 8 r modulo 64.
-uint bin_index(uint lane, uint r) { return (lane + 8u * r + 32u) & 63u; }
-// The signed wave number of a table index.
-int bin_number(uint index) { return int(index) - 32; }
+// The index in a table that begins at m = -band / 2 of the first bin of input r of a lane: m = lane + 8 r modulo 64. The
+// others follow every 64.
+uint bin_index(uint lane, uint r, uint band) { return (lane + 8u * r + band / 2u) & 63u; }
 
-// exp(2 pi i m s / N) for the eight inputs of a lane, m = lane + 8 r below 32 and that less 64 above; N = 64 P, exactly reduced.
-void phase_twiddles(uint lane, uint s, uint log2_n, out vec2 turn[8]) {
+// exp(2 pi i m s / N) for the first bins of the eight inputs of a lane; N = 64 P, exactly reduced.
+void phase_twiddles(uint lane, uint s, uint log2_n, uint band, out vec2 turn[8]) {
   const uint unit = s << (32u - log2_n);  // turns of m = 1
-  turn[0] = cos_sin_turns(lane * unit);
-  turn[4] = cos_sin_turns((lane - 32u) * unit);
+  turn[0] = cos_sin_turns((bin_index(lane, 0u, band) - band / 2u) * unit);
+  turn[4] = cos_sin_turns((bin_index(lane, 4u, band) - band / 2u) * unit);
   const vec2 one = cos_sin_turns(8u * unit), two = times(one, one);
   for (uint r = 0u; r < 8u; r += 4u) {
     turn[r + 1u] = times(turn[r], one);

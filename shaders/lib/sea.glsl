@@ -3,9 +3,13 @@
 #ifndef SEASCAPE_SEA_GLSL
 #define SEASCAPE_SEA_GLSL
 
-layout(binding = 1) uniform sampler2DArray sea_displacement_tiles;  // Dx, h, Dz, dDx/dz
-layout(binding = 2) uniform sampler2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 3) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product
+// The first cascade's tile, which has more texels, and all others.
+layout(binding = 1) uniform sampler2DArray sea_longest_displacement;
+layout(binding = 2) uniform sampler2DArray sea_longest_derivatives;
+layout(binding = 3) uniform sampler2DArray sea_longest_moments;
+layout(binding = 9) uniform sampler2DArray sea_displacement_tiles;   // Dx, h, Dz, dDx/dz
+layout(binding = 10) uniform sampler2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
+layout(binding = 11) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product
 
 // How many cascades there are; what is beyond is stripped.
 layout(constant_id = 7) const int cascade_count = max_cascades;
@@ -17,31 +21,31 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
 // How much of a cascade a footprint keeps: from half the cascade's longest wave on it fades, and at the whole it is gone.
 float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint / c.moments.w, 0.0, 1.0); }
 
-void add_displacement(inout vec4 sum, int i, vec2 rest, float footprint) {
+void add_displacement(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float footprint) {
   const CascadeData c = frame.sea.cascade[i];
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
-  sum += share * textureLod(sea_displacement_tiles, vec3(tile_vector(c, rest) + c.origin.xy, float(i)), level);
+  const vec2 at = tile_vector(c, rest) + c.origin.xy;
+  sum += share * textureLod(tiles, vec3(at, float(max(i - 1, 0))), level);
 }
 
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
-  add_displacement(sum, 0, rest, footprint);
-  if (cascade_count > 1) add_displacement(sum, 1, rest, footprint);
-  if (cascade_count > 2) add_displacement(sum, 2, rest, footprint);
-  if (cascade_count > 3) add_displacement(sum, 3, rest, footprint);
-  if (cascade_count > 4) add_displacement(sum, 4, rest, footprint);
+  add_displacement(sum, sea_longest_displacement, 0, rest, footprint);
+  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, 1, rest, footprint);
+  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, 2, rest, footprint);
+  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, 3, rest, footprint);
+  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, 4, rest, footprint);
   return sum;
 }
 
 // How much of a cascade's slopes the vertices carry, so that pixels need not look them up: all where its shortest wave has
 // six or more vertices and `blur`, what a pixel averages at least, is below a texel; none at four vertices or two texels.
 float carried(CascadeData c, float footprint, float blur) {
-  const float shortest = c.origin.w / 31.0;
-  return clamp(0.5 * shortest / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
+  return clamp(0.5 * c.origin.w / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
 }
 
 // The least footprint of vertices: it follows distance from the viewer alone, never the patch, so that shared vertices agree to the bit.
@@ -55,19 +59,21 @@ float level_blur(vec3 to_eye, float pixel, float anisotropy) {
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
 
-void add_carried(inout vec4 sum, int i, vec2 rest, float footprint, float blur) {
+void add_carried(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float footprint, float blur) {
   const CascadeData c = frame.sea.cascade[i];
   const float share = carried(c, footprint, blur);
-  if (share > 0.0) sum += share * textureLod(sea_derivative_tiles, vec3(tile_vector(c, rest) + c.origin.xy, float(i)), 0.0);
+  if (share <= 0.0) return;
+  const vec2 at = tile_vector(c, rest) + c.origin.xy;
+  sum += share * textureLod(tiles, vec3(at, float(max(i - 1, 0))), 0.0);
 }
 
 // Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are too short for all
 // but the nearest vertices.
 vec4 sea_carried(vec2 rest, float footprint, float blur) {
   vec4 sum = vec4(0.0);
-  add_carried(sum, 0, rest, footprint, blur);
-  if (cascade_count > 1) add_carried(sum, 1, rest, footprint, blur);
-  if (cascade_count > 2) add_carried(sum, 2, rest, footprint, blur);
+  add_carried(sum, sea_longest_derivatives, 0, rest, footprint, blur);
+  if (cascade_count > 1) add_carried(sum, sea_derivative_tiles, 1, rest, footprint, blur);
+  if (cascade_count > 2) add_carried(sum, sea_derivative_tiles, 2, rest, footprint, blur);
   return sum;
 }
 
@@ -79,7 +85,7 @@ struct SeaSlopes {
 };
 
 // `left`: the share that the vertices have not carried.
-void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, float blur, float left) {
+void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, int i, vec2 rest, vec2 along, vec2 across, float blur, float left) {
   if (left <= 0.0) return;
   const CascadeData c = frame.sea.cascade[i];
   const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
@@ -87,16 +93,16 @@ void add_slopes(inout SeaSlopes s, int i, vec2 rest, vec2 along, vec2 across, fl
     s.variance += c.moments.xyz;
     return;
   }
-  const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, float(i));
+  const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, float(max(i - 1, 0)));
   const vec2 du = tile_vector(c, along), dv = tile_vector(c, across);
-  // Half the footprint: a tile's shortest wave has eight texels, so that a texel for every two of a pixel aliases nothing.
-  const vec4 d = share * textureGrad(sea_derivative_tiles, at, 0.5 * du, 0.5 * dv);
+  // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
+  const vec4 d = share * textureGrad(derivatives, at, 0.5 * du, 0.5 * dv);
   s.gradient += left * d.xy;
   s.shift.xy += left * d.zw;
-  // Up to three texels next to nothing is left unresolved: the second moments count from there to six.
-  const float coarse = clamp(blur / (3.0 * c.origin.z) - 1.0, 0.0, 1.0);
+  // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to twice that.
+  const float coarse = clamp(blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
-  const vec3 m = mix(c.moments.xyz, textureGrad(sea_moment_tiles, at, 0.5 * du, 0.5 * dv).xyz, share);
+  const vec3 m = mix(c.moments.xyz, textureGrad(moments, at, 0.5 * du, 0.5 * dv).xyz, share);
   s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
 }
 
@@ -114,11 +120,11 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, Carri
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  add_slopes(s, 0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
-  if (cascade_count > 1) add_slopes(s, 1, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
-  if (cascade_count > 2) add_slopes(s, 2, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
-  if (cascade_count > 3) add_slopes(s, 3, rest, along, across, blur, 1.0);
-  if (cascade_count > 4) add_slopes(s, 4, rest, along, across, blur, 1.0);
+  add_slopes(s, sea_longest_derivatives, sea_longest_moments, 0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 1, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
+  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 2, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
+  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 3, rest, along, across, blur, 1.0);
+  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 4, rest, along, across, blur, 1.0);
   return s;
 }
 

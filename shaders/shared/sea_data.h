@@ -7,14 +7,13 @@ SEASCAPE_SHARED_BEGIN
 
 struct CascadeData {
   vec4 tile_from_rest;  // xy, zw: rows of the matrix from rest position (metres from the grid origin) to tile coordinates
-  vec4 origin;          // xy: tile coordinates of the grid origin, half a texel added; z: metres a texel; w: the side in metres
+  vec4 origin;          // xy: tile coordinates of the grid origin, half a texel added; z: metres a texel; w: its shortest wave in metres
   vec4 moments;         // E[hx^2], E[hz^2], E[hx hz] over the whole tile; w: its longest wave in metres
 };
 
 struct SeaData {
   CascadeData cascade[max_cascades];
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
-  ivec4 shape;     // x: cascades, y: mip levels, z: resolution
   vec4 footprint;  // of vertices: x: least in metres, y: per metre of distance; z: highest crest in metres, w: significant height of the drawn waves, metres
 };
 

@@ -4,10 +4,11 @@
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 
-// A cascade keeps the waves of its tile with whole wave numbers |mx|, |mz| < wave_bins / 2; with 256 samples a side its
-// shortest wave then spans 8 samples. Its table is wave_bins x wave_bins, bin (mx, mz) at (mz + 32) * wave_bins + mx + 32;
-// row and column 0 (m = -32) are zero.
+// A cascade keeps the waves of its tile with whole wave numbers |m| < bins / 2. Its table is bins x bins, bin (mx, mz) at
+// (mz + bins / 2) * bins + mx + bins / 2; row and column -bins / 2 are zero. The first cascade's tile is so long that nothing on the
+// sea repeats within sight, and carries the highest waves all the same: it has long_tile_bins a side, the others wave_bins.
 SEASCAPE_CONST int wave_bins = 64;
+SEASCAPE_CONST int long_tile_bins = 256;
 SEASCAPE_CONST int max_cascades = 5;
 
 // Time is counted in whole ticks and frequency in turns a tick as a 64-bit fraction, so that the phase of a wave, their

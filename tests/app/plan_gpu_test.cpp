@@ -121,13 +121,13 @@ void expect_what_a_frame_records(const std::string& place) {
   const PlanEffect& waves = named(plan, "waves");
   if (place == "gpu") {
     EXPECT_EQ(waves.passes.size(), 3u);
-    EXPECT_EQ(waves.pipelines.size(), 3u);
+    EXPECT_EQ(waves.pipelines.size(), 5u);
     for (const PlanPass& pass : waves.passes) EXPECT_GT(pass.dispatches, 0u) << pass.name;
   } else {
     ASSERT_EQ(waves.passes.size(), 1u);
     EXPECT_EQ(waves.passes[0].name, "wave upload");
     EXPECT_FALSE(waves.passes[0].once);
-    EXPECT_EQ(waves.passes[0].copies, 3u);
+    EXPECT_EQ(waves.passes[0].copies, 6u);
     EXPECT_TRUE(waves.pipelines.empty() && waves.modules.empty());
   }
   const std::vector<PlanPass>& sky = named(plan, "sky").passes;

@@ -28,7 +28,7 @@ struct Dispatcher {
 
   void dispatch(Commands& c, const Bindings& bound) {
     gpu::WavePush push{};
-    push.resolution = 64;
+    push.samples = 64;
     c.bind(pipeline, bound);
     c.push(push);
     c.dispatch(8, 1, 1);

@@ -1,6 +1,7 @@
 // Truths that the sea is held against: textbook formulas, adaptive quadrature and direct sums in double. Nothing here
 // includes or repeats a line of the code it judges.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -29,6 +30,16 @@ inline double integral(const std::function<double(double)>& f, double a, double 
     sum += detail::simpson(f, x0, f0, x1, f1, fm, (x1 - x0) / 6.0 * (f0 + 4.0 * fm + f1), tolerance / pieces, 40);
   }
   return sum;
+}
+
+// What a tile of `samples` texels a side must carry of wave (mx, mz), of height 1, so that straight lines between texels fit it: the best fit of a
+// wave to its own linear interpolation has sinc^2(m / samples) of it an axis; counted down to four texels a wave.
+inline double raised(int mx, int mz, int samples) {
+  const auto axis = [&](int m) {
+    const double x = pi * std::min(std::abs(m) / double(samples), 0.25);
+    return x > 0.0 ? std::pow(x / std::sin(x), 2) : 1.0;
+  };
+  return axis(mx) * axis(mz);
 }
 
 // Significant height of the fully developed sea of Pierson and Moskowitz (1964), wind at 19.5 m.

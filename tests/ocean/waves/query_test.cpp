@@ -53,11 +53,11 @@ TEST(Query, normal_is_that_of_the_displaced_surface) {
   const SeaState sea;
   WaveBins bins = make_wave_bins(sea, quality);
   const double step = 2 * truth::pi / bins.ladder[0].side_m;
-  for (int mz = -32; mz < 32; ++mz)
-    for (int mx = -32; mx < 32; ++mx) {
+  for (int mz = -128; mz < 128; ++mz)
+    for (int mx = -128; mx < 128; ++mx) {
       const double m = std::hypot(mx, mz);
       // Six waves of steepness 0.06 or so each.
-      bins.bins[std::size_t(mz + 32) * 64 + mx + 32].amplitude = (std::abs(mx) + std::abs(mz) == 6 && mx > 0) ? glm::vec2(float(0.06 / (step * m)), 0) : glm::vec2(0);
+      bins.at(0, mx, mz).amplitude = (std::abs(mx) + std::abs(mz) == 6 && mx > 0) ? glm::vec2(float(0.06 / (step * m)), 0) : glm::vec2(0);
     }
   const WaveField field(sea, quality, bins);
   WaveTiles tiles;

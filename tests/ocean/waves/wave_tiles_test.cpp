@@ -11,12 +11,6 @@
 namespace seascape {
 namespace {
 
-constexpr int n = gpu::wave_bins;
-
-gpu::WaveBin& bin(WaveBins& bins, int cascade, int mx, int mz) {
-  return bins.bins[(std::size_t(cascade) * n + mz + n / 2) * n + mx + n / 2];
-}
-
 SeaState windy() {
   SeaState sea;
   sea.wind_speed_mps = 12;
@@ -25,23 +19,24 @@ SeaState windy() {
   return sea;
 }
 
-// All fields of one cascade by direct sums in double: h = sum of Re(a exp(i(k.x - w t))), D = chop Re(i k/|k| a exp(...)).
+// All fields of one cascade by direct sums in double, its waves raised for a tile of `samples` texels, or as they are for 0: h = sum of Re(a exp(i(k.x - w t))), D = chop Re(i k/|k| a exp(...)).
 struct Fields {
   double h = 0, dx = 0, dz = 0, hx = 0, hz = 0, xx = 0, zz = 0, xz = 0, vx = 0, vy = 0, vz = 0;
 };
 
-Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, double z, double t) {
+Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, double z, double t, int samples = 0) {
   Fields f;
   const Cascade& c = bins.ladder[cascade];
-  for (int mz = -31; mz <= 31; ++mz)
-    for (int mx = -31; mx <= 31; ++mx) {
-      const gpu::WaveBin& b = bins.bins[(std::size_t(cascade) * n + mz + n / 2) * n + mx + n / 2];
+  const int half = bins_of(cascade) / 2;
+  for (int mz = -half; mz < half; ++mz)
+    for (int mx = -half; mx < half; ++mx) {
+      const gpu::WaveBin& b = bins.at(cascade, mx, mz);
       if (b.amplitude == glm::vec2(0)) continue;
       const double step = 2 * truth::pi / c.side_m, s = std::sin(c.rotation_rad), o = std::cos(c.rotation_rad);
       const double kx = step * (o * mx - s * mz), kz = step * (s * mx + o * mz), k = std::hypot(kx, kz);
       const double w = truth::airy(k, sea.gravity_mps2, 1e5, 7.17e-5), phase = kx * x + kz * z - w * t;
-      const double re = b.amplitude.x * std::cos(phase) - b.amplitude.y * std::sin(phase);
-      const double im = b.amplitude.x * std::sin(phase) + b.amplitude.y * std::cos(phase);
+      const glm::dvec2 a = (samples > 0 ? truth::raised(mx, mz, samples) : 1.0) * glm::dvec2(b.amplitude);
+      const double re = a.x * std::cos(phase) - a.y * std::sin(phase), im = a.x * std::sin(phase) + a.y * std::cos(phase);
       f.h += re;
       f.dx -= sea.chop * kx / k * im;
       f.dz -= sea.chop * kz / k * im;
@@ -57,8 +52,8 @@ Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, 
   return f;
 }
 
-glm::dvec2 texel_place(const Cascade& c, int resolution, int x, int z) {
-  return rotate_xz(c.side_m / resolution * glm::dvec2(x, z), c.rotation_rad);
+glm::dvec2 texel_place(const Cascade& c, int samples, int x, int z) {
+  return rotate_xz(c.side_m / samples * glm::dvec2(x, z), c.rotation_rad);
 }
 
 TEST(WaveTiles, equal_direct_sums) {
@@ -75,17 +70,20 @@ TEST(WaveTiles, equal_direct_sums) {
     std::mt19937 random(3);
     for (int cascade = 0; cascade < 3; ++cascade) {
       double error[11] = {}, size[11] = {};
-      for (int i = 0; i < 60; ++i) {
-        const int x = int(random() % unsigned(resolution)), z = int(random() % unsigned(resolution));
-        const glm::dvec2 place = texel_place(field.bins().ladder[cascade], resolution, x, z);
-        const Fields f = direct(sea, field.bins(), cascade, place.x, place.y, t);
-        const std::size_t at = std::size_t(z) * tiles.stride(0) + x;
+      const int samples = tiles.samples(cascade);
+      EXPECT_EQ(samples, cascade > 0 ? resolution : std::min(4 * resolution, 512));
+      const float share = moment_share(field.bins(), cascade, samples);
+      for (int i = 0; i < 20; ++i) {
+        const int x = int(random() % unsigned(samples)), z = int(random() % unsigned(samples));
+        const glm::dvec2 place = texel_place(field.bins().ladder[cascade], samples, x, z);
+        const Fields f = direct(sea, field.bins(), cascade, place.x, place.y, t, samples);
+        const std::size_t at = std::size_t(z) * tiles.stride(cascade, 0) + x;
         const glm::vec4 a = tiles.texels(cascade, WavePlane::shift, 0)[at], b = tiles.texels(cascade, WavePlane::slope, 0)[at],
                         m = tiles.texels(cascade, WavePlane::moments, 0)[at], v = tiles.texels(cascade, WavePlane::velocity, 0)[at];
         const double truth[11] = {f.dx, f.h, f.dz, f.xz, f.hx, f.hz, f.xx, f.zz, f.vx, f.vy, f.vz};
         const float got[11] = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, v.x, v.y, v.z};
         for (int j = 0; j < 11; ++j) error[j] += std::pow(truth[j] - double(got[j]), 2), size[j] += truth[j] * truth[j];
-        EXPECT_EQ(m, glm::vec4(b.x * b.x, b.y * b.y, b.x * b.y, (b.z + b.w) * (b.z + b.w)));
+        EXPECT_EQ(m, share * glm::vec4(b.x * b.x, b.y * b.y, b.x * b.y, (b.z + b.w) * (b.z + b.w)));
       }
       for (int j = 0; j < 11; ++j) {
         if (size[j] > 0) {
@@ -105,7 +103,7 @@ TEST(WaveTiles, one_trochoid_has_jacobian_1_minus_chop_ka) {
     const WaveQuality quality{.resolution = 256, .cascades = 1};
     WaveBins bins = make_wave_bins(sea, quality);
     const double k = 2 * truth::pi * 3 / bins.ladder[0].side_m, amplitude = 0.2 / k;
-    bin(bins, 0, 3, 0).amplitude = glm::vec2(float(amplitude), 0);
+    bins.at(0, 3, 0).amplitude = glm::vec2(float(amplitude / truth::raised(3, 0, 512)), 0);  // as high as that at texels
     const WaveField field(sea, quality, bins);
     WaveTiles tiles;
     field.evaluate(0, tiles);
@@ -113,9 +111,9 @@ TEST(WaveTiles, one_trochoid_has_jacobian_1_minus_chop_ka) {
     EXPECT_NEAR(crest.displacement.y, amplitude, 1e-5 * amplitude);
     EXPECT_NEAR(crest.jacobian(), 1 - chop * 0.2, 1e-5);
     double least = 1;
-    for (int z = 0; z < 256; z += 16)
-      for (int x = 0; x < 256; ++x) {
-        const std::size_t at = std::size_t(z) * tiles.stride(0) + x;
+    for (int z = 0; z < 512; z += 16)
+      for (int x = 0; x < 512; ++x) {
+        const std::size_t at = std::size_t(z) * tiles.stride(0, 0) + x;
         const glm::vec4 a = tiles.texels(0, WavePlane::shift, 0)[at], b = tiles.texels(0, WavePlane::slope, 0)[at];
         least = std::min(least, (1.0 + b.z) * (1.0 + b.w) - double(a.w) * a.w);
       }
@@ -129,7 +127,7 @@ TEST(WaveTiles, waves_travel_along_their_wave_vector) {
   sea.wind_speed_mps = 0;
   const WaveQuality quality{.resolution = 128, .cascades = 1};
   WaveBins bins = make_wave_bins(sea, quality);
-  bin(bins, 0, 4, -2).amplitude = glm::vec2(1, 0);
+  bins.at(0, 4, -2).amplitude = glm::vec2(1, 0);
   const WaveField field(sea, quality, bins);
   const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side, period = 2 * truth::pi / truth::airy(k, 9.81, 1e5, 7.17e-5);
   WaveTiles tiles(true);
@@ -147,7 +145,8 @@ TEST(WaveTiles, mip_levels_are_averages) {
   const WaveField field(windy(), {.resolution = 64, .cascades = 2});
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(5), tiles);
-  ASSERT_EQ(tiles.levels(), 7);
+  ASSERT_EQ(tiles.levels(0), 9);
+  ASSERT_EQ(tiles.levels(1), 7);
   for (int level = 1; level < 7; ++level)
     for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity})
       for (int z = 0; z < 64 >> level; ++z)
@@ -156,34 +155,34 @@ TEST(WaveTiles, mip_levels_are_averages) {
           const int block = 1 << level;
           for (int j = 0; j < block; ++j)
             for (int i = 0; i < block; ++i)
-              sum += glm::dvec4(tiles.texels(1, plane, 0)[(z * block + j) * tiles.stride(0) + x * block + i]);
+              sum += glm::dvec4(tiles.texels(1, plane, 0)[(z * block + j) * tiles.stride(1, 0) + x * block + i]);
           const glm::dvec4 truth = sum / double(block * block);
-          const glm::dvec4 got(tiles.texels(1, plane, level)[z * tiles.stride(level) + x]);
+          const glm::dvec4 got(tiles.texels(1, plane, level)[z * tiles.stride(1, level) + x]);
           ASSERT_LE(glm::length(got - truth), 1e-6) << level << " " << int(plane) << " " << x << " " << z;
         }
 }
 
 TEST(WaveTiles, mean_height_is_zero_and_variance_the_bins) {
-  // Hard case 8; drawn Hs equals the sum of its own bins to 1 %, here over 24 times since opposed waves beat. Control:
-  // spectra halved once more give half the height.
+  // Hard case 8; drawn Hs, at places anywhere between texels, equals the sum of its own bins to 1 %, here over 24 times since
+  // opposed waves beat. Controls: spectra halved once more give half the height; waves as high at texels as they are miss by 2.4 % (seen).
   const WaveField field(windy(), {.resolution = 128, .cascades = 4});
   WaveTiles tiles;
-  double variance = 0;
-  constexpr int times = 24;
+  double square = 0;
+  constexpr int times = 24, places = 20000;
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> uniform(-1e5, 1e5);
   for (int t = 0; t < times; ++t) {
     field.evaluate(ticks_from_seconds(t * 7.7), tiles);
     for (int c = 0; c < 4; ++c) {
-      double sum = 0, square = 0;
-      for (int z = 0; z < 128; ++z)
-        for (int x = 0; x < 128; ++x) {
-          const double h = tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(0) + x].y;
-          sum += h, square += h * h;
-        }
-      EXPECT_LE(std::abs(sum / (128 * 128)), 1e-6);
-      variance += square / (128 * 128) / times;
+      double sum = 0;
+      const int samples = tiles.samples(c);
+      for (int z = 0; z < samples; ++z)
+        for (int x = 0; x < samples; ++x) sum += tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(c, 0) + x].y;
+      EXPECT_LE(std::abs(sum / (samples * samples)), 1e-6);
     }
+    for (int i = 0; i < places; ++i) square += std::pow(field.displacement(tiles, {uniform(random), uniform(random)}, 0).y, 2);
   }
-  EXPECT_NEAR(std::sqrt(variance / field.statistics().height_variance), 1, 0.01);
+  EXPECT_NEAR(std::sqrt(square / (times * places) / field.statistics().height_variance), 1, 0.01);
 }
 
 TEST(WaveTiles, bits_do_not_depend_on_threads_or_history) {
@@ -198,29 +197,35 @@ TEST(WaveTiles, bits_do_not_depend_on_threads_or_history) {
     field.evaluate(ticks_from_seconds(42.5), one);
   }
   for (int c = 0; c < 3; ++c)
-    for (int level = 0; level < one.levels(); ++level)
+    for (int level = 0; level < one.levels(c); ++level)
       for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity}) {
-        const std::size_t bytes = sizeof(glm::vec4) * std::size_t(one.stride(level)) * std::size_t(one.resolution() >> level);
+        const std::size_t bytes = sizeof(glm::vec4) * std::size_t(one.stride(c, level)) * std::size_t(one.samples(c) >> level);
         ASSERT_EQ(std::memcmp(one.texels(c, plane, level), many.texels(c, plane, level), bytes), 0) << c << " " << level;
       }
 }
 
 TEST(WaveTiles, samples_between_texels_and_across_footprints) {
-  // At a place of the longest tile's texel, where the other tiles' texels lie around it, a sample of no footprint is the sea within 2 % of
-  // its deviation (straight lines between texels, eight to the shortest wave); far above every tile only moments are left, and resolved plus
-  // unresolved slope variance is the same at every footprint (5 %). Control: without the half texel places miss by 0.4 of the deviation; without
-  // moments the variance by 9 % and more.
+  // Anywhere between texels a sample of no footprint is the sea within 3 % of its deviation (straight lines between texels, four and
+  // eight to the shortest wave; root mean square); far above every tile only moments are left, and resolved plus
+  // unresolved slope variance is the same at every footprint (5 %). Control: without the half texel places miss by 0.4 of the deviation; waves
+  // not raised by 6 % (seen); without moments the variance by 9 % and more.
   const WaveField field(windy(), {.resolution = 256, .cascades = 3});
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(10), tiles);
   std::mt19937 random(9);
-  const glm::dvec2 place = texel_place(field.bins().ladder[0], 256, 17, 90);
-  glm::dvec3 sum(0);
-  for (int c = 0; c < 3; ++c) {
-    const Fields f = direct(field.state(), field.bins(), c, place.x, place.y, 10);
-    sum += glm::dvec3(f.dx, f.h, f.dz);
+  double error = 0;
+  glm::dvec2 place;
+  for (int i = 0; i < 40; ++i) {
+    place = {random() % 100000 * 0.1, random() % 100000 * 0.1};
+    glm::dvec3 sum(0);
+    for (int c = 0; c < 3; ++c) {
+      const Fields f = direct(field.state(), field.bins(), c, place.x, place.y, 10);
+      sum += glm::dvec3(f.dx, f.h, f.dz);
+    }
+    error += std::pow(glm::length(field.sea(tiles, place, 0).displacement - sum), 2) / 40;
   }
-  EXPECT_LE(glm::length(field.sea(tiles, place, 0).displacement - sum), 0.02 * std::sqrt(field.statistics().height_variance));
+  EXPECT_LE(std::sqrt(error / field.statistics().height_variance), 0.03);
+  RecordProperty("error", std::to_string(std::sqrt(error / field.statistics().height_variance)));
   EXPECT_EQ(field.sea(tiles, place, 0).displacement, field.displacement(tiles, place, 0));
 
   const SeaSample far = field.sea(tiles, place, 1e5);

@@ -29,13 +29,13 @@ std::size_t wrong_numbers(DrawnTiles& drawn, const WaveTiles& field, std::string
   std::size_t wrong = 0, numbers = 0;
   for (int image = 0; image < 3; ++image)
     for (int cascade = 0; cascade < field.cascades(); ++cascade)
-      for (int level = 0; level < field.levels(); ++level) {
-        const auto got = drawn.texels(drawn.image(image), cascade, level);
-        const int size = field.resolution() >> level;
+      for (int level = 0; level < field.levels(cascade); ++level) {
+        const auto got = drawn.texels(cascade, WavePlane(image), level);
+        const int size = field.samples(cascade) >> level;
         if (got.size() != std::size_t(size) * std::size_t(size)) return where = "a level of another size", 1;
         for (int z = 0; z < size; ++z)
           for (int x = 0; x < size; ++x) {
-            const glm::vec4& want = field.texels(cascade, WavePlane(image), level)[z * field.stride(level) + x];
+            const glm::vec4& want = field.texels(cascade, WavePlane(image), level)[z * field.stride(cascade, level) + x];
             const glm::vec4& have = got[std::size_t(z * size + x)];
             for (int c = 0; c < 4; ++c, ++numbers) {
               const bool same = drawn.images().half_storage() ? double(have[c]) == to_half(want[c])
@@ -88,11 +88,11 @@ TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
   DrawnTiles drawn(WavePlace::cpu, windy(), quality);
   const WaveField field(windy(), quality);
   WaveTiles tiles;
-  const Image& moments = drawn.image(2);
+  const Image& moments = drawn.image(4, WavePlane::moments);
   const VkDeviceSize bytes = 256u * 256u * 16u;
   Buffer kept(test::device(), "kept", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   VkBufferImageCopy last{};
-  last.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 4, 1};
+  last.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 3, 1};
   last.imageExtent = {256, 256, 1};
   for (int pair = 0; pair < 8; ++pair) {
     Frame& frame = drawn.frame();
@@ -110,7 +110,7 @@ TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
     const auto got = read_buffer(test::device(), kept);
     int wrong = 0;
     for (int z = 0; z < 256; ++z)
-      wrong += std::memcmp(&got[std::size_t(z) * 256 * 16], tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(0), 256 * 16) != 0;
+      wrong += std::memcmp(&got[std::size_t(z) * 256 * 16], tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(4, 0), 256 * 16) != 0;
     EXPECT_EQ(wrong, 0) << "rows of pair " << pair;
   }
 }
@@ -129,13 +129,13 @@ TEST_F(UploadedTiles, BuildNothingOfTheOtherWay) {
     EXPECT_EQ(device.pipelines_made(), pipelines);
     EXPECT_EQ(named("wave bins") + named("wave rows"), 0);
     EXPECT_EQ(named("wave staging"), Frame::slots);
-    EXPECT_FALSE(drawn.images().displacement().spec().usage & VK_IMAGE_USAGE_STORAGE_BIT);
+    EXPECT_FALSE(drawn.images().sets()[1].displacement.spec().usage & VK_IMAGE_USAGE_STORAGE_BIT);
   }
   device.wait_idle();
   const DrawnTiles computed(WavePlace::gpu, windy(), {.resolution = 32, .cascades = 2});
-  EXPECT_EQ(device.pipelines_made(), pipelines + 3);
+  EXPECT_EQ(device.pipelines_made(), pipelines + 5);
   EXPECT_EQ(named("wave staging"), 0);
-  EXPECT_FALSE(computed.images().displacement().spec().usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+  EXPECT_FALSE(computed.images().sets()[1].displacement.spec().usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
 }
 
 // Frames of every scene drawn in both ways. Of a pixel's largest difference in linear light; the control: a hundredth of a

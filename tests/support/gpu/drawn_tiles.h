@@ -31,7 +31,7 @@ class DrawnTiles {
         frame_(device(), 4096),
         images_(device(), sea, quality, bins_, statistics_, 1.0,
                 place == WavePlace::gpu ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT) {
-    if (place == WavePlace::gpu) compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, quality, bins_, images_);
+    if (place == WavePlace::gpu) compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, bins_, images_);
     else upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
   }
   // In a frame that has begun.
@@ -46,12 +46,12 @@ class DrawnTiles {
     frame_.submit();
     frame_.finish();
   }
-  // 0 displacement, 1 derivatives, 2 moments: the planes of WaveTiles.
-  const Image& image(int which) const {
-    return which == 0 ? images_.displacement() : which == 1 ? images_.derivatives() : images_.moments();
-  }
-  std::vector<glm::vec4> texels(const Image& image, int cascade, int level) const {
-    const auto bytes = read_image(device(), image, std::uint32_t(cascade), std::uint32_t(level));
+  // The set of images that holds a cascade.
+  const WaveImages::Set& set(int cascade) const { return images_.sets()[cascade == 0 ? 0 : 1]; }
+  const Image& image(int cascade, WavePlane plane) const { return set(cascade).image(plane); }
+  std::vector<glm::vec4> texels(int cascade, WavePlane plane, int level) const {
+    const Image& image = this->image(cascade, plane);
+    const auto bytes = read_image(device(), image, std::uint32_t(cascade - set(cascade).first), std::uint32_t(level));
     const bool half = image.spec().format == VK_FORMAT_R16G16B16A16_SFLOAT;
     std::vector<glm::vec4> list(bytes.size() / (half ? 8 : 16));
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -68,6 +68,7 @@ class DrawnTiles {
   Frame& frame() { return frame_; }
   const WaveImages& images() const { return images_; }
   const SeaStatistics& statistics() const { return statistics_; }
+  const WaveBins& bins() const { return bins_; }
 
  private:
   WaveBins bins_;
