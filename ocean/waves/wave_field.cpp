@@ -24,8 +24,8 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
   WaveTable table;
   table.moment_share = moment_share(bins, index, samples);
   table.shear_length_m = std::exp2(std::round(std::log2(float(1.0 / (12.0 * step)))));
-  for (int mx = -band / 2; mx < band / 2; ++mx)
-    for (int mz = -band / 2; mz < band / 2; ++mz) {
+  for (int mz = -band / 2; mz < band / 2; ++mz)
+    for (int mx = -band / 2; mx < band / 2; ++mx) {
       const gpu::WaveBin& bin = bins.at(index, mx, mz);
       const glm::vec2 amplitude = drawn_amplitude(bin, mx, mz, samples);
       const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
@@ -66,7 +66,7 @@ WaveTileLayout::WaveTileLayout(const WaveQuality& quality) : cascades(quality.ca
     for (int size = tile.samples; size >= 1; size /= 2) {
       const int stride = size >= 32 ? size + 4 : size;
       tile.level[std::size_t(tile.levels++)] = {size, stride, plane_texels};
-      plane_texels += std::size_t(stride) * std::size_t(size);
+      plane_texels += (std::size_t(stride) * std::size_t(size) + 3) / 4 * 4;  // whole cache lines
     }
   }
 }
@@ -88,13 +88,22 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
   tiles.shape(quality_);
   tiles.ticks_ = ticks;
   std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
-  std::array<int, gpu::max_cascades + 1> strips{};         // and the number of its first strip
+  // The number of its first piece of rows, and of its first strip.
+  constexpr int piece_pairs = 16;
+  using Firsts = std::array<int, gpu::max_cascades + 1>;
+  Firsts pieces{}, strips{};
   std::size_t floats = 0;
   for (int i = 0; i < cascades; ++i) {
     workspace[std::size_t(i)] = floats;
     floats += workspace_floats(plans_[i], velocity);
+    pieces[std::size_t(i) + 1] = pieces[std::size_t(i)] + (row_pairs(plans_[i]) + piece_pairs - 1) / piece_pairs;
     strips[std::size_t(i) + 1] = strips[std::size_t(i)] + plans_[i].n / strip_width;
   }
+  const auto cascade_of = [](const Firsts& firsts, int piece) {
+    int cascade = 0;
+    while (piece >= firsts[std::size_t(cascade) + 1]) ++cascade;
+    return cascade;
+  };
   if (tiles.workspace_.size() != floats) tiles.workspace_.assign(floats, 0.0f);
   const auto plane_level = [&](int cascade, int level) {
     PlaneLevel result{};
@@ -103,14 +112,18 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     return result;
   };
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same bits.
-  tbb::parallel_for(0, cascades, [&](int i) { waves_along_x(tables_[i], plans_[i], ticks, velocity, &tiles.workspace_[workspace[std::size_t(i)]]); });
+  tbb::parallel_for(0, pieces[std::size_t(cascades)], [&](int i) {
+    const int cascade = cascade_of(pieces, i), first = (i - pieces[std::size_t(cascade)]) * piece_pairs;
+    const FftPlan& plan = plans_[cascade];
+    waves_along_x(tables_[cascade], plan, ticks, velocity, first, std::min(first + piece_pairs, row_pairs(plan)),
+                  &tiles.workspace_[workspace[std::size_t(cascade)]]);
+  });
   tbb::parallel_for(0, strips[std::size_t(cascades)], [&](int i) {
-    int cascade = 0;
-    while (i >= strips[std::size_t(cascade) + 1]) ++cascade;
+    const int cascade = cascade_of(strips, i), x = (i - strips[std::size_t(cascade)]) * strip_width;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    const int x = (i - strips[std::size_t(cascade)]) * strip_width;
-    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x, levels);
+    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x, levels[0]);
+    strip_mips(plans_[cascade], velocity, x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
     for (int level = strip_levels + 1; level < tiles.levels(cascade); ++level) {

@@ -76,7 +76,7 @@ struct SeaSample {
   double jacobian() const;       // det(I + grad D): 1 at rest, below 0 where the surface folds
 };
 
-// What a cascade's transforms need of its waves, planar: [mx + band/2][mz + band/2] without padding.
+// What a cascade's transforms need of its waves, planar: [mz + band/2][mx + band/2] without padding.
 struct WaveTable {
   std::vector<float> amplitude_re, amplitude_im;
   std::vector<std::uint64_t> turns;     // turns a tick, times 2^64

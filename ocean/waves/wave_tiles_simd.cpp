@@ -1,6 +1,8 @@
 #include "ocean/waves/wave_tiles_simd.h"
 
-#include <memory>
+#include <tbb/cache_aligned_allocator.h>
+
+#include <algorithm>
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
@@ -12,18 +14,12 @@
 #ifndef SEASCAPE_WAVE_TILES_SIMD_ONCE
 #define SEASCAPE_WAVE_TILES_SIMD_ONCE
 namespace seascape {
-// The workspace of a cascade: waves turned to their phase, packed spectra, and these transformed along x.
+// The workspace of a cascade: its packed spectra transformed along x, [field][re, im][mz + band/2][x]. Rows and planes are padded
+// against cache aliasing, and begin with cache lines.
 struct Workspace {
-  std::ptrdiff_t row;         // floats from one row of mz to the next, padded against cache aliasing
-  std::ptrdiff_t spectrum;    // offset of the packed spectra: [field][re, im][mx + band/2][mz + band/2]
-  std::ptrdiff_t half_done;   // offset of their transforms along x: [field][re, im][x][mz + band/2]
-  std::ptrdiff_t floats;
+  std::ptrdiff_t row, plane, floats;
   Workspace(const FftPlan& plan, bool velocity)
-      : row(plan.band + 16),
-        // [re, im][mx + band/2], one row and one column more, zero: the mirror of m = -band/2.
-        spectrum(2 * row * (plan.band + 1)),
-        half_done(spectrum + 2 * packed_fields(velocity) * row * plan.band),
-        floats(half_done + 2 * packed_fields(velocity) * row * plan.n) {}
+      : row(plan.n + 16), plane(row * plan.band + 16), floats(2 * packed_fields(velocity) * plane) {}
 };
 }  // namespace seascape
 #endif
@@ -34,8 +30,7 @@ namespace HWY_NAMESPACE {
 
 namespace {
 
-// Wider vectors gain nothing here and would push the scratch of a strip out of the first-level cache.
-using Lanes = hn::CappedTag<float, 8>;
+using Lanes = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Lanes>;
 using Ints = hn::RebindToSigned<Lanes>;
 
@@ -65,156 +60,138 @@ HWY_INLINE void cos_sin_turns(hn::Vec<Ints> turns, Vector& cosine, Vector& sine)
   sine = hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sign_y));
 }
 
-// Four rows of four floats into four columns.
-HWY_INLINE void transpose_4(const float* from, std::ptrdiff_t from_row, float* to, std::ptrdiff_t to_row) {
-  const hn::FixedTag<float, 4> d;
-  const auto a = hn::LoadU(d, from), b = hn::LoadU(d, from + from_row), c = hn::LoadU(d, from + 2 * from_row),
-             e = hn::LoadU(d, from + 3 * from_row);
-  const auto ac_low = hn::InterleaveLower(d, a, c), be_low = hn::InterleaveLower(d, b, e);
-  const auto ac_high = hn::InterleaveUpper(d, a, c), be_high = hn::InterleaveUpper(d, b, e);
-  hn::StoreU(hn::InterleaveLower(d, ac_low, be_low), d, to);
-  hn::StoreU(hn::InterleaveUpper(d, ac_low, be_low), d, to + to_row);
-  hn::StoreU(hn::InterleaveLower(d, ac_high, be_high), d, to + 2 * to_row);
-  hn::StoreU(hn::InterleaveUpper(d, ac_high, be_high), d, to + 3 * to_row);
-}
-
 HWY_INLINE Vector reversed(const float* last) {  // last[0], last[-1], ...
   const Lanes d;
   return hn::Reverse(d, hn::LoadU(d, last - (hn::Lanes(d) - 1)));
 }
+
+// gpu::phase_turns of the waves from `turns` on.
+HWY_INLINE hn::Vec<Ints> phases(const std::uint64_t* turns, std::uint64_t ticks) {
+  const hn::RebindToUnsigned<Lanes> du;
+  const hn::Repartition<std::uint64_t, Lanes> dw;
+  const auto low_ticks = hn::Set(du, std::uint32_t(ticks)), high_ticks = hn::Set(du, std::uint32_t(ticks >> 32));
+  const auto a = hn::BitCast(du, hn::LoadU(dw, turns)), b = hn::BitCast(du, hn::LoadU(dw, turns + hn::Lanes(dw)));
+  const auto carried = hn::ConcatOdd(du, hn::BitCast(du, hn::MulEven(b, low_ticks)), hn::BitCast(du, hn::MulEven(a, low_ticks)));
+  const auto low = hn::ConcatEven(du, b, a), high = hn::ConcatOdd(du, b, a);
+  return hn::BitCast(Ints(), hn::Add(carried, hn::Add(hn::Mul(high, low_ticks), hn::Mul(low, high_ticks))));
+}
+
+// A row of waves turned to their phase, a exp(-i phase), and one zero more: the mirror of m = -band/2.
+HWY_INLINE void turned_row(const WaveTable& table, int band, int i, std::uint64_t ticks, float* re, float* im) {
+  const Lanes d;
+  const std::ptrdiff_t row = std::ptrdiff_t(i) * band;
+  for (int j = 0; j < band; j += int(hn::Lanes(d))) {
+    Vector c, s;
+    cos_sin_turns(phases(table.turns.data() + row + j, ticks), c, s);
+    const Vector a = hn::LoadU(d, table.amplitude_re.data() + row + j), b = hn::LoadU(d, table.amplitude_im.data() + row + j);
+    hn::StoreU(hn::Add(hn::Mul(a, c), hn::Mul(b, s)), d, re + j);
+    hn::StoreU(hn::Sub(hn::Mul(b, c), hn::Mul(a, s)), d, im + j);
+  }
+  re[band] = im[band] = 0.0f;
+}
+
+// A row of the packed spectra: [field][re, im][mx + band/2], planes `width` apart. Height: H(m) = (r(m) + conj r(-m)) / 2, so that
+// the field is real. The rest are H times a factor each (a field's gradient is i k, its displacement i k / |k| times chop, which
+// narrows crests), packed as packed_fields() says. `mirror`: row -mz.
+HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocity, const float* here, const float* mirror, float* to,
+                           std::ptrdiff_t width) {
+  const Lanes d;
+  const float *mirror_re = mirror + band, *mirror_im = mirror + width + band;
+  const Vector half_of = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f), length = hn::Set(d, table.shear_length_m);
+  for (int j = 0; j < band; j += int(hn::Lanes(d))) {
+    const Vector r_re = hn::LoadU(d, here + j), r_im = hn::LoadU(d, here + width + j);
+    const Vector m_re = reversed(mirror_re - j), m_im = reversed(mirror_im - j);
+    const Vector h_re = hn::Mul(half_of, hn::Add(r_re, m_re)), h_im = hn::Mul(half_of, hn::Sub(r_im, m_im));
+    const std::ptrdiff_t at = std::ptrdiff_t(i) * band + j;
+    const Vector kx = hn::LoadU(d, table.kx.data() + at), kz = hn::LoadU(d, table.kz.data() + at);
+    const Vector sx = hn::LoadU(d, table.shift_x.data() + at), sz = hn::LoadU(d, table.shift_z.data() + at);
+    const auto put = [&](int field, Vector re, Vector im) HWY_ATTR {
+      hn::StoreU(re, d, to + (2 * field) * width + j);
+      hn::StoreU(im, d, to + (2 * field + 1) * width + j);
+    };
+    const Vector shift_height = hn::Add(one, sx);  // i H (1 + sx)
+    put(0, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
+    const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(length, kx)));  // i H sz (1 - length kx)
+    put(1, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
+    put(2, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
+        hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
+    const Vector xx = hn::Mul(sx, kx), zz = hn::Mul(sz, kz);  // -H (sx kx + i sz kz)
+    put(3, hn::Sub(hn::Mul(h_im, zz), hn::Mul(h_re, xx)), hn::Neg(hn::Add(hn::Mul(h_re, zz), hn::Mul(h_im, xx))));
+    if (velocity) {
+      // dh/dt: W(m) = -i w (r(m) - conj r(-m)) / 2.
+      const Vector w = hn::Mul(half_of, hn::LoadU(d, table.frequency.data() + at));
+      const Vector w_re = hn::Mul(w, hn::Add(r_im, m_im)), w_im = hn::Mul(w, hn::Sub(m_re, r_re));
+      put(4, hn::Neg(hn::Mul(w_im, shift_height)), hn::Mul(w_re, shift_height));
+      put(5, hn::Neg(hn::Mul(w_im, sz)), hn::Mul(w_re, sz));
+    }
+  }
+}
 }  // namespace
 
-void along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace, float* scratch) {
-  const Lanes d;
-  const Ints di;
-  const int band = plan.band, lanes = int(hn::Lanes(d));
+std::size_t rows_scratch(const FftPlan& plan) { return std::size_t(16 * (plan.band + 16) + row_work(plan)); }
+
+void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last, float* workspace,
+                  float* scratch) {
+  const int band = plan.band;
   const Workspace layout(plan, velocity);
-  const std::ptrdiff_t row = layout.row;
-  float* turned_re = workspace;
-  float* turned_im = workspace + row * (band + 1);
-
-  // Every wave turned to its phase: a exp(-i phase).
-  for (int i = 0; i < band; ++i) {
-    for (int j = 0; j < band; j += 16) {
-      const std::ptrdiff_t at = std::ptrdiff_t(i) * band + j;
-      alignas(64) std::int32_t phase[16];
-      for (int l = 0; l < 16; ++l) phase[l] = std::int32_t(std::uint32_t((table.turns[at + l] * std::uint64_t(ticks)) >> 32));
-      for (int l = 0; l < 16; l += lanes) {
-        Vector c, s;
-        cos_sin_turns(hn::Load(di, phase + l), c, s);
-        const Vector re = hn::LoadU(d, table.amplitude_re.data() + at + l), im = hn::LoadU(d, table.amplitude_im.data() + at + l);
-        hn::StoreU(hn::Add(hn::Mul(re, c), hn::Mul(im, s)), d, turned_re + i * row + j + l);
-        hn::StoreU(hn::Sub(hn::Mul(im, c), hn::Mul(re, s)), d, turned_im + i * row + j + l);
-      }
+  const std::ptrdiff_t width = band + 16;
+  float *turned = scratch, *packed = scratch + 4 * width, *work = scratch + 16 * width;
+  for (int pair = first; pair < last; ++pair) {
+    const int rows[2] = {pair, (band - pair) % band};
+    for (int side = 0; side < 2; ++side)
+      turned_row(table, band, rows[side], std::uint64_t(ticks), turned + 2 * side * width, turned + (2 * side + 1) * width);
+    if (pair == 0) std::fill_n(turned + 2 * width, 2 * width, 0.0f);  // m = -band/2 has no mirror
+    for (int side = 0; side < (pair == 0 || pair == band / 2 ? 1 : 2); ++side) {
+      packed_row(table, band, rows[side], velocity, turned + 2 * side * width, turned + 2 * (1 - side) * width, packed, width);
+      float* to = workspace + rows[side] * layout.row;
+      for (int field = 0; field < packed_fields(velocity); ++field)
+        transform_row(plan, packed + 2 * field * width, packed + (2 * field + 1) * width, to + 2 * field * layout.plane,
+                      to + (2 * field + 1) * layout.plane, work);
     }
-    turned_re[i * row + band] = turned_im[i * row + band] = 0.0f;
-  }
-  for (int j = 0; j <= band; ++j) turned_re[band * row + j] = turned_im[band * row + j] = 0.0f;
-
-  // Height: H(m) = (r(m) + conj r(-m)) / 2, so that the field is real. The rest are H times a factor each (a field's gradient
-  // is i k, its displacement i k / |k| times chop, which narrows crests), packed as packed_fields() says.
-  const std::ptrdiff_t plane = row * band;
-  for (int i = 0; i < band; ++i) {
-    float* to = workspace + layout.spectrum + i * row;
-    const float* here_re = turned_re + i * row;
-    const float* here_im = turned_im + i * row;
-    const float* mirror_re = turned_re + (band - i) * row + band;
-    const float* mirror_im = turned_im + (band - i) * row + band;
-    for (int j = 0; j < band; j += lanes) {
-      const Vector r_re = hn::LoadU(d, here_re + j), r_im = hn::LoadU(d, here_im + j);
-      const Vector m_re = reversed(mirror_re - j), m_im = reversed(mirror_im - j);
-      const Vector half_of = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
-      const Vector h_re = hn::Mul(half_of, hn::Add(r_re, m_re)), h_im = hn::Mul(half_of, hn::Sub(r_im, m_im));
-      const int at = i * band + j;
-      const Vector kx = hn::LoadU(d, table.kx.data() + at), kz = hn::LoadU(d, table.kz.data() + at);
-      const Vector sx = hn::LoadU(d, table.shift_x.data() + at), sz = hn::LoadU(d, table.shift_z.data() + at);
-      const auto put = [&](int field, Vector re, Vector im) HWY_ATTR {
-        hn::StoreU(re, d, to + (2 * field) * plane + j);
-        hn::StoreU(im, d, to + (2 * field + 1) * plane + j);
-      };
-      const Vector shift_height = hn::Add(one, sx);                  // i H (1 + sx)
-      put(0, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
-      const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(hn::Set(d, table.shear_length_m), kx)));  // i H sz (1 - length kx)
-      put(1, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
-      put(2, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
-          hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
-      const Vector xx = hn::Mul(sx, kx), zz = hn::Mul(sz, kz);       // -H (sx kx + i sz kz)
-      put(3, hn::Sub(hn::Mul(h_im, zz), hn::Mul(h_re, xx)), hn::Neg(hn::Add(hn::Mul(h_re, zz), hn::Mul(h_im, xx))));
-      if (velocity) {
-        // dh/dt: W(m) = -i w (r(m) - conj r(-m)) / 2.
-        const Vector w = hn::Mul(half_of, hn::LoadU(d, table.frequency.data() + at));
-        const Vector w_re = hn::Mul(w, hn::Add(r_im, m_im)), w_im = hn::Mul(w, hn::Sub(m_re, r_re));
-        put(4, hn::Neg(hn::Mul(w_im, shift_height)), hn::Mul(w_re, shift_height));
-        put(5, hn::Neg(hn::Mul(w_im, sz)), hn::Mul(w_re, sz));
-      }
-    }
-  }
-
-  for (int part = 0; part < packed_fields(velocity); ++part) {
-    const float* in_re = workspace + layout.spectrum + 2 * part * plane;
-    float* out_re = workspace + layout.half_done + 2 * part * row * plan.n;
-    float* out_im = out_re + row * plan.n;
-    for (int j = 0; j < band; j += lanes)
-      for (int r = 0; r < plan.repeats; ++r) {
-        columns_in<Lanes>(plan, r, in_re + j, in_re + plane + j, row, scratch);
-        columns_out<Lanes>(plan, r, scratch, out_re + r * row + j, out_im + r * row + j, plan.repeats * row);
-      }
   }
 }
 
-// Two packed fields side by side: their columns out of the workspace, and from these their values at every z.
-constexpr int column_width = 8;
+// Wider vectors gain nothing here and would push a strip's scratch out of the first-level cache.
+using Strip = hn::CappedTag<float, 8>;
 constexpr int pair_planes = 4;  // [field of two][re, im]
 
-// columns: [plane][mz + band/2][lane].
-HWY_INLINE void columns_of_pair(const Workspace& layout, const FftPlan& plan, const float* workspace, int pair, int x, float* columns) {
-  const int lanes = int(hn::Lanes(Lanes()));
-  const std::ptrdiff_t size = std::ptrdiff_t(plan.band) * column_width;
-  for (int p = 0; p < pair_planes; ++p) {
-    const float* rows = workspace + layout.half_done + (std::ptrdiff_t(pair_planes * pair + p) * plan.n + x) * layout.row;
-    for (int j = 0; j < plan.band; j += 4)
-      for (int lane = 0; lane < lanes; lane += 4)
-        transpose_4(rows + lane * layout.row + j, layout.row, columns + p * size + j * column_width + lane,
-                    column_width);
-  }
+std::size_t strip_scratch(const FftPlan& plan) {
+  return std::size_t(column_work<Strip>(plan) + std::ptrdiff_t(pair_planes) * plan.core * std::ptrdiff_t(hn::MaxLanes(Strip())));
 }
 
 void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level,
              float* scratch) {
-  const Lanes d;
-  const int lanes = int(hn::Lanes(d));
+  const Strip d;
+  constexpr int lanes = int(hn::MaxLanes(Strip()));
   const Workspace layout(plan, velocity);
-  const std::ptrdiff_t column = std::ptrdiff_t(plan.band) * column_width, part = std::ptrdiff_t(plan.core) * column_width;
-  float* work = scratch;
-  float* columns = scratch + column_work<Lanes>(plan);
-  float* results = columns + pair_planes * column;
-  const Vector shear = hn::Set(d, 1.0f / table.shear_length_m);
+  const std::ptrdiff_t part = std::ptrdiff_t(plan.core) * lanes;
+  float *work = scratch, *results = scratch + column_work<Strip>(plan);
+  const auto shear = hn::Set(d, 1.0f / table.shear_length_m), share = hn::Set(d, table.moment_share);
   for (int x = first_x; x < first_x + strip_width; x += lanes)
-    for (int pair = 0; 2 * pair < packed_fields(velocity); ++pair) {
-      columns_of_pair(layout, plan, workspace, pair, x, columns);
+    for (int pair = 0; 2 * pair < packed_fields(velocity); ++pair)
       for (int r = 0; r < plan.repeats; ++r) {
         for (int p = 0; p < pair_planes; p += 2) {
-          columns_in<Lanes>(plan, r, columns + p * column, columns + (p + 1) * column, column_width, work);
-          columns_out<Lanes>(plan, r, work, results + p * part, results + (p + 1) * part, column_width);
+          const float* from = workspace + (pair_planes * pair + p) * layout.plane + x;
+          columns_in<Strip>(plan, r, from, from + layout.plane, layout.row, work);
+          columns_out<Strip>(plan, r, work, results + p * part, results + (p + 1) * part, lanes);
         }
         for (int q = 0; q < plan.core; ++q) {
           const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
-          const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * column_width); };
+          const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * lanes); };
           const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
-          const Vector a = value(0), b = value(1), c = value(2), e = value(3);
+          const auto a = value(0), b = value(1), c = value(2), e = value(3);
           if (pair == 0) {
             hn::StoreInterleaved4(a, b, c, hn::Mul(shear, e), d, plane(WavePlane::shift));
           } else if (pair == 1) {
-            const Vector divergence = hn::Add(c, e);
+            const auto divergence = hn::Add(c, e);
             hn::StoreInterleaved4(a, b, c, e, d, plane(WavePlane::slope));
-            const auto moment = [&](Vector one, Vector other) HWY_ATTR { return hn::Mul(hn::Mul(one, other), hn::Set(d, table.moment_share)); };
+            const auto moment = [&](auto one, auto other) HWY_ATTR { return hn::Mul(hn::Mul(one, other), share); };
             hn::StoreInterleaved4(moment(a, a), moment(b, b), moment(a, b), moment(divergence, divergence), d, plane(WavePlane::moments));
           } else {
             hn::StoreInterleaved4(a, b, c, hn::Zero(d), d, plane(WavePlane::velocity));
           }
         }
       }
-    }
 }
 
 void average(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
@@ -239,39 +216,38 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace seascape {
 
-HWY_EXPORT(along_x);
+HWY_EXPORT(rows_scratch);
+HWY_EXPORT(rows_along_x);
+HWY_EXPORT(strip_scratch);
 HWY_EXPORT(along_z);
 HWY_EXPORT(average);
 
-std::size_t workspace_floats(const FftPlan& plan, bool velocity) { return std::size_t(Workspace(plan, velocity).floats); }
-
 namespace {
-// The columns and results of a pair of fields; the thread's own, so that strips find them in its core's caches.
-float* strip_scratch(const FftPlan& plan) {
-  thread_local std::vector<float> memory;
-  thread_local float* aligned = nullptr;
-  constexpr std::size_t planes = 4, width = 8, line = 64;
-  const std::size_t floats = planes * width * std::size_t(plan.band + plan.core) + 2 * width * std::size_t(plan.core + 16);
-  if (memory.size() < floats + line / sizeof(float)) {
-    memory.resize(floats + line / sizeof(float));
-    void* first = memory.data();
-    std::size_t bytes = memory.size() * sizeof(float);
-    aligned = static_cast<float*>(std::align(line, floats * sizeof(float), first, bytes));
-  }
-  return aligned;
+// The thread's own, so that it stays in its core's caches from one piece of work to the next.
+float* scratch_of(std::size_t floats) {
+  thread_local std::vector<float, tbb::cache_aligned_allocator<float>> memory;
+  if (memory.size() < floats) memory.resize(floats);
+  return memory.data();
 }
 }  // namespace
 
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace) {
-  HWY_DYNAMIC_DISPATCH(along_x)(table, plan, ticks, velocity, workspace, strip_scratch(plan));
+std::size_t workspace_floats(const FftPlan& plan, bool velocity) { return std::size_t(Workspace(plan, velocity).floats); }
+
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last, float* workspace) {
+  float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(rows_scratch)(plan));
+  HWY_DYNAMIC_DISPATCH(rows_along_x)(table, plan, ticks, velocity, first, last, workspace, scratch);
 }
 
 void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
   HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
 }
 
-void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel* levels) {
-  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, levels[0], strip_scratch(plan));
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel& level) {
+  float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
+  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, level, scratch);
+}
+
+void strip_mips(const FftPlan& plan, bool velocity, int x, const PlaneLevel* levels) {
   for (int level = 1; level <= strip_levels; ++level)
     average_down(levels[level - 1], levels[level], velocity ? 4 : 3, x >> level, strip_width >> level, plan.n >> level);
 }

@@ -1,4 +1,4 @@
-// The two halves of filling a cascade's tile, vectorised; WaveField::evaluate shares them among threads.
+// The parts of filling a cascade's tile, vectorised; WaveField::evaluate shares them among threads.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -13,10 +13,13 @@ namespace seascape {
 // velocity dDx/dt + i dh/dt, dDz/dt.
 inline int packed_fields(bool velocity) { return velocity ? 6 : 4; }
 
+// Floats of a cascade's workspace, which begins with a cache line (64 bytes); a multiple of 16.
 std::size_t workspace_floats(const FftPlan& plan, bool velocity);
 
-// The spectrum at a time and its transforms along x, into a cascade's workspace.
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, float* workspace);
+// The spectrum at a time and its transforms along x, into a cascade's workspace: rows mz and -mz together, of which there are
+// row_pairs(plan), from `first` to `last` - 1.
+inline int row_pairs(const FftPlan& plan) { return plan.band / 2 + 1; }
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last, float* workspace);
 
 constexpr int strip_width = 16;
 constexpr int strip_levels = 4;  // mip levels that a strip of 16 columns has of its own, after level 0
@@ -27,9 +30,11 @@ struct PlaneLevel {
   int stride;
 };
 
-// The transforms along z of columns x to x + strip_width - 1 and their mip chain, into levels[0..strip_levels].
-void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x,
-                   const PlaneLevel* levels);
+// The transforms along z of columns x to x + strip_width - 1, into level 0.
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel& level);
+
+// The strip's mip chain, from levels[0] into levels[1] to levels[strip_levels].
+void strip_mips(const FftPlan& plan, bool velocity, int x, const PlaneLevel* levels);
 
 // Averages two by two texels of columns 2 x to 2 (x + width) - 1 into columns x to x + width - 1 of the next level, `height`
 // rows of it.

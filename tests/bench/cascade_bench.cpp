@@ -1,0 +1,94 @@
+// A whole cascade of the wave field beside its transforms alone and one of FFTW's, in turn within the same loop.
+#include <benchmark/benchmark.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "ocean/waves/wave_tiles_simd.h"
+#include "tests/bench/rivals.h"
+
+namespace seascape::bench {
+namespace {
+
+// Waves of no sea in particular: what is done with them does not depend on their values.
+WaveTable random_waves(int band) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  WaveTable table;
+  for (int i = 0; i < band * band; ++i) {
+    for (std::vector<float>* column : {&table.amplitude_re, &table.amplitude_im, &table.kx, &table.kz, &table.shift_x, &table.shift_z, &table.frequency})
+      column->push_back(uniform(random));
+    table.turns.push_back(random() >> 16);
+  }
+  return table;
+}
+
+// Spectrum, displacement, derivatives, Jacobian (from the derivatives) and second moments of one cascade, over two threads.
+struct WholeCascade {
+  WholeCascade(int n, int band)
+      : plan(make_fft_plan(n, band)), table(random_waves(band)), workspace(workspace_floats(plan, false)) {
+    for (int level = 0; level <= strip_levels; ++level) {
+      const int size = n >> level, stride = size + 4;
+      levels[level].stride = stride;
+      for (int plane = 0; plane < 3; ++plane) {
+        texels.emplace_back(std::size_t(stride) * std::size_t(size));
+        levels[level].texels[plane] = texels.back().data();
+      }
+    }
+  }
+  void run(std::int64_t ticks, bool mips) {
+    const int pairs = row_pairs(plan), piece = 16;
+    tbb::parallel_for(0, (pairs + piece - 1) / piece, [&](int i) {
+      waves_along_x(table, plan, ticks, false, i * piece, std::min((i + 1) * piece, pairs), workspace.data());
+    });
+    tbb::parallel_for(0, plan.n / strip_width, [&](int i) {
+      strip_along_z(table, plan, workspace.data(), false, i * strip_width, levels[0]);
+      if (mips) strip_mips(plan, false, i * strip_width, levels);
+    });
+  }
+  FftPlan plan;
+  WaveTable table;
+  Floats workspace;
+  std::vector<std::vector<glm::vec4, tbb::cache_aligned_allocator<glm::vec4>>> texels;
+  PlaneLevel levels[strip_levels + 1]{};
+};
+
+// The bars: whole / transforms <= 1.6 and whole / FFTW <= 6, on two threads.
+void whole_cascade(benchmark::State& state) {
+  const int n = int(state.range(0)), band = int(state.range(1));
+  WholeCascade cascade(n, band);
+  std::vector<Spectrum> spectra;
+  std::vector<OurTransform> transforms;
+  for (unsigned i = 0; i < fields; ++i) {
+    spectra.emplace_back(band, i);
+    transforms.emplace_back(n, band);
+  }
+  FftwTransform fftw(n, Layout::out_of_place);
+  fftw.fill(Spectrum(n, 1));
+  tbb::task_arena two(2);
+  Times whole, with_mips, alone, one, whole_1, alone_1;
+  std::int64_t ticks = 0;
+  for (auto _ : state) {
+    alone.take([&] {
+      two.execute([&] { tbb::parallel_for(0, fields, [&](int i) { transforms[std::size_t(i)].run(spectra[std::size_t(i)]); }, tbb::simple_partitioner()); });
+    });
+    whole.take([&] { two.execute([&] { cascade.run(ticks += 11650, false); }); });
+    with_mips.take([&] { two.execute([&] { cascade.run(ticks += 11650, true); }); });
+    one.take([&] { fftw.run(); });
+    alone_1.take([&] { for (std::size_t i = 0; i < fields; ++i) transforms[i].run(spectra[i]); });
+    tbb::task_arena(1).execute([&] { whole_1.take([&] { cascade.run(ticks += 11650, false); }); });
+  }
+  state.counters["alone_us"] = alone.median();
+  state.counters["whole_us"] = whole.median();
+  state.counters["mips_us"] = with_mips.median();
+  state.counters["fftw_us"] = one.median();
+  state.counters["to_alone"] = whole.median() / alone.median();
+  state.counters["to_fftw"] = whole.median() / one.median();
+  state.counters["to_alone_min"] = whole.least() / alone.least();
+  state.counters["to_fftw_min"] = whole.least() / one.least();
+  state.counters["mips_to_alone_min"] = with_mips.least() / alone.least();
+  state.counters["to_alone_1thread"] = whole_1.median() / alone_1.median();
+}
+BENCHMARK(whole_cascade)->ArgNames({"n", "band"})->Args({512, 64})->Args({512, 256})->Args({256, 64})->Unit(benchmark::kMicrosecond)->UseRealTime();
+
+}  // namespace
+}  // namespace seascape::bench
