@@ -69,6 +69,31 @@ void reflect(Shader& shader) {
   }
 }
 
+// The size of a workgroup given by specialisation constants (local_size_x_id) is a built-in constant, which the passes below take
+// for dead; its values go where a literal size stands instead.
+void settle_workgroup(std::vector<std::uint32_t>& words, const std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>& bits) {
+  constexpr std::uint32_t execution_mode = 16, constant = 43, spec_constant = 50, spec_composite = 51, decorate = 71;  // SPIR-V 1.3, section 3.32
+  constexpr std::uint32_t local_size = 17, decoration_spec_id = 1, decoration_built_in = 11, workgroup_size = 25;
+  std::unordered_map<std::uint32_t, std::uint32_t> spec_ids, values;  // of a result's id
+  std::uint32_t size_id = 0, size_at = 0, mode_at = 0;
+  for (std::size_t at = 5; at < words.size(); at += std::max(1u, words[at] >> 16)) {
+    const std::uint32_t* w = &words[at];
+    const std::uint32_t what = w[0] & 0xffffu;
+    if (what == execution_mode && w[2] == local_size) mode_at = std::uint32_t(at);
+    else if (what == decorate && w[2] == decoration_spec_id) spec_ids[w[1]] = w[3];
+    else if (what == decorate && w[2] == decoration_built_in && w[3] == workgroup_size) size_id = w[1];
+    else if (what == constant || what == spec_constant) values[w[2]] = w[3];
+    else if (what == spec_composite && w[2] == size_id) size_at = std::uint32_t(at);
+  }
+  if (size_at == 0 || mode_at == 0) return;
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const std::uint32_t id = words[size_at + 3 + axis];
+    const auto spec = spec_ids.find(id);
+    const auto given = spec == spec_ids.end() ? bits.end() : bits.find(spec->second);
+    words[mode_at + 3 + axis] = given == bits.end() ? values.at(id) : given->second.front();
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, std::span<const SpecValue> values,
@@ -80,6 +105,8 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
   });
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> bits;
   for (const SpecValue& v : values) bits[v.id] = {v.value};
+  std::vector<std::uint32_t> sized = words;
+  settle_workgroup(sized, bits);
   optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(bits))
       .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
       .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
@@ -100,7 +127,7 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
   std::vector<std::uint32_t> result;
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // the build has validated the file; the tests validate the results
-  if (!optimizer.Run(words.data(), words.size(), &result, options))
+  if (!optimizer.Run(sized.data(), sized.size(), &result, options))
     throw Error(name, fmt::format("cannot be specialised ({})", fault), "build again: cmake --build --preset release");
   return result;
 }

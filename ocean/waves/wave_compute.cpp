@@ -22,6 +22,12 @@ gpu::WavePush push_of(const SeaState& sea, const WaveBins& bins, const WaveImage
 }
 }  // namespace
 
+std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts) {
+  std::uint32_t group = 8 * radix;  // eight transforms side by side: whole cache lines of columns
+  while (group > radix && (group > facts.max_workgroup || group * (radix + 1) * 8 > facts.shared_memory)) group /= 2;
+  return group;
+}
+
 WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages& images)
     : images_(images) {
   const EffectScope scope(device, "waves");
@@ -46,9 +52,15 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
       }
   work.bins = make_filled_buffer(device, "wave bins", drawn.data(), drawn.size() * sizeof(gpu::WaveBin), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   work.rows = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * work.band * n * 8, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  const std::vector<SpecValue> sizes{{0, table}, {1, work.band}};
-  work.rows_pipeline = make_compute_pipeline(device, shaders, "wave_rows.comp", sizes);
-  work.columns_pipeline = make_compute_pipeline(device, shaders, images_.half_storage() ? "wave_columns_half.comp" : "wave_columns_full.comp", sizes);
+  // Many bins are transformed 256 at a time, by 16 invocations; fewer 64 at a time, by 8.
+  const bool wide = work.band >= 256;
+  const std::uint32_t radix = wide ? 16 : 8, group = transform_group(radix, device.facts());
+  work.core = radix * radix;
+  work.slots = group / radix;
+  const std::string kind = wide ? "_wide" : "", format = images_.half_storage() ? "_half" : "_full";
+  const std::vector<SpecValue> sizes{{0, table}, {1, work.band}, {2, group}};
+  work.rows_pipeline = make_compute_pipeline(device, shaders, "wave_rows" + kind + ".comp", sizes);
+  work.columns_pipeline = make_compute_pipeline(device, shaders, "wave_columns" + kind + format + ".comp", sizes);
   work.rows_bindings = Bindings(device, work.rows_pipeline, {{.binding = 0, .buffer = &work.bins}, {.binding = 1, .buffer = &work.rows}}, "wave rows");
   work.columns_bindings = Bindings(device, work.columns_pipeline,
                                    {{.binding = 0, .buffer = &work.rows},
@@ -98,7 +110,9 @@ void WaveCompute::update(Frame& frame, std::int64_t ticks) {
     for (const Work& work : work_) {
       c.bind(work.rows_pipeline, work.rows_bindings);
       c.push(work.push);
-      c.dispatch(work.band * std::max(1u, std::uint32_t(work.set->samples) / 64u) / 8, std::uint32_t(work.set->cascades), 1);
+      // Eight short transforms a workgroup, one for each row and phase; or `slots` rows with all their phases.
+      const std::uint32_t groups = work.core == 64 ? work.band * std::max(1u, std::uint32_t(work.set->samples) / 64u) / 8 : work.band / work.slots;
+      c.dispatch(groups, std::uint32_t(work.set->cascades), 1);
     }
   });
   frame.pass("wave columns", columns, [&](Commands& c) {
@@ -106,7 +120,7 @@ void WaveCompute::update(Frame& frame, std::int64_t ticks) {
       const auto n = std::uint32_t(work.set->samples);
       c.bind(work.columns_pipeline, work.columns_bindings);
       c.push(work.push);
-      c.dispatch(n / 8, std::max(1u, n / 64u), std::uint32_t(work.set->cascades));
+      c.dispatch(n / work.slots, std::max(1u, n / work.core), std::uint32_t(work.set->cascades));
     }
   });
   for (std::size_t i = 0; i < work_[0].mip_steps.size(); ++i)

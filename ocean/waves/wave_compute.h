@@ -8,6 +8,10 @@
 
 namespace seascape {
 
+// Invocations of a workgroup of transforms by `radix` invocations each: eight side by side, or fewer where the device has no room for
+// them (limits of invocations and of shared memory).
+std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts);
+
 class WaveCompute {
  public:
   // `images` were made to be stored into, for the same sea and quality; they must outlive this.
@@ -24,7 +28,8 @@ class WaveCompute {
   // What fills the tiles of one shape.
   struct Work {
     const WaveImages::Set* set;
-    std::uint32_t band;  // bins a side that its tiles carry
+    std::uint32_t band;         // bins a side that its tiles carry
+    std::uint32_t core, slots;  // points of a transform, and how many transforms share a workgroup
     Buffer bins, rows;
     Pipeline rows_pipeline, columns_pipeline;
     Bindings rows_bindings, columns_bindings;

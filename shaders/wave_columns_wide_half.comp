@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define TILE_FORMAT rgba16f
+#define FFT_RADIX 16
+#include "lib/wave_columns.glsl"
