@@ -32,7 +32,7 @@ SeaState sea_of(const Scene& scene) {
 
 void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer& answer) {
   append_csv_row(text, std::array{point.x, point.y, answer.height_m, answer.normal.x, answer.normal.y, answer.normal.z,
-                                  answer.velocity_mps.x, answer.velocity_mps.y, answer.velocity_mps.z,
+                                  answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y, answer.orbital_velocity_mps.z,
                                   answer.converged ? 1.0 : 0.0});
 }
 

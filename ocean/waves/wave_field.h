@@ -127,6 +127,10 @@ class WaveField {
   const WaveQuality& quality() const { return quality_; }
   const WaveBins& bins() const { return bins_; }
   const SeaStatistics& statistics() const { return statistics_; }
+  struct Place {  // from world to tile coordinates
+    double cosine, sine, inverse_side, texel_m;
+  };
+  std::span<const Place> places() const { return places_; }  // of each cascade
 
  private:
   SeaState sea_;
@@ -135,9 +139,6 @@ class WaveField {
   SeaStatistics statistics_;
   std::vector<FftPlan> plans_;  // these three a cascade
   std::vector<WaveTable> tables_;
-  struct Place {  // from world to tile coordinates
-    double cosine, sine, inverse_side, texel_m;
-  };
   std::vector<Place> places_;
   template <class Visit>
   void visit_cascades(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, Visit visit) const;

@@ -62,8 +62,8 @@ TEST(Query, RowsAreTheAnswersOfTheWaveField) {
     QueryAnswer answer;
     query(field, tiles, {&points[i], 1}, {&answer, 1});
     EXPECT_EQ(rows[i], (std::vector<double>{points[i].x, points[i].y, answer.height_m, answer.normal.x, answer.normal.y,
-                                            answer.normal.z, answer.velocity_mps.x, answer.velocity_mps.y,
-                                            answer.velocity_mps.z, answer.converged ? 1.0 : 0.0}));
+                                            answer.normal.z, answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y,
+                                            answer.orbital_velocity_mps.z, answer.converged ? 1.0 : 0.0}));
   }
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/frame.h"
-#include "tests/support/gpu/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
 

@@ -1,4 +1,4 @@
-// What the CPU's sea costs: its tiles, and the answers to queries.
+// What the CPU's sea costs: its waves and its tiles.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/quality.h"
-#include "ocean/waves/query.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -46,34 +45,6 @@ void evaluate_tiles(benchmark::State& state) {
   state.SetLabel(std::string(preset_names()[std::size_t(state.range(0))]));
 }
 BENCHMARK(evaluate_tiles)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-// Answers at places without order, one thread.
-void query_points(benchmark::State& state) {
-  const Settings settings = settings_of(state.range(0));
-  const WaveField field(settings.sea, settings.waves);
-  WaveTiles tiles(true);
-  field.evaluate(ticks_from_seconds(10.0), tiles);
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> uniform(-500.0, 500.0);
-  std::vector<glm::dvec2> places(4096);
-  for (glm::dvec2& place : places) place = {uniform(random), uniform(random)};
-  std::vector<QueryAnswer> answers(places.size());
-  for (auto _ : state) {
-    query(field, tiles, places, answers);
-    benchmark::DoNotOptimize(answers.data());
-  }
-  std::int64_t steps = 0, converged = 0;
-  for (const QueryAnswer& answer : answers) {
-    steps += answer.iterations;
-    converged += answer.converged;
-  }
-  const auto asked = double(state.iterations()) * double(places.size());
-  state.counters["time/point"] = benchmark::Counter(asked, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  state.counters["steps"] = double(steps) / double(places.size());
-  state.counters["converged"] = double(converged) / double(places.size());
-  state.SetLabel(std::string(preset_names()[std::size_t(state.range(0))]));
-}
-BENCHMARK(query_points)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace seascape

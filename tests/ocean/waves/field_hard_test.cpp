@@ -195,6 +195,25 @@ TEST(WaveFieldHard, hard_24_folded_crests) {
   }
   EXPECT_GT(failed, 10);
   EXPECT_LT(failed, 5000);
+  // A search that begins at a point in a fold finds it at once, and says that it is one. Control: `converged` from the residual
+  // alone fails.
+  int folded = 0;
+  for (int i = 0; i < 300000; ++i) {
+    const glm::dvec2 rest(i % 547 * 0.9, i / 547 * 0.9);
+    const SeaSample sample = field.sea(tiles, rest, 0);
+    if (sample.jacobian() > -0.01) continue;
+    const glm::dvec2 place = rest + glm::dvec2(sample.displacement.x, sample.displacement.z);
+    QueryAnswer before, answer;
+    before.displacement = sample.displacement;
+    query(field, tiles, {&place, 1}, {&answer, 1}, {.previous = {&before, 1}});
+    EXPECT_EQ(answer.iterations, 0);
+    EXPECT_LE(answer.residual_m, 1e-4);
+    EXPECT_FALSE(answer.converged);
+    EXPECT_GT(answer.contraction, 1);
+    ++folded;
+  }
+  EXPECT_GT(folded, 10);
+  RecordProperty("failed_folded", std::to_string(failed) + " " + std::to_string(folded));
 }
 
 TEST(WaveFieldHard, hard_34_no_variance_twice) {

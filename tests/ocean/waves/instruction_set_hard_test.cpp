@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ocean/waves/fft.h"
+#include "ocean/waves/query.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -61,6 +62,35 @@ TEST(FftHard, bits_do_not_depend_on_the_instruction_set) {
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().DeInit();
   }
+}
+
+TEST(WaveFieldHard, answers_do_not_depend_on_the_instruction_set) {
+  // Nor on how many points a vector holds. Control: a multiply-add in the tile coordinates or in the blend of texels.
+  const SeaState sea{.swell_height_m = 1};
+  const WaveField field(sea, {.resolution = 128, .cascades = 4});
+  WaveTiles tiles(true);
+  field.evaluate(987654321, tiles);
+  std::vector<glm::dvec2> places;
+  for (int i = 0; i < 3000; ++i) places.emplace_back(i * 0.731 - 900, i * i * 0.0137);
+  std::vector<QueryAnswer> best(places.size());
+  const QueryOptions options{.footprint_m = 0.3};
+  query(field, tiles, places, best, options);
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    hwy::SetSupportedTargetsForTest(left & -left);
+    hwy::GetChosenTarget().DeInit();
+    std::vector<QueryAnswer> answers(places.size());
+    query(field, tiles, places, answers, options);
+    int different = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const QueryAnswer &a = answers[i], &b = best[i];
+      different += a.height_m != b.height_m || a.displacement != b.displacement || a.normal != b.normal ||
+                   a.orbital_velocity_mps != b.orbital_velocity_mps || a.eulerian_velocity_mps != b.eulerian_velocity_mps ||
+                   a.residual_m != b.residual_m || a.contraction != b.contraction || a.iterations != b.iterations;
+    }
+    EXPECT_EQ(different, 0) << hwy::TargetName(left & -left);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
 }
 
 }  // namespace

@@ -3,6 +3,15 @@
 #pragma once
 #include <cstdint>
 
+// The sanitizers have an operator new of their own: built with them, nothing counts.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SEASCAPE_COUNTS_ALLOCATIONS 0
+#elif defined(__has_feature)
+#define SEASCAPE_COUNTS_ALLOCATIONS !(__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#else
+#define SEASCAPE_COUNTS_ALLOCATIONS 1
+#endif
+
 namespace seascape::test {
 
 // While it lives, allocations by operator new on this thread count, if the code that asked for them is this executable's:
@@ -10,6 +19,7 @@ namespace seascape::test {
 // ours and does not count; nor does malloc, which our code never calls.
 class AllocationCounter {
  public:
+  static constexpr bool counts = SEASCAPE_COUNTS_ALLOCATIONS;
   AllocationCounter();
   ~AllocationCounter();
   AllocationCounter(const AllocationCounter&) = delete;

@@ -1,4 +1,4 @@
-#include "tests/support/gpu/allocations.h"
+#include "tests/support/allocations.h"
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -48,7 +48,7 @@ void note(void* caller) {
   looking = false;
 }
 
-void* take(std::size_t bytes, std::size_t alignment, void* caller) {
+[[maybe_unused]] void* take(std::size_t bytes, std::size_t alignment, void* caller) {
   note(caller);
   bytes = std::max<std::size_t>(bytes, 1);
   void* memory = alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__ ? std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
@@ -71,6 +71,7 @@ std::uint64_t AllocationCounter::others() const { return other_count; }
 
 }  // namespace seascape::test
 
+#if SEASCAPE_COUNTS_ALLOCATIONS
 void* operator new(std::size_t bytes) { return seascape::test::take(bytes, 0, __builtin_return_address(0)); }
 void* operator new[](std::size_t bytes) { return seascape::test::take(bytes, 0, __builtin_return_address(0)); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
@@ -87,3 +88,4 @@ void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory
 void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif
