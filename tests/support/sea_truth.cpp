@@ -28,18 +28,21 @@ SeaSpectrum::SeaSpectrum(const SeaCauses& causes)
   for (int c = 0; c < components(); ++c)
     for (int i = 0; i < nodes; ++i) {
       Fourier f;
+      f.variance = over_k(c, k_of(i));
       double sum = 0.0;
       // Half a turn, the other being its mirror; ends count half.
-      for (int a = 0; a <= angles / 2; ++a) {
+      for (int a = 0; f.variance > 0.0 && a <= angles / 2; ++a) {
         const double angle = 2.0 * pi * a / angles;
         const double d = spread(c, k_of(i), angle) * (a == 0 || a == angles / 2 ? 1.0 : 2.0);
         sum += d;
         f.first += d * std::cos(angle);
         f.second += d * std::cos(2.0 * angle);
       }
-      f.first /= sum;
-      f.second /= sum;
-      f.norm = 1.0 / (sum * 2.0 * pi / angles);
+      if (sum > 0.0) {
+        f.first /= sum;
+        f.second /= sum;
+        f.norm = 1.0 / (sum * 2.0 * pi / angles);
+      }
       fourier_[std::size_t(c)].push_back(f);
     }
 }
@@ -73,22 +76,23 @@ double SeaSpectrum::over_vector(double kx, double kz) const {
   const double k = std::hypot(kx, kz), direction = std::atan2(kx, -kz), at = std::log(k / 1e-4) / step;
   if (!(at >= 0.0 && at < nodes - 1)) return 0.0;
   const std::size_t i = std::size_t(at);
-  double sum = 0.0;
+  double sum = 0.0, all = 0.0;
+  for (const std::vector<Fourier>& f : fourier_) all += f[i].variance;
   for (int c = 0; c < components(); ++c) {
-    const double s = over_k(c, k);
-    if (s == 0.0) continue;
-    const std::vector<Fourier>& f = fourier_[std::size_t(c)];
-    const double norm = f[i].norm + (at - double(i)) * (f[i + 1].norm - f[i].norm);
-    sum += s / k * norm * spread(c, k, std::remainder(direction - to_rad(c), 2.0 * pi));
+    const Fourier &low = fourier_[std::size_t(c)][i], &high = fourier_[std::size_t(c)][i + 1];
+    if (low.variance <= 1e-4 * all) continue;
+    const double t = at - double(i), norm = low.norm + t * (high.norm - low.norm);
+    const double variance = low.variance + t * (high.variance - low.variance);
+    sum += variance / k * norm * spread(c, k, std::remainder(direction - to_rad(c), 2.0 * pi));
   }
   return sum;
 }
 
 void SeaSpectrum::add(SeaMoments& sum, int component, int node, double share) const {
   const double k = k_of(node);
-  const double variance = share > 0.0 ? share * step * k * over_k(component, k) : 0.0;
-  if (!(variance > 0.0)) return;
   const Fourier& f = fourier_[std::size_t(component)][std::size_t(node)];
+  const double variance = share > 0.0 ? share * step * k * f.variance : 0.0;
+  if (!(variance > 0.0)) return;
   const double w = airy(k, causes_.g, causes_.depth, 7.17e-5), to = to_rad(component);
   sum.m0 += variance;
   sum.w2 += variance * w * w;

@@ -42,7 +42,8 @@ class SeaSpectrum {
   // Variance over the wave number (m^3) of a component: wind's long waves, its short ones, then each swell.
   double over_k(int component, double k) const;
   int components() const { return 2 + int(causes_.swell.size()); }
-  // Variance over the wave vector (m^4), spreadings' norms from straight lines over ln k.
+  // Variance over the wave vector (m^4): over_k and spreadings' norms from straight lines over ln k, a component that has less than 1e-4 of a
+  // wave number's variance left out.
   double over_vector(double kx, double kz) const;
   // Waves to which `share` leaves something; by trapezoids over ln k and the angle, which for these smooth functions that end in nothing
   // converge at once.
@@ -58,14 +59,14 @@ class SeaSpectrum {
   }
 
  private:
-  static constexpr int nodes = 2400, angles = 360;  // of ln k from 1e-4 to 3e3 rad/m; over a turn
+  static constexpr int nodes = 2000, angles = 180;  // of ln k from 1e-4 to 3e3 rad/m; over a turn
   static double k_of(int node) { return 1e-4 * std::exp(step * node); }
   static constexpr double step = 17.2 / nodes;
   double spread(int component, double k, double angle) const;  // without its norm
   double to_rad(int component) const;
   void add(SeaMoments& sum, int component, int node, double share) const;
-  struct Fourier {  // of a spreading: 1 / integral, means of cos and cos 2
-    double norm = 0.0, first = 0.0, second = 0.0;
+  struct Fourier {  // at a node: over_k, and of the spreading 1 / integral, means of cos and cos 2
+    double variance = 0.0, norm = 0.0, first = 0.0, second = 0.0;
   };
   SeaCauses causes_;
   Jonswap wind_;
