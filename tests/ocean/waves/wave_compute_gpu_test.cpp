@@ -189,6 +189,21 @@ TEST_P(WaveTilesOnGpu, TheSameTimeIsNotComputedTwice) {
   EXPECT_EQ(worked, (std::vector<bool>{true, false, true, false, true}));
 }
 
+// Workgroups of transforms fit the device, eight side by side where there is room. Control: without the limit of shared memory the least
+// device that Vulkan allows was given 128 invocations (seen).
+TEST(TransformGroup, FitsTheDevice) {
+  const auto group = [](std::uint32_t radix, std::uint32_t invocations, std::uint32_t shared_bytes) {
+    DeviceFacts facts;
+    facts.max_workgroup = invocations;
+    facts.shared_memory = shared_bytes;
+    return transform_group(radix, facts);
+  };
+  EXPECT_EQ(group(16, 1024, 32768), 128u);
+  EXPECT_EQ(group(16, 128, 16384), 64u);  // the least that Vulkan asks for: 128 would share 17,408 bytes
+  EXPECT_EQ(group(16, 64, 65536), 64u);
+  EXPECT_EQ(group(8, 128, 16384), 64u);
+}
+
 }  // namespace
 
 }  // namespace seascape
