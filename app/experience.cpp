@@ -14,15 +14,22 @@ bool named(const Scene& scene, std::string_view effect) {
   return std::find(scene.effects.begin(), scene.effects.end(), effect) != scene.effects.end();
 }
 
+// Whether two settings differ in what the running sea can grow into.
+bool needs_change(const Settings& a, const Settings& b) {
+  for (const Setting& row : settings_table())
+    if (row.grows && value_of(a, row) != value_of(b, row)) return true;
+  return false;
+}
+
 bool is_debug(const Settings& s) { return s.render.debug != DebugView::none; }
 
 // Whether two settings differ in something that GPU objects were built from.
-bool needs_rebuild(const Settings& a, const Settings& b) {
+bool needs_rebuild(const Settings& a, const Settings& b, bool sea_at_once) {
   const RenderSettings &r = a.render, &q = b.render;
   Settings x = a;  // compare what the table marks: rows with `rebuild`
   Settings y = b;
   for (const Setting& row : settings_table())
-    if (row.rebuild && value_of(x, row) != value_of(y, row)) return true;
+    if (row.rebuild && (sea_at_once || !row.grows) && value_of(x, row) != value_of(y, row)) return true;
   return r.msaa != q.msaa || r.shape != q.shape || is_debug(a) != is_debug(b) ||
          (r.debug == DebugView::wireframe) != (q.debug == DebugView::wireframe);
 }
@@ -54,6 +61,7 @@ bool Experience::in_tile() const {
 }
 
 void Experience::build() {
+  ++builds_;
   RenderSettings& render = scene_.settings.render;
   int samples = render.msaa;  // software drivers have 1 and 4 but not 2
   while (samples > 1 && !(device_.facts().sample_counts & std::uint32_t(samples))) samples /= 2;
@@ -138,11 +146,13 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
                               "tone");
 }
 
-void Experience::apply(const Settings& settings) {
-  const bool rebuild = needs_rebuild(scene_.settings, settings);
+void Experience::apply(const Settings& settings, bool sea_at_once) {
+  const bool at_once = sea_at_once || settings.sea_change_s <= 0.0;
+  const bool rebuild = needs_rebuild(scene_.settings, settings, at_once), change = needs_change(scene_.settings, settings);
   scene_.settings = settings;
-  if (rebuild) build();
-  else ocean_->apply(settings.lod, settings.water);
+  if (rebuild) return build();
+  ocean_->apply(settings.lod, settings.water);
+  if (change) ocean_->change(settings.sea, settings.sea_change_s);
 }
 
 }  // namespace seascape

@@ -23,8 +23,12 @@ class Experience {
 
   // Other picture size: new targets, the same pipelines.
   void resize(std::uint32_t width, std::uint32_t height);
-  // Other settings: what only needs numbers is taken at once, what needs objects is built anew.
-  void apply(const Settings& settings);
+  // Other settings: what only needs numbers is taken at once, another wind or swell comes over the sea (waves.change_s, or at once if wished), what
+  // needs objects is built anew.
+  void apply(const Settings& settings, bool sea_at_once = false);
+
+  // How many times its objects were built.
+  std::uint64_t builds() const { return builds_; }
 
   // The frame loop, whose ring the shaders read.
   Frame& frame() { return *frame_; }
@@ -56,6 +60,7 @@ class Experience {
   Owned<VkSampler> lit_sampler_;
   Pipeline sky_pipeline_, tone_pipeline_;
   Bindings sky_bindings_, tone_bindings_;
+  std::uint64_t builds_ = 0;
 };
 
 // What a device's multiview check and the user's wish come to, with a notice when the driver fails it.

@@ -49,7 +49,9 @@ class Explorer {
   Program& program_;
   Window& window_;
   std::unique_ptr<Experience> experience_;
+  void feel_water();  // makes water_ anew
   std::unique_ptr<WaterHeight> water_;
+  bool sea_changes_ = false;  // in the last frame
   Overlay overlay_;
   Panel panel_;
   ExploreCamera camera_;

@@ -49,7 +49,7 @@ void Explorer::build() {
   }
   experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene,
                                              ExperienceOptions{64, 64, window_.views(), per_eye, false});
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves);
+  feel_water();
   window_.set_title("Seascape: " + program_.scene.title);
 }
 
@@ -92,13 +92,18 @@ void Explorer::apply(const Settings& wanted) {
     std::swap(program_.scene, now);
     return;
   }
+  const std::uint64_t builds = experience_->builds();
   try {
-    experience_->apply(wanted);
+    experience_->apply(wanted, paused_);  // while time stands still no sea grows
   } catch (const Error& fault) {
     tell_fault(fault.what());
     experience_->apply(before);
   }
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves);
+  if (experience_->builds() != builds) feel_water();
+}
+
+void Explorer::feel_water() {
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins());
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
@@ -221,6 +226,9 @@ void Explorer::move(const Input& input, double dt_s) {
     wish.turn_deg = glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) * (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
+  const Ocean& ocean = experience_->ocean();
+  if (ocean.changing() || sea_changes_) water_->follow(ocean.bins(), ocean.chop());
+  sea_changes_ = ocean.changing();
   camera_.step(wish, dt_s, water_->at({place.x, place.z}, sea_time_s()));
   recorder_.sample(now_s_, camera_.pose(), scene_time_s());
 }

@@ -118,7 +118,8 @@ void tooltip(const Setting& row) {
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
   ImGui::TextUnformatted(std::string(row.sentence).c_str());
   ImGui::TextDisabled("%s", (std::string(row.key) + ": " + range_text(row)).c_str());
-  if (row.rebuild) ImGui::TextDisabled("A change takes a moment: it makes things anew.");
+  if (row.grows) ImGui::TextDisabled("A change comes over the sea within waves.change_s.");
+  else if (row.rebuild) ImGui::TextDisabled("A change takes a moment: it makes things anew.");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

@@ -25,6 +25,7 @@ struct Settings {
   WaterSettings water;   // keys water.*
   SkySettings sky;       // keys sky.*
   RenderSettings render; // keys msaa, frame.*, stereo.*, camera.*, debug.view
+  double sea_change_s = 6.0;    // key waves.change_s
   double time_scale = 1.0;   // key time.scale
   double time_start_s = 0.0; // key time.start_s
 };
@@ -48,6 +49,7 @@ struct Setting {
   std::vector<std::string_view> choices{};      // names of an enum, or the only numbers allowed ("16", "32", "64")
   bool quality = false;                         // set by presets
   bool rebuild = false;                         // a change makes GPU objects anew
+  bool grows = false;                           // unless waves.change_s lets it grow out of the sea that is there
 };
 
 std::span<const Setting> settings_table();

@@ -17,9 +17,17 @@ WaveQuality coarse(WaveQuality quality) {
   return quality;
 }
 
+WaveBins longest(const WaveBins& drawn) {
+  WaveBins bins = drawn;
+  bins.cascades = std::min(bins.cascades, most_cascades);
+  bins.bins.resize(WaveBins::first(bins.cascades));
+  return bins;
+}
+
 }  // namespace
 
-WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality) : field_(sea, coarse(quality)) {}
+WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn)
+    : field_(sea, coarse(quality), longest(drawn)) {}
 
 double WaterHeight::at(glm::dvec2 place_m, double time_s) {
   const std::int64_t ticks = ticks_from_seconds(time_s);

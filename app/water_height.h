@@ -10,7 +10,13 @@ namespace seascape {
 // of its cost. Whoever rides does not feel the shorter ones.
 class WaterHeight {
  public:
-  WaterHeight(const SeaState& sea, const WaveQuality& quality);
+  // The waves that the sea draws.
+  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn);
+  // Other amplitudes of the same waves, as the drawn sea has them while it changes.
+  void follow(const WaveBins& drawn, double chop) {
+    field_.take(drawn, chop, field_.statistics());
+    evaluated_ = false;
+  }
   // Metres above the still sea at a world x, z at a time of the sea.
   double at(glm::dvec2 place_m, double time_s);
 

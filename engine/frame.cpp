@@ -76,6 +76,13 @@ void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBuffe
   ++work_->back().copies;
 }
 
+void Commands::copy(const Buffer& from, const Buffer& to) {
+  const VkBufferCopy region{0, 0, from.bytes()};
+  vkCmdCopyBuffer(commands_, from.get(), to.get(), 1, &region);
+  note(12 + (from.bytes() << 8));
+  ++work_->back().copies;
+}
+
 void Commands::count_draw(std::uint64_t triangles) {
   ++counts_->draws;
   ++work_->back().draws;

@@ -79,6 +79,8 @@ class Commands {
   void draw_indexed(std::uint32_t indices, std::uint32_t instances);
   // Copies texels of a buffer (Access::transfer_read) into an image (Access::transfer_write).
   void copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions);
+  // Copies all of a buffer (Access::transfer_read) into another of its size (Access::transfer_write).
+  void copy(const Buffer& from, const Buffer& to);
   // The eye that a pass per eye draws; 0 in a multiview pass, where shaders have gl_ViewIndex.
   std::uint32_t eye() const { return eye_; }
   VkCommandBuffer raw() const { return commands_; }  // for libraries that record by themselves

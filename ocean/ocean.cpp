@@ -1,6 +1,8 @@
 #include "ocean/ocean.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ocean/surface/water_optics.h"
 #include "shaders/shared/skirt.h"
@@ -19,6 +21,8 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
       statistics_(sea_statistics(settings.sea, bins_)),
       waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy,
              on_gpu(device, settings.wave_place) ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT),
+      chop_(settings.sea.chop),
+      drawn_seed_(settings.sea.seed),
       quadtree_(settings.lod) {
   if (on_gpu(device, settings.wave_place))
     compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, bins_, waves_);
@@ -28,8 +32,38 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
 
 void Ocean::update(Frame& frame, double time_s) {
   const std::int64_t ticks = ticks_from_seconds(time_s);
+  if (changing()) follow_change(frame, ticks);
   if (compute_) compute_->update(frame, ticks);
   if (upload_) upload_->update(frame, ticks);
+}
+
+void Ocean::change(const SeaState& sea, double over_s) {
+  if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, settings_.waves);
+  maker_->ask(sea);
+  settings_.sea = sea;
+  change_s_ = over_s;
+  asked_for_ = true;
+}
+
+void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
+  if (std::optional<MadeSea> made = maker_->take()) {
+    const bool same_waves = drawn_seed_ == made->state.seed;
+    drawn_seed_ = same_waves ? drawn_seed_ : std::nullopt;  // two seas' waves at once, until the change is over
+    MadeSea now{made->state, bins_, statistics_};
+    now.state.chop = chop_;
+    blend_.emplace(std::move(now), std::move(*made), ticks, ticks + std::max<std::int64_t>(1, ticks_from_seconds(change_s_)), same_waves);
+    asked_for_ = false;
+  }
+  if (!blend_) return;
+  blend_->amplitudes(ticks, bins_);
+  statistics_ = blend_->statistics(ticks);
+  chop_ = blend_->chop(ticks);
+  waves_.take(bins_, chop_, statistics_);
+  if (compute_) compute_->take(frame, bins_, chop_);
+  if (upload_) upload_->take(bins_, chop_, statistics_);
+  if (!blend_->over(ticks)) return;
+  drawn_seed_ = blend_->to().state.seed;
+  blend_.reset();
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {

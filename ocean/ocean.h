@@ -1,11 +1,13 @@
 // The ocean: one sea, its waves and its surface, for any number of viewers.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "engine/frame.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
+#include "ocean/waves/sea_change.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_compute.h"
 #include "ocean/waves/wave_field.h"
@@ -42,6 +44,15 @@ class Ocean {
 
   // Takes settings that need no new GPU objects (levels of detail, water).
   void apply(const LodSettings& lod, const WaterSettings& water);
+  // Lets another sea grow out of this one over some seconds of the sea's time, more than 0, from the frame on in which its waves are made:
+  // no frame waits for them. The sea asked for last is the one that comes. Gravity, depth and loop are those that it has (grows_out_of).
+  // Throws Error as validate() does.
+  void change(const SeaState& sea, double over_s);
+  // Whether a sea asked for is still to come or on its way.
+  bool changing() const { return asked_for_ || blend_; }
+  // The waves as they were in the last update.
+  const WaveBins& bins() const { return bins_; }
+  double chop() const { return chop_; }
 
   const WaveImages& waves() const { return waves_; }
   const SeaStatistics& statistics() const { return statistics_; }
@@ -54,6 +65,12 @@ class Ocean {
   WaveImages waves_;
   std::unique_ptr<WaveCompute> compute_;  // either this
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
+  void follow_change(Frame& frame, std::int64_t ticks);
+  std::unique_ptr<SeaMaker> maker_;  // from the first change on
+  bool asked_for_ = false;
+  double change_s_ = 0.0, chop_;
+  std::optional<std::uint32_t> drawn_seed_;  // none while two seeds' waves are drawn
+  std::optional<SeaBlend> blend_;
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;
 };

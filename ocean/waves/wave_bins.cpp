@@ -102,11 +102,13 @@ std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks) {
   return quotient + (rest > 0);
 }
 
-WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
+WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) { return make_wave_bins(sea, quality, ladder(sea)); }
+
+WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const Ladder& ladder) {
   validate(quality);
   const Spectrum spectrum(sea);
   WaveBins result;
-  result.ladder = ladder(sea);
+  result.ladder = ladder;
   result.cascades = quality.cascades;
   result.bins.assign(WaveBins::first(quality.cascades), gpu::WaveBin{});
   if (!(sea.depth_m > 0.0)) return result;
@@ -149,7 +151,7 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
 }
 
 glm::vec2 drawn_amplitude(const gpu::WaveBin& bin, int mx, int mz, int samples) {
-  return glm::vec2(glm::dvec2(bin.amplitude) / sampled_share(mx, mz, samples));
+  return float(1.0 / sampled_share(mx, mz, samples)) * bin.amplitude;
 }
 
 float moment_share(const WaveBins& bins, int cascade, int samples) {

@@ -1,5 +1,7 @@
 #include "ocean/waves/wave_compute.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,20 @@ gpu::WavePush push_of(const SeaState& sea, const WaveBins& bins, const WaveImage
   }
   return push;
 }
+
+// The bins of a set's cascades as their tiles carry them, one table after the other.
+void write_drawn(const WaveBins& bins, const WaveImages::Set& set, gpu::WaveBin* to) {
+  const int half = bins_of(set.first) / 2, rows = 2 * half * set.cascades;
+  tbb::parallel_for(0, rows, [&](int row) {
+    const int c = set.first + row / (2 * half), mz = row % (2 * half) - half;
+    gpu::WaveBin* out = to + std::ptrdiff_t(row) * 2 * half;
+    for (int mx = -half; mx < half; ++mx) {
+      gpu::WaveBin bin = bins.at(c, mx, mz);
+      if (bin.amplitude != glm::vec2(0.0f)) bin.amplitude = drawn_amplitude(bin, mx, mz, set.samples);
+      *out++ = bin;
+    }
+  });
+}
 }  // namespace
 
 std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts) {
@@ -29,7 +45,7 @@ std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts) {
 }
 
 WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages& images)
-    : images_(images) {
+    : device_(device), images_(images) {
   const EffectScope scope(device, "waves");
   fetch_sampler_ = make_sampler(device, "waves, mips", {false, true, 1.0f});
   mips_pipeline_ = make_compute_pipeline(device, shaders, images.half_storage() ? "wave_mips_half.comp" : "wave_mips_full.comp");
@@ -43,14 +59,10 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
   work.set = &set;
   work.band = std::min(table, std::max(n, 64u));
   work.push = push_of(sea, bins, set);
-  std::vector<gpu::WaveBin> drawn;
-  for (int c = set.first; c < set.first + set.cascades; ++c)
-    for (int mz = -int(table) / 2; mz < int(table) / 2; ++mz)
-      for (int mx = -int(table) / 2; mx < int(table) / 2; ++mx) {
-        drawn.push_back(bins.at(c, mx, mz));
-        drawn.back().amplitude = drawn_amplitude(drawn.back(), mx, mz, set.samples);
-      }
-  work.bins = make_filled_buffer(device, "wave bins", drawn.data(), drawn.size() * sizeof(gpu::WaveBin), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  std::vector<gpu::WaveBin> drawn(std::size_t(cascades) * table * table);
+  write_drawn(bins, set, drawn.data());
+  work.bins = make_filled_buffer(device, "wave bins", drawn.data(), drawn.size() * sizeof(gpu::WaveBin),
+                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   work.rows = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * work.band * n * 8, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   // Many bins are transformed 256 at a time, by 16 invocations; fewer 64 at a time, by 8.
   const bool wide = work.band >= 256;
@@ -87,6 +99,25 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
     work.mip_steps.push_back(std::move(step));
   }
   return work;
+}
+
+void WaveCompute::take(Frame& frame, const WaveBins& bins, double chop) {
+  const EffectScope scope(device_, "waves");
+  computed_ = false;
+  for (Work& work : work_) {
+    work.push.chop = float(chop);
+    Buffer& staging = work.staging[std::size_t(frame.slot())];
+    if (!staging) staging = Buffer(device_, "wave bins, changing", work.bins.bytes(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+    write_drawn(bins, *work.set, staging.mapped<gpu::WaveBin>());
+  }
+  Uses uses{};
+  for (const Work& work : work_) {
+    uses.add(use(work.staging[std::size_t(frame.slot())], Access::transfer_read));
+    uses.add(use(work.bins, Access::transfer_write));
+  }
+  frame.pass("wave bins", uses, [&](Commands& c) {
+    for (const Work& work : work_) c.copy(work.staging[std::size_t(frame.slot())], work.bins);
+  });
 }
 
 void WaveCompute::update(Frame& frame, std::int64_t ticks) {

@@ -1,5 +1,6 @@
 // Fills the sea's tiles on the GPU: spectrum and transforms by compute shaders, with mip chains, once a frame.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,8 @@ class WaveCompute {
 
   // Computes all tiles for the time; nothing when they already hold it.
   void update(Frame& frame, std::int64_t ticks);
+  // Other amplitudes and chop of the same waves, in a frame that has begun, before its update.
+  void take(Frame& frame, const WaveBins& bins, double chop);
 
  private:
   struct MipStep {
@@ -35,8 +38,10 @@ class WaveCompute {
     Bindings rows_bindings, columns_bindings;
     gpu::WavePush push;  // the time left out
     std::vector<MipStep> mip_steps;
+    std::array<Buffer, Frame::slots> staging;  // of the bins, while the sea changes
   };
   Work make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages::Set& set) const;
+  Device& device_;
   const WaveImages& images_;
   Owned<VkSampler> fetch_sampler_;
   Pipeline mips_pipeline_;

@@ -27,10 +27,12 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
   for (int mz = -band / 2; mz < band / 2; ++mz)
     for (int mx = -band / 2; mx < band / 2; ++mx) {
       const gpu::WaveBin& bin = bins.at(index, mx, mz);
-      const glm::vec2 amplitude = drawn_amplitude(bin, mx, mz, samples);
+      const bool carried = mx * mx + mz * mz < samples * samples / 4;
+      const glm::vec2 amplitude = carried ? drawn_amplitude(bin, mx, mz, samples) : glm::vec2(0.0f);
       const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
       const double length = glm::length(k);
       const glm::dvec2 towards = length > 0.0 ? sea.chop / length * k : glm::dvec2(0.0);
+      table.raise.push_back(carried ? float(1.0 / sampled_share(mx, mz, samples)) : 0.0f);
       table.amplitude_re.push_back(amplitude.x);
       table.amplitude_im.push_back(amplitude.y);
       table.turns.push_back((std::uint64_t(bin.turns_high) << 32) | bin.turns_low);
@@ -57,6 +59,28 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
                        cascade.side_m / samples});
   }
+}
+
+void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
+  const bool turned = chop != sea_.chop;
+  sea_.chop = chop;
+  statistics_ = statistics;
+  tbb::parallel_for(0, quality_.cascades, [&](int cascade) {
+    WaveTable& table = tables_[cascade];
+    const int band = plans_[cascade].band;
+    std::size_t at = 0;
+    for (int mx = -band / 2; mx < band / 2; ++mx)
+      for (int mz = -band / 2; mz < band / 2; ++mz, ++at) {
+        const glm::vec2 amplitude = bins.at(cascade, mx, mz).amplitude;
+        bins_.at(cascade, mx, mz).amplitude = table.raise[at] > 0.0f ? amplitude : glm::vec2(0.0f);
+        table.amplitude_re[at] = table.raise[at] * amplitude.x;
+        table.amplitude_im[at] = table.raise[at] * amplitude.y;
+        if (!turned) continue;
+        const float k = std::hypot(table.kx[at], table.kz[at]), towards = k > 0.0f ? float(chop) / k : 0.0f;
+        table.shift_x[at] = towards * table.kx[at];
+        table.shift_z[at] = towards * table.kz[at];
+      }
+  });
 }
 
 WaveTileLayout::WaveTileLayout(const WaveQuality& quality) : cascades(quality.cascades), resolution(quality.resolution) {

@@ -39,6 +39,8 @@ struct WaveBins {
 
 // Bins whose |m| reaches half the tile's samples are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on the quality.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality);
+// The same on the ladder of another sea, whose waves these are to grow out of.
+WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const Ladder& ladder);
 
 // A bin's amplitude as a tile of `samples` texels a side carries it: higher by what bilinear sampling takes (sampled_share).
 glm::vec2 drawn_amplitude(const gpu::WaveBin& bin, int mx, int mz, int samples);
@@ -79,6 +81,7 @@ struct SeaSample {
 // What a cascade's transforms need of its waves, planar: [mz + band/2][mx + band/2] without padding.
 struct WaveTable {
   std::vector<float> amplitude_re, amplitude_im;
+  std::vector<float> raise;             // how much higher tiles carry a wave (drawn_amplitude), 0 beyond the samples' reach
   std::vector<std::uint64_t> turns;     // turns a tick, times 2^64
   std::vector<float> kx, kz;            // world wave vector, rad/m
   std::vector<float> shift_x, shift_z;  // chop kx / k, chop kz / k
@@ -89,14 +92,18 @@ struct WaveTable {
   float moment_share = 1.0f;
 };
 
-// Every deterministic wave of a sea, ready to be evaluated at any time. Immutable: any number of threads may use one field,
-// each with its own tiles.
+// Every deterministic wave of a sea, ready to be evaluated at any time. Immutable but for take(): any number of threads may use one
+// field, each with its own tiles.
 class WaveField {
  public:
   // Throws Error as validate() does (spectrum.h).
   WaveField(const SeaState& sea, const WaveQuality& quality);
   // A sea of given waves, made for the same quality; of `sea` the chop, gravity and wind count.
   WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins);
+
+  // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher quality. Not
+  // while another thread uses the field.
+  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
   // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea, the
   // quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of another

@@ -52,6 +52,12 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
   pixel_sampler_ = make_sampler(device, "waves, pixels", {true, true, float(anisotropy)});
 }
 
+void WaveImages::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
+  statistics_ = statistics;
+  chop_ = chop;
+  for (int c = 0; c < cascades(); ++c) cascade_moments_[std::size_t(c)] = tile_moments(bins, c);
+}
+
 void WaveImages::add_uses(Uses& uses, Access access, bool whole) const {
   for (const Set& set : sets_)
     for (const Image* image : {&set.displacement, &set.derivatives, &set.moments}) uses.add(use(*image, access, whole));

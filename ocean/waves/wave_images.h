@@ -16,6 +16,9 @@ class WaveImages {
   WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, const SeaStatistics& statistics,
              double anisotropy, VkImageUsageFlags filled_as);
 
+  // Other amplitudes and chop: what shaders are told of the waves' statistics.
+  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
+
   // The part of SeaData that follows the place: `grid_origin_m` is the world x, z that rest positions count from.
   gpu::SeaData sea_data(glm::dvec2 grid_origin_m) const;
 

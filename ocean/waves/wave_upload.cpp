@@ -31,6 +31,11 @@ WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& q
     }
 }
 
+void WaveUpload::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
+  field_.take(bins, chop, statistics);
+  uploaded_ = false;
+}
+
 void WaveUpload::update(Frame& frame, std::int64_t ticks) {
   if (uploaded_ && ticks == ticks_) return;
   uploaded_ = true;

@@ -18,6 +18,8 @@ class WaveUpload {
   // Computes all tiles for the time and copies them; nothing when the images already hold it. The processor's part is done
   // while the GPU still draws the frame before, since each frame in flight has staging memory of its own.
   void update(Frame& frame, std::int64_t ticks);
+  // Other amplitudes and chop from the next update on (WaveField::take).
+  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
  private:
   static constexpr int planes = 3;  // shift, slope, moments: the three images

@@ -166,7 +166,7 @@ TEST(WaterHeight, AgreesWithTheFineSea) {
   SeaState sea;
   sea.wind_speed_mps = 12.0;
   const WaveQuality quality{256, 5, false};
-  WaterHeight coarse(sea, quality);
+  WaterHeight coarse(sea, quality, make_wave_bins(sea, quality));
   const WaveField fine(sea, quality);
   WaveTiles tiles;
   double square = 0.0, error = 0.0;
