@@ -13,8 +13,8 @@ namespace {
 // ultra are for PC VR. Resolution adds oversampling and whole short bands; it never changes a wave that is kept.
 constexpr PresetRow rows[] = {
     // key                   low      medium   high       ultra
-    {"waves.resolution",     "128",   "256",   "256",     "512"},
-    {"waves.cascades",       "4",     "4",     "5",       "5"},
+    {"waves.resolution",     "256",   "256",   "256",     "512"},
+    {"waves.cascades",       "3",     "4",     "5",       "5"},
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
     {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -24,15 +25,18 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
   WaveTable table;
   table.moment_share = moment_share(bins, index, samples);
   table.shear_length_m = std::exp2(std::round(std::log2(float(1.0 / (12.0 * step)))));
+  std::vector<double> sampled;  // sampled_share is a product of this of both axes
+  for (int m = 0; m <= band / 2; ++m) sampled.push_back(sampled_share(m, 0, samples));
   for (int mz = -band / 2; mz < band / 2; ++mz)
     for (int mx = -band / 2; mx < band / 2; ++mx) {
       const gpu::WaveBin& bin = bins.at(index, mx, mz);
       const bool carried = mx * mx + mz * mz < samples * samples / 4;
-      const glm::vec2 amplitude = carried ? drawn_amplitude(bin, mx, mz, samples) : glm::vec2(0.0f);
+      const float raise = carried ? float(1.0 / (sampled[std::size_t(std::abs(mx))] * sampled[std::size_t(std::abs(mz))])) : 0.0f;
+      const glm::vec2 amplitude = raise * bin.amplitude;
       const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
       const double length = glm::length(k);
       const glm::dvec2 towards = length > 0.0 ? sea.chop / length * k : glm::dvec2(0.0);
-      table.raise.push_back(carried ? float(1.0 / sampled_share(mx, mz, samples)) : 0.0f);
+      table.raise.push_back(raise);
       table.amplitude_re.push_back(amplitude.x);
       table.amplitude_im.push_back(amplitude.y);
       table.turns.push_back((std::uint64_t(bin.turns_high) << 32) | bin.turns_low);
@@ -69,8 +73,8 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
     WaveTable& table = tables_[cascade];
     const int band = plans_[cascade].band;
     std::size_t at = 0;
-    for (int mx = -band / 2; mx < band / 2; ++mx)
-      for (int mz = -band / 2; mz < band / 2; ++mz, ++at) {
+    for (int mz = -band / 2; mz < band / 2; ++mz)
+      for (int mx = -band / 2; mx < band / 2; ++mx, ++at) {
         const glm::vec2 amplitude = bins.at(cascade, mx, mz).amplitude;
         bins_.at(cascade, mx, mz).amplitude = table.raise[at] > 0.0f ? amplitude : glm::vec2(0.0f);
         table.amplitude_re[at] = table.raise[at] * amplitude.x;
