@@ -170,7 +170,7 @@ void add_query(Options& options, Arguments& arguments) {
   options.number("--time", "s", arguments.time_s, -1e9, 1e9, "The sea's time");
   options.text("--points", "IN.csv", arguments.points, "Points, with the header x,z in metres");
   options.text("--out", "OUT.csv", arguments.out,
-               "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged");
+               "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged; the velocity is the water's (orbital)");
 }
 
 void add_validate(Options& options, Arguments& arguments) {

@@ -19,15 +19,22 @@ namespace {
 
 constexpr std::size_t asked = 4096;
 
+enum Order { hulls, scattered };  // 64 hulls of 20 m by 5 m, 64 points each; or points over a square kilometre
+
 struct Sea {
-  explicit Sea(std::int64_t preset, double time_s = 10.0) : name(preset_names()[std::size_t(preset)]) {
+  explicit Sea(std::int64_t preset, std::int64_t order = scattered, double time_s = 10.0) : name(preset_names()[std::size_t(preset)]) {
     Settings settings;
     apply_preset(settings, name);
     field.emplace(settings.sea, settings.waves);
     field->evaluate(ticks_from_seconds(time_s), tiles);
     std::mt19937 random(2);
-    std::uniform_real_distribution<double> uniform(-500.0, 500.0);
-    for (std::size_t i = 0; i < asked; ++i) places.emplace_back(uniform(random), uniform(random));  // without order
+    const auto within = [&](double half) { return std::uniform_real_distribution<double>(-half, half)(random); };
+    glm::dvec2 hull(0.0);
+    for (std::size_t i = 0; i < asked; ++i) {
+      if (i % 64 == 0) hull = {within(500.0), within(500.0)};
+      places.push_back(order == hulls ? hull + glm::dvec2(within(2.5), within(10.0)) : glm::dvec2(within(500.0), within(500.0)));
+    }
+    name += order == hulls ? " hulls" : " scattered";
   }
   std::string name;
   std::optional<WaveField> field;
@@ -50,34 +57,34 @@ void count(benchmark::State& state, const Sea& sea) {
 }
 
 void query_single(benchmark::State& state) {
-  Sea sea(state.range(0));
+  Sea sea(state.range(0), state.range(1));
   for (auto _ : state)
     for (std::size_t i = 0; i < asked; ++i) query(*sea.field, sea.tiles, {&sea.places[i], 1}, {&sea.answers[i], 1});
   count(state, sea);
 }
-BENCHMARK(query_single)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(query_single)->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void query_batch(benchmark::State& state, bool one_thread, QueryOptions options) {
   std::optional<tbb::global_control> limit;
   if (one_thread) limit.emplace(tbb::global_control::max_allowed_parallelism, 1);
-  Sea sea(state.range(0));
+  Sea sea(state.range(0), state.range(1));
   for (auto _ : state) query(*sea.field, sea.tiles, sea.places, sea.answers, options);
   count(state, sea);
 }
-BENCHMARK_CAPTURE(query_batch, one_thread, true, {})->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(query_batch, all_cores, false, {})->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(query_batch, one_thread, true, {})->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(query_batch, all_cores, false, {})->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // From the answers of 1/90 s before.
 void query_batch_from_previous(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  Sea sea(state.range(0), 10.0 - 1.0 / 90.0);
+  Sea sea(state.range(0), state.range(1), 10.0 - 1.0 / 90.0);
   std::vector<QueryAnswer> before(asked);
   query(*sea.field, sea.tiles, sea.places, before);
   sea.field->evaluate(ticks_from_seconds(10.0), sea.tiles);
   for (auto _ : state) query(*sea.field, sea.tiles, sea.places, sea.answers, {.previous = before});
   count(state, sea);
 }
-BENCHMARK(query_batch_from_previous)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(query_batch_from_previous)->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // The rest positions, by so many steps in double on the tiles' own field that nothing more changes.
 std::vector<glm::dvec2> rests_of(const Sea& sea) {
