@@ -8,7 +8,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ocean/waves/query_simd.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -99,53 +98,54 @@ HWY_INLINE hn::Vec<D8> pair(D8 d, const float* texels, std::ptrdiff_t at, std::i
   return hn::Combine(d, hn::LoadU(half, texels + ~at - 4 * std::ptrdiff_t(mask)), hn::LoadU(half, texels + ~at));
 }
 
-// The four floats of a plane at a point, summed over the layers for each of the four texels and then over these: two at a
+using Plane = const float* QueryLayer::*;
+
+// The four floats of each plane at a point, summed over the layers for each of the four texels and then over these: two at a
 // time where vectors are wide enough.
-HWY_INLINE void sample(const QueryPlan& plan, const float* QueryLayer::*plane, const Group& g, int point, float* to) {
+template <class... Planes>
+HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, float* const (&to)[sizeof...(Planes)], Planes... planes) {
+  constexpr std::size_t count = sizeof...(Planes);
+  const Plane plane[count] = {planes...};
   const hn::FixedTag<float, 4> d4;
 #if HWY_MAX_BYTES >= 32
   const hn::FixedTag<float, 8> d;
   alignas(32) static constexpr std::int32_t spread_upper[8] = {0, 0, 0, 0, 1, 1, 1, 1}, spread_lower[8] = {2, 2, 2, 2, 3, 3, 3, 3};
   const auto of_upper = hn::SetTableIndices(d, spread_upper), of_lower = hn::SetTableIndices(d, spread_lower);
-  auto upper = hn::Zero(d), lower = hn::Zero(d);
+  hn::Vec<decltype(d)> upper[count], lower[count];
+  for (std::size_t p = 0; p < count; ++p) upper[p] = lower[p] = hn::Zero(d);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const float* texels = layer.*plane;
     const auto weight = hn::LoadDup128(d, g.weight[l] + 4 * point);
-    upper = hn::Add(upper, hn::Mul(hn::TableLookupLanes(weight, of_upper), pair(d, texels, g.upper[l][point], layer.mask)));
-    lower = hn::Add(lower, hn::Mul(hn::TableLookupLanes(weight, of_lower), pair(d, texels, g.lower[l][point], layer.mask)));
-  }
-  const auto row = [&](auto two) HWY_ATTR { return hn::Add(hn::LowerHalf(d4, two), hn::UpperHalf(d4, two)); };
-  hn::Store(hn::Add(row(upper), row(lower)), d4, to);
-#else
-  auto upper_left = hn::Zero(d4), upper_right = upper_left, lower_left = upper_left, lower_right = upper_left;
-  for (int l = 0; l < plan.count; ++l) {
-    const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const float* weight = g.weight[l] + 4 * point;
+    const auto weight_upper = hn::TableLookupLanes(weight, of_upper), weight_lower = hn::TableLookupLanes(weight, of_lower);
     const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
-    const std::ptrdiff_t right = at_upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
-    const float* upper = layer.*plane + (at_upper >= 0 ? at_upper : ~at_upper);
-    const float* lower = layer.*plane + (at_lower >= 0 ? at_lower : ~at_lower);
-    upper_left = hn::Add(upper_left, hn::Mul(hn::Set(d4, weight[0]), hn::LoadU(d4, upper)));
-    upper_right = hn::Add(upper_right, hn::Mul(hn::Set(d4, weight[1]), hn::LoadU(d4, upper + right)));
-    lower_left = hn::Add(lower_left, hn::Mul(hn::Set(d4, weight[2]), hn::LoadU(d4, lower)));
-    lower_right = hn::Add(lower_right, hn::Mul(hn::Set(d4, weight[3]), hn::LoadU(d4, lower + right)));
+    for (std::size_t p = 0; p < count; ++p) {
+      upper[p] = hn::Add(upper[p], hn::Mul(weight_upper, pair(d, layer.*plane[p], at_upper, layer.mask)));
+      lower[p] = hn::Add(lower[p], hn::Mul(weight_lower, pair(d, layer.*plane[p], at_lower, layer.mask)));
+    }
   }
-  hn::Store(hn::Add(hn::Add(upper_left, upper_right), hn::Add(lower_left, lower_right)), d4, to);
+  for (std::size_t p = 0; p < count; ++p)
+    hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper[p]), hn::UpperHalf(d4, upper[p])),
+                      hn::Add(hn::LowerHalf(d4, lower[p]), hn::UpperHalf(d4, lower[p]))),
+              d4, to[p]);
+#else
+  for (std::size_t p = 0; p < count; ++p) {
+    auto upper_left = hn::Zero(d4), upper_right = upper_left, lower_left = upper_left, lower_right = upper_left;
+    for (int l = 0; l < plan.count; ++l) {
+      const QueryLayer& layer = plan.layers[std::size_t(l)];
+      const float* weight = g.weight[l] + 4 * point;
+      const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
+      const std::ptrdiff_t right = at_upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
+      const float* upper = layer.*plane[p] + (at_upper >= 0 ? at_upper : ~at_upper);
+      const float* lower = layer.*plane[p] + (at_lower >= 0 ? at_lower : ~at_lower);
+      upper_left = hn::Add(upper_left, hn::Mul(hn::Set(d4, weight[0]), hn::LoadU(d4, upper)));
+      upper_right = hn::Add(upper_right, hn::Mul(hn::Set(d4, weight[1]), hn::LoadU(d4, upper + right)));
+      lower_left = hn::Add(lower_left, hn::Mul(hn::Set(d4, weight[2]), hn::LoadU(d4, lower)));
+      lower_right = hn::Add(lower_right, hn::Mul(hn::Set(d4, weight[3]), hn::LoadU(d4, lower + right)));
+    }
+    hn::Store(hn::Add(hn::Add(upper_left, upper_right), hn::Add(lower_left, lower_right)), d4, to[p]);
+  }
 #endif
 }
-
-HWY_INLINE void fetch(const QueryPlan& plan, const float* QueryLayer::*plane, const Group& g, int point) {
-  for (int l = 0; l < plan.count; ++l) {
-    const float* texels = plan.layers[std::size_t(l)].*plane;
-    const std::ptrdiff_t upper = g.upper[l][point], lower = g.lower[l][point];
-    if (upper < 0) continue;
-    hwy::Prefetch(texels + upper);
-    hwy::Prefetch(texels + lower);
-  }
-}
-}  // namespace
-
 
 template <class D>
 HWY_INLINE void search(D d, const QueryPlan& plan, Group& g, int count) {
@@ -161,11 +161,7 @@ HWY_INLINE void search(D d, const QueryPlan& plan, Group& g, int count) {
         if ((left >> i & some) != 0) locate(d, plan, g, i);
     for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
       const int point = std::countr_zero(rest);
-      sample(plan, &QueryLayer::shift, g, point, g.shift + 4 * point);
-      if (iteration == 2) {
-        fetch(plan, &QueryLayer::slope, g, point);
-        if (plan.velocity) fetch(plan, &QueryLayer::velocity, g, point);
-      }
+      sample(plan, g, point, {g.shift + 4 * point}, &QueryLayer::shift);
     }
     const bool more = iteration < plan.most_iterations;
     for (int i = 0; i < count; i += lanes) {
@@ -203,8 +199,10 @@ HWY_INLINE void describe(D d, const QueryPlan& plan, Group& g, int count, QueryA
   const hn::Half<D> half_d;
   const int lanes = int(hn::Lanes(d));
   for (int i = 0; i < count; ++i) {
-    sample(plan, &QueryLayer::slope, g, i, g.slope + 4 * i);
-    if (plan.velocity) sample(plan, &QueryLayer::velocity, g, i, g.velocity + 4 * i);
+    if (plan.velocity)
+      sample(plan, g, i, {g.slope + 4 * i, g.velocity + 4 * i}, &QueryLayer::slope, &QueryLayer::velocity);
+    else
+      sample(plan, g, i, {g.slope + 4 * i}, &QueryLayer::slope);
   }
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
   alignas(64) float height_at[hn::MaxLanes(D())], eulerian[hn::MaxLanes(D())], contraction[hn::MaxLanes(D())], least[hn::MaxLanes(D())];
@@ -291,6 +289,8 @@ HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* place
   search(d, plan, g, count);
   describe(d, plan, g, count, answers);
 }
+
+}  // namespace
 
 void answer_all(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count) {
   for (std::size_t i = 0; i < count; i += group) {
