@@ -86,6 +86,8 @@ void whole_cascade(benchmark::State& state) {
   state.counters["to_alone_min"] = whole.least() / alone.least();
   state.counters["to_fftw_min"] = whole.least() / one.least();
   state.counters["mips_to_alone_min"] = with_mips.least() / alone.least();
+  state.counters["alone_1thread_min"] = alone_1.least();
+  state.counters["whole_1thread_min"] = whole_1.least();
   state.counters["to_alone_1thread"] = whole_1.median() / alone_1.median();
 }
 BENCHMARK(whole_cascade)->ArgNames({"n", "band"})->Args({512, 64})->Args({512, 256})->Args({256, 64})->Unit(benchmark::kMicrosecond)->UseRealTime();
