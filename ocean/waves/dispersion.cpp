@@ -42,6 +42,13 @@ double airy_wave_number(double w, double gravity_mps2, double depth_m) {
   return kh / depth_m;
 }
 
+double orbit_width(double k, double depth_m) {
+  constexpr double most = 8.0;
+  if (!(k > 0.0)) return 1.0;
+  const double t = std::tanh(k * depth_m);
+  return t > 1.0 / most ? 1.0 / t : most;
+}
+
 double wave_frequency(double k, double gravity_mps2, double depth_m) { return with_tension(k, gravity_mps2, depth_m); }
 
 long double wave_frequency(long double k, long double gravity_mps2, long double depth_m) {

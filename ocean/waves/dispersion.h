@@ -15,6 +15,10 @@ double airy_group_speed(double k, double gravity_mps2, double depth_m);
 // 0 where the frequency or the depth is 0 or less.
 double airy_wave_number(double w, double gravity_mps2, double depth_m);
 
+// How much wider than high the orbit of the water at the surface is: coth(k h) (Airy 1845), 1 in deep water; held at 8, below a depth of an
+// eighth of 1 / k, where waves of any height are no linear waves any more. 1 where k is 0 or less.
+double orbit_width(double k, double depth_m);
+
 // With surface tension, which makes waves shorter than about 10 cm faster: w^2 = (g k + (sigma / rho) k^3) tanh(k h)
 // (Lamb 1932, art. 267). This is what the drawn waves run by.
 double wave_frequency(double k, double gravity_mps2, double depth_m);

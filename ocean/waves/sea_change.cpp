@@ -90,7 +90,9 @@ SeaStatistics SeaBlend::statistics(std::int64_t ticks) const {
   // The height is a sum of both seas' heights, and so no higher than the sum of both bounds.
   const Weights w = weights(ticks);
   result.largest_height_m = w.from * a.largest_height_m + w.to * b.largest_height_m;
-  result.largest_shift_m = chop(ticks) * result.largest_height_m;
+  result.largest_shift_m = w.from * a.largest_shift_m + w.to * b.largest_shift_m;
+  const auto unchopped = [](const MadeSea& sea) { return sea.state.chop > 0.0 ? sea.statistics.largest_shift_m / sea.state.chop : 0.0; };
+  if (from_.state.chop > 0.0 && to_.state.chop > 0.0) result.largest_shift_m = chop(ticks) * (w.from * unchopped(from_) + w.to * unchopped(to_));
   return result;
 }
 

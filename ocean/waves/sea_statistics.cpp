@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ocean/waves/dispersion.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/wave_field.h"
 
@@ -16,7 +17,7 @@ constexpr double least_tail = 0.05;        // share of the whole spectrum's slop
 SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
   validate(sea);
   SeaStatistics result;
-  double sum_of_amplitudes = 0.0;
+  double sum_of_amplitudes = 0.0, shift_variance = 0.0, sum_of_shifts = 0.0;  // shifts of chop 1
   for (int index = 0; index < bins.cascades; ++index) {
     const Cascade& cascade = bins.ladder[index];
     const double step = 2.0 * std::numbers::pi / cascade.side_m;
@@ -30,6 +31,9 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
         result.height_variance += variance;
         result.slope_moments += variance * glm::dvec3(k.x * k.x, k.y * k.y, k.x * k.y);
         sum_of_amplitudes += glm::length(a);
+        const double width = variance > 0.0 ? orbit_width(glm::length(k), sea.depth_m) : 0.0;
+        shift_variance += variance * width * width;
+        sum_of_shifts += glm::length(a) * width;
       }
   }
 
@@ -50,7 +54,7 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
 
   // The sum of all amplitudes is never passed; for a sea of many waves the Rayleigh bound is far below it.
   result.largest_height_m = std::min(crest_deviations * std::sqrt(result.height_variance), sum_of_amplitudes);
-  result.largest_shift_m = sea.chop * result.largest_height_m;
+  result.largest_shift_m = sea.chop * std::min(crest_deviations * std::sqrt(shift_variance), sum_of_shifts);
   return result;
 }
 

@@ -12,6 +12,7 @@ gpu::WavePush push_of(const SeaState& sea, const WaveBins& bins, const WaveImage
   gpu::WavePush push{};
   push.samples = set.samples;
   push.chop = float(sea.chop);
+  push.depth_m = sea.depth_m < deep_water_m ? float(sea.depth_m) : 0.0f;
   for (int i = 0; i < set.cascades; ++i) {
     const Cascade& cascade = bins.ladder[std::size_t(set.first + i)];
     const double dk = 2.0 * M_PI / cascade.side_m;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "ocean/waves/dispersion.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/wave_tiles.h"
 #include "ocean/waves/wave_tiles_simd.h"
@@ -35,7 +36,7 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
       const glm::vec2 amplitude = raise * bin.amplitude;
       const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
       const double length = glm::length(k);
-      const glm::dvec2 towards = length > 0.0 ? sea.chop / length * k : glm::dvec2(0.0);
+      const glm::dvec2 towards = length > 0.0 ? sea.chop * orbit_width(length, sea.depth_m) / length * k : glm::dvec2(0.0);
       table.raise.push_back(raise);
       table.amplitude_re.push_back(amplitude.x);
       table.amplitude_im.push_back(amplitude.y);
@@ -80,7 +81,7 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
         table.amplitude_re[at] = table.raise[at] * amplitude.x;
         table.amplitude_im[at] = table.raise[at] * amplitude.y;
         if (!turned) continue;
-        const float k = std::hypot(table.kx[at], table.kz[at]), towards = k > 0.0f ? float(chop) / k : 0.0f;
+        const float k = std::hypot(table.kx[at], table.kz[at]), towards = k > 0.0f ? float(chop * orbit_width(double(k), sea_.depth_m)) / k : 0.0f;
         table.shift_x[at] = towards * table.kx[at];
         table.shift_z[at] = towards * table.kz[at];
       }

@@ -84,7 +84,7 @@ struct WaveTable {
   std::vector<float> raise;             // how much higher tiles carry a wave (drawn_amplitude), 0 beyond the samples' reach
   std::vector<std::uint64_t> turns;     // turns a tick, times 2^64
   std::vector<float> kx, kz;            // world wave vector, rad/m
-  std::vector<float> shift_x, shift_z;  // chop kx / k, chop kz / k
+  std::vector<float> shift_x, shift_z;  // chop kx / k and chop kz / k, each times the orbit's width
   std::vector<float> frequency;         // rad/s
   // Two fields of one transform share its rounding: dDx/dz is carried at the size of Dz, times this length, a power of two.
   float shear_length_m = 1.0f;
@@ -98,7 +98,7 @@ class WaveField {
  public:
   // Throws Error as validate() does (spectrum.h).
   WaveField(const SeaState& sea, const WaveQuality& quality);
-  // A sea of given waves, made for the same quality; of `sea` the chop, gravity and wind count.
+  // A sea of given waves, made for the same quality; of `sea` the chop, gravity, depth and wind count.
   WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins);
 
   // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher quality. Not

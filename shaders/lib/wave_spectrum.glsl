@@ -24,7 +24,11 @@ vec2 wave_height(uint cascade, uint row, uint column) {
 // The complex number that turns a wave's height into the two real fields A + i B of a transform. Displacement is i k/|k| chop h; a
 // derivative multiplies by i k.
 vec2 field_factor(uint field, vec2 k, float length_m) {
-  const vec2 n = k * inversesqrt(max(dot(k, k), 1e-30));
+  vec2 n = k * inversesqrt(max(dot(k, k), 1e-30));
+  if (push.depth_m > 0.0) {  // orbits wider than high: coth(k h), held at 8 (orbit_width in ocean/waves/dispersion.h)
+    const float e = exp(-2.0 * push.depth_m * length(k));
+    n *= min((1.0 + e) / max(1.0 - e, 1e-30), 8.0);
+  }
   if (field == 0u) return vec2(0.0, push.chop * n.x + 1.0);                     // Dx + i h
   if (field == 1u) return vec2(0.0, push.chop * n.y * (1.0 - length_m * k.x));  // Dz + i length dDx/dz
   if (field == 2u) return vec2(-k.y, k.x);                                      // dh/dx + i dh/dz

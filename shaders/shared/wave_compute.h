@@ -13,6 +13,7 @@ struct WavePush {
   vec4 wave_vector[max_cascades];  // xy: world wave vector of bin (1, 0) in rad/m; bin (0, 1) is that turned by 90
                                    // degrees; z: a length, a power of two, that brings dDx/dz to the size of Dz; w: what sampling
                                    // leaves of the texels' second moments (moment_share)
+  float depth_m;               // of the still water, 0 for deep
 };
 
 // Push constants of wave_mips.comp.

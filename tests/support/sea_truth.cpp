@@ -96,17 +96,22 @@ void SeaSpectrum::add(SeaMoments& sum, int component, int node, double share) co
   const double w = airy(k, causes_.g, causes_.depth, 7.17e-5), to = to_rad(component);
   sum.m0 += variance;
   sum.w2 += variance * w * w;
-  sum.w1.x += variance * w * f.first * std::sin(to);
-  sum.w1.z -= variance * w * f.first * std::cos(to);
+  const double width = std::min(1.0 / std::tanh(k * causes_.depth), 8.0);
+  sum.u2 += variance * w * w * width * width;
+  sum.w1.x += variance * w * width * f.first * std::sin(to);
+  sum.w1.z -= variance * w * width * f.first * std::cos(to);
   // Unit vectors (sin, -cos): twice them, averaged, is half of 1 -+ second cos 2 to, and -half of second sin 2 to.
   const double c2 = f.second * std::cos(2.0 * to), s2 = f.second * std::sin(2.0 * to);
-  double power = 0.5 * variance;
-  for (Tensor* t : {&sum.k0, &sum.k1, &sum.k2}) {
-    t->xx += power * (1.0 - c2);
-    t->zz += power * (1.0 + c2);
-    t->xz -= power * s2;
-    power *= k;
-  }
+  const auto add_to = [&](Tensor& t, double power) {
+    t.xx += 0.5 * variance * power * (1.0 - c2);
+    t.zz += 0.5 * variance * power * (1.0 + c2);
+    t.xz -= 0.5 * variance * power * s2;
+  };
+  add_to(sum.k0_wide, width * width);
+  add_to(sum.k1, k);
+  add_to(sum.k2, k * k);
+  add_to(sum.k1_wide, k * width);
+  add_to(sum.k2_wide, k * k * width * width);
 }
 
 }  // namespace truth

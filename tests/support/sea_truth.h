@@ -31,8 +31,10 @@ struct SeaCauses {
 struct SeaMoments {
   double m0 = 0.0;       // E[h^2]
   double w2 = 0.0;       // E[(dh/dt)^2]
-  Vector w1;             // integral of w times the unit wave vector
-  Tensor k0, k1, k2;     // integrals of k^n times the unit wave vector twice: k2 is E[grad h grad h]
+  double u2 = 0.0;       // E[u^2] of the water's horizontal velocity at the surface, coth(k depth) as much as the vertical's
+  Vector w1;             // integral of w times the unit wave vector and that width: E[h u]
+  Tensor k1, k2;         // integrals of k^n times the unit wave vector twice: k2 is E[grad h grad h]
+  Tensor k0_wide, k1_wide, k2_wide;  // the same times that width, k0 and k2 times its square: k0_wide is E[D D]
 };
 
 // JONSWAP (or TMA) spread as Donelan and Banner have it, Elfouhaily's tail, trains of swell of gamma 6 spread as cos^50 of half the angle.
@@ -76,26 +78,26 @@ class SeaSpectrum {
 };
 
 // What the moments say of the drawn surface, whose horizontal displacement is chop times the unit wave vector times the height's at a quarter
-// of a wave away: linear theory's in deep water, at every depth.
+// of a wave away, and coth(k depth) as wide as that is high (Airy 1845).
 //
 // Heights over the displaced surface: of a first-order Lagrangian sea, x = a + D(a), a mean over the plane of x weighs places a by the
-// Jacobian J = det(I + G), G = grad D. h and G are jointly Gaussian with E[h G] = -chop k1, E[G G] = chop^2 k^2 means, and J is
+// Jacobian J = det(I + G), G = grad D. h and G are jointly Gaussian with E[h G] = -chop k1_wide, and J is
 // a polynomial, so Isserlis' (1918) theorem gives the moments with no remainder (the "choppy wave" model of Nouguier, Guerin and
-// Chapron 2009): E[h] = -T, E[h^2] = m0 + 2 d, E[h^3] = -3 m0 T with T = chop tr k1, d = chop^2 det k1. To second order (Longuet-Higgins
+// Chapron 2009): E[h] = -T, E[h^2] = m0 + 2 d, E[h^3] = -3 m0 T with T = chop tr k1_wide, d = chop^2 det k1_wide. To second order (Longuet-Higgins
 // 1963) the skewness about the mean is 0: sharp crests and the lower mean level under high groups cancel.
 struct Heights {
   double mean, square, cube;  // about the still sea
 };
 inline Heights chopped_heights(const SeaMoments& m, double chop) {
-  const double t = chop * m.k1.trace(), d = chop * chop * m.k1.determinant();
+  const double t = chop * m.k1_wide.trace(), d = chop * chop * m.k1_wide.determinant();
   return {-t, m.m0 + 2.0 * d, -3.0 * m.m0 * t};
 }
 // Slope variance, both directions together, over the displaced surface. J times the slope is (1 + tr G) grad h - G grad h; 1 / J to second
-// order in G leaves E = tr S + E[grad h . G^2 grad h] = tr S + chop^2 tr S^2, S = k2 (det G's mean is 0); what is left out is of third
+// order in G leaves E = tr S + E[grad h . G^2 grad h] = tr S + chop^2 tr S W, S = k2, W = k2_wide (det G's mean is 0); what is left out is of third
 // order in S.
 inline double chopped_slopes(const SeaMoments& m, double chop) {
-  const Tensor& s = m.k2;
-  return s.trace() + chop * chop * (s.xx * s.xx + s.zz * s.zz + 2.0 * s.xz * s.xz);
+  const Tensor &s = m.k2, &w = m.k2_wide;
+  return s.trace() + chop * chop * (s.xx * w.xx + s.zz * w.zz + 2.0 * s.xz * w.xz);
 }
 
 }  // namespace truth

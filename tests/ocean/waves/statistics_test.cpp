@@ -17,7 +17,7 @@ bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 // Means over a seed's places of: heights to the powers 1 to 3 and squared slopes over the displaced surface, which counts a rest
 // place by its Jacobian; then over rest places h^2, (dh/dt)^2, h times the water's velocity, D D and grad h grad h.
-enum Mean { mean_h, mean_h2, mean_h3, mean_s2, rest_h2, rest_w2, hu_x, hu_z, d_xx, d_zz, d_xz, s_xx, s_zz, s_xz, means };
+enum Mean { mean_h, mean_h2, mean_h3, mean_s2, rest_h2, rest_w2, rest_u2, hu_x, hu_z, d_xx, d_zz, d_xz, s_xx, s_zz, s_xz, means };
 using Means = std::array<double, means>;
 
 Means of_seed(const SeaState& sea, const WaveQuality& quality) {
@@ -35,7 +35,7 @@ Means of_seed(const SeaState& sea, const WaveQuality& quality) {
     const glm::dvec3 u = field.velocity(tiles, at, filter), d = s.displacement;
     const glm::dvec2 g = s.height_gradient, slope = s.slope();
     const double h = d.y, j = s.jacobian();
-    const Means here{h * j, h * h * j, h * h * h * j, glm::dot(slope, slope) * j, h * h, u.y * u.y, h * u.x, h * u.z,
+    const Means here{h * j, h * h * j, h * h * h * j, glm::dot(slope, slope) * j, h * h, u.y * u.y, u.x * u.x + u.z * u.z, h * u.x, h * u.z,
                      d.x * d.x, d.z * d.z, d.x * d.z, g.x * g.x, g.y * g.y, g.x * g.y};
     for (int m = 0; m < means; ++m) sum[std::size_t(m)] += here[std::size_t(m)] / places;
   }
@@ -109,10 +109,10 @@ void expect_theory(const Case& of, int seed_count) {
          [](const Means& s) { return 2.0 * truth::pi * std::sqrt(s[rest_h2] / s[rest_w2]); });
   expect("mean direction", degrees(std::atan2(m.w1.x, -m.w1.z)),
          [](const Means& s) { return degrees(std::atan2(s[hu_x], -s[hu_z])); });
-  expect("spread of the first moment", spread1(std::hypot(m.w1.x, m.w1.z) / std::sqrt(m.m0 * m.w2)), [&](const Means& s) {
-    return spread1(std::hypot(s[hu_x], s[hu_z]) / of.sea.chop / std::sqrt(s[rest_h2] * s[rest_w2]));
+  expect("spread of the first moment", spread1(std::hypot(m.w1.x, m.w1.z) / std::sqrt(m.m0 * m.u2)), [&](const Means& s) {
+    return spread1(std::hypot(s[hu_x], s[hu_z]) / std::sqrt(s[rest_h2] * s[rest_u2]));
   });
-  expect("spread of the second moment", spread2(m.k0.xx, m.k0.zz, m.k0.xz),
+  expect("spread of the second moment", spread2(m.k0_wide.xx, m.k0_wide.zz, m.k0_wide.xz),
          [](const Means& s) { return spread2(s[d_xx], s[d_zz], s[d_xz]); });
   expect("spread of slopes", spread2(m.k2.xx, m.k2.zz, m.k2.xz), [](const Means& s) { return spread2(s[s_xx], s[s_zz], s[s_xz]); });
   expect("slope variance", m.k2.trace(), [](const Means& s) { return s[s_xx] + s[s_zz]; });

@@ -83,6 +83,18 @@ TEST_P(WaveTilesOnGpu, EqualTheWaveFieldAtEveryResolution) {
   }
 }
 
+// Orbits wider than high, from 8 of their height on held. Control: a push without the depth.
+TEST_P(WaveTilesOnGpu, EqualTheWaveFieldInShallowWater) {
+  for (const double depth_m : {0.05, 4.0, 40.0}) {
+    SeaState sea = windy();
+    sea.depth_m = depth_m;
+    const WaveQuality quality{.resolution = 64, .cascades = 4};
+    DrawnTiles gpu(GetParam(), sea, quality);
+    const Worst worst = compare(gpu, WaveField(sea, quality), ticks_from_seconds(17.3));
+    EXPECT_LE(worst.error, single_tolerance) << depth_m << " m: " << worst.where;
+  }
+}
+
 TEST_P(WaveTilesOnGpu, EqualTheWaveFieldForAnyNumberOfCascades) {
   for (int cascades = 1; cascades <= 5; ++cascades) {
     const WaveQuality quality{.resolution = 64, .cascades = cascades};
