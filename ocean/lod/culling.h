@@ -1,43 +1,121 @@
 // Decides what at least one of several eyes may see: bounds against the union of their frusta, without a far plane.
 #pragma once
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "engine/view.h"
 
 namespace seascape {
 
+// The upright boxes of a node's four quarters, all in metres relative to EyeFrusta's origin, on a sea that falls away with the square of the distance from the viewer: quarter 0 has
+// the least x and z, 1 lies east and 2 north of it, 3 across.
+struct QuarterBoxes {
+  double x, z, step;          // the centre of quarter 0; from centre to centre
+  double half;                // half their sides
+  double rise;                // their heights before curving: down and up by this
+  double viewer_x, viewer_z;  // on the still sea beneath the viewer
+  double curve;               // a box's top is lowered by `curve` times the square of the least distance along x and z, its foot the greatest
+};
+
+// An upright prism over the convex hull of four points (x, z), grown by `grow` to every side.
+struct UprightPrism {
+  std::array<glm::dvec2, 4> corners;
+  double grow;
+  double low, high;
+};
+
+// x * px + (up + down) * py + z * pz + offset >= 0 on the seen side. Of an eye: left, right, up, down, and the plane through
+// it (the near plane's distance belongs to the drawing, and zero is on the safe side of it). Where all corner rays of an
+// eye go up, or all down, along an axis, nothing beyond the eye on the other side is seen: three more. The frustum's planes
+// alone let through boxes beside and behind the eye; these complete the separating axes in the plane of the sea.
+struct FrustumPlane {
+  double x, z, offset;
+  double up, down;  // the normal's y where it is positive, where it is negative
+  double level;     // |x| + |z|
+  static constexpr std::size_t per_eye = 8;
+};
+
 class EyeFrusta {
  public:
+  // What is still to be asked about bounds that lie inside of others: none of it once the outer ones are wholly in one
+  // eye's sight. A bit a plane, eight to an eye; an eye that sees nothing of the outer bounds has none. Beyond eight eyes
+  // everything is asked every time.
+  using Questions = std::uint64_t;
+  static constexpr Questions none = 0;
+
   // Takes the eyes' poses (unit quaternions) and fields of view; positions below are relative to `origin_m`, world axes.
   // No eyes: everything counts as seen. No allocation once as many eyes have been set before.
   void set(const std::vector<View>& eyes, const glm::dvec3& origin_m);
 
-  // False only if no eye can see any point of the box (`half_m`: half its sides).
-  bool may_see_box(const glm::dvec3& centre_m, const glm::dvec3& half_m) const;
+  // All questions: what to begin with.
+  Questions all() const { return all_; }
 
-  // The same for the upright prism over the convex hull of four points (x, z), grown by `grow_m` to every side, between
-  // the heights `low_m` and `high_m`.
-  bool may_see_prism(const std::array<glm::dvec2, 4>& corners_m, double grow_m, double low_m, double high_m) const;
+  // False only if no eye can see any point of the bounds. `questions`, not `none`: what the bounds around these left;
+  // becomes what these leave for all that lies inside of them.
+  bool may_see(const UprightPrism& prism, Questions& questions) const {
+    return ask(questions, [&prism](const FrustumPlane& plane) {
+      double least = plane.x * prism.corners[0].x + plane.z * prism.corners[0].y, most = least;
+      for (std::size_t c = 1; c < 4; ++c) {
+        const double at = plane.x * prism.corners[c].x + plane.z * prism.corners[c].y;
+        least = at < least ? at : least;
+        most = at > most ? at : most;
+      }
+      const double reach = plane.level * prism.grow;
+      return Span{least - reach + plane.offset + plane.up * prism.low + plane.down * prism.high,
+                  most + reach + plane.offset + plane.up * prism.high + plane.down * prism.low};
+    });
+  }
+
+  // The same for four boxes at once, within bounds that left `asked`: a bit for each that may be seen, and what it leaves.
+  unsigned may_see(const QuarterBoxes& boxes, Questions asked, std::array<Questions, 4>& left) const;
 
  private:
-  // dot(normal, p) + offset >= 0 on the seen side. Left, right, up, down, and the plane through the eye: the near plane's
-  // distance belongs to the drawing, and zero is on the safe side of it.
-  struct Plane {
-    glm::dvec3 normal;
-    double offset;
+  struct Span {
+    double least, most;  // of the distances from a plane, over all of some bounds
   };
-  static constexpr std::size_t planes_per_eye = 5;
-  // The eye and, per axis, whether its corner rays all go up or all go down along it: then nothing beyond the eye on the
-  // other side is seen. The planes alone let through boxes beside and behind the eye; these axes complete the separating
-  // axes in the plane of the sea.
-  struct Eye {
-    std::array<Plane, planes_per_eye> planes;
-    glm::dvec3 position;
-    glm::bvec3 all_up, all_down;
-    bool may_see_span(const glm::dvec3& low, const glm::dvec3& high) const;
-  };
-  std::vector<Eye> eyes_;
+  static constexpr std::size_t planes_per_eye = FrustumPlane::per_eye, most_eyes = 8;
+  static constexpr Questions of_an_eye = 0xff;
+
+  template <typename Distances>
+  bool ask(Questions& questions, const Distances& distances) const {
+    if (planes_.size() > most_eyes * planes_per_eye) return ask_all(distances);
+    Questions left = 0;
+    for (Questions asked = questions; asked != 0;) {
+      const unsigned first = static_cast<unsigned>(std::countr_zero(asked)) & ~7u;
+      unsigned open = static_cast<unsigned>((asked >> first) & of_an_eye);
+      asked &= ~(of_an_eye << first);
+      unsigned crossed = 0;
+      for (; open != 0; open &= open - 1) {
+        const unsigned p = static_cast<unsigned>(std::countr_zero(open));
+        const Span span = distances(planes_[first + p]);
+        if (span.most < 0.0) break;
+        if (span.least < 0.0) crossed |= 1u << p;
+      }
+      if (open != 0) continue;  // all of it beyond a plane: nothing more for this eye
+      if (crossed == 0) {
+        questions = none;
+        return true;
+      }
+      left |= static_cast<Questions>(crossed) << first;
+    }
+    if (left == 0) return false;
+    questions = left;
+    return true;
+  }
+  template <typename Distances>
+  bool ask_all(const Distances& distances) const {
+    for (std::size_t first = 0; first < planes_.size(); first += planes_per_eye) {
+      bool seen = true;
+      for (std::size_t p = first; seen && p < first + planes_per_eye; ++p) seen = distances(planes_[p]).most >= 0.0;
+      if (seen) return true;
+    }
+    return false;
+  }
+
+  std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
+  Questions all_ = none;
 };
 
 }  // namespace seascape

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <map>
 #include <random>
+#include <unordered_set>
 #include <vector>
 
 #include "tests/ocean/lod/lod_support.h"
@@ -13,50 +16,61 @@ namespace seascape {
 namespace {
 using namespace lod_test;
 
-// Every leaf painted on a raster of the finest leaf's cells. Reports cells painted never or twice, edge neighbours that
-// differ by more than one level, and edge bits that do not say what the raster says.
-struct RasterFaults {
-  int holes = 0, overlaps = 0, unbalanced = 0, wrong_edges = 0;
-  bool operator==(const RasterFaults&) const = default;
+// The leaves as squares of the root's grid of their own size. Faults: squares off their grid or that lie in another or twice
+// (overlaps); root not filled by squares that do not overlap (holes: by whole finest cells); leaves beside the middle of whose
+// side, or either half of it, lies no leaf of half, the same or twice the size (unbalanced); edge bits that do not say whether
+// that one is larger. All of it from corner and stride alone, in whole numbers: what a raster of the finest cells would show.
+struct TilingFaults {
+  std::int64_t holes = 0;
+  int overlaps = 0, unbalanced = 0, wrong_edges = 0;
+  bool operator==(const TilingFaults&) const = default;
 };
 
-RasterFaults raster_faults(const SurfaceSelection& s) {
+TilingFaults tiling_faults(const SurfaceSelection& s) {
   constexpr int quads = gpu::patch_quads;
-  RasterFaults faults;
-  int finest = s.half_size * 2;
-  for (const auto& p : s.patches)
-    if (!is_skirt(p)) finest = std::min(finest, p.stride * quads);
-  const int side = s.half_size * 2 / finest;
+  TilingFaults faults;
+  const int root = s.half_size * 2;
   const glm::ivec2 least = s.tree_centre - s.half_size;
-  std::vector<int> stride(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
-  const auto cell = [&](int x, int z) -> int& { return stride[static_cast<std::size_t>(z) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)]; };
+  std::unordered_set<std::uint64_t> leaves;
+  // The square of `size` that holds a point, as a key: sizes are powers of two from 8 on, so that the lowest bit tells them.
+  const auto key = [](int x, int z, int size) {
+    const auto at = [size](int v) { return static_cast<std::uint64_t>((v & ~(size - 1)) | (size >> 1)); };
+    return at(x) << 32 | at(z);
+  };
+  std::int64_t area = 0;
   for (const auto& p : s.patches) {
     if (is_skirt(p)) continue;
-    const glm::ivec2 at = (p.corner - least) / finest;
-    const int cells = p.stride * quads / finest;
-    for (int z = at.y; z < at.y + cells; ++z)
-      for (int x = at.x; x < at.x + cells; ++x) {
-        if (cell(x, z) != 0) ++faults.overlaps;
-        cell(x, z) = p.stride;
-      }
+    const int size = p.stride * quads;
+    const glm::ivec2 at = p.corner - least;
+    const bool on_grid = std::has_single_bit(static_cast<unsigned>(p.stride)) && at % size == glm::ivec2(0) && at.x >= 0 && at.y >= 0 &&
+                         at.x + size <= root && at.y + size <= root;
+    if (!on_grid || !leaves.insert(key(at.x, at.y, size)).second) ++faults.overlaps;
+    area += static_cast<std::int64_t>(size) * size;
   }
-  for (const int painted : stride) faults.holes += painted == 0 ? 1 : 0;
+  faults.holes = static_cast<std::int64_t>(root) * root - area;  // where nothing overlaps
+  // The size of the leaf at a cell, of the sizes asked only; 0: none of them.
+  const auto leaf_at = [&](int x, int z, int from, int to) {
+    for (int size = from; size <= to; size *= 2)
+      if (leaves.contains(key(x, z, size))) return size;
+    return 0;
+  };
   for (const auto& p : s.patches) {
     if (is_skirt(p)) continue;
-    const glm::ivec2 at = (p.corner - least) / finest;
-    const int cells = p.stride * quads / finest;
+    const int size = p.stride * quads, half = size / 2;
+    const glm::ivec2 at = p.corner - least;
+    if (leaf_at(at.x, at.y, size * 2, root) != 0) ++faults.overlaps;
     const struct {
       unsigned bit;
-      glm::ivec2 first, along;
-    } sides[] = {{gpu::patch_east, at + glm::ivec2(cells, 0), {0, 1}}, {gpu::patch_north, at + glm::ivec2(0, cells), {1, 0}},
-                 {gpu::patch_west, at - glm::ivec2(1, 0), {0, 1}}, {gpu::patch_south, at - glm::ivec2(0, 1), {1, 0}}};
-    for (const auto& border : sides)
-      for (int n = 0; n < cells; ++n) {
-        const glm::ivec2 c = border.first + border.along * n;
-        const bool outside = c.x < 0 || c.y < 0 || c.x >= side || c.y >= side;
-        const int neighbour = outside ? p.stride : cell(c.x, c.y);
-        if (neighbour > 2 * p.stride || 2 * neighbour < p.stride) ++faults.unbalanced;
-        if ((neighbour > p.stride) != ((p.flags & border.bit) != 0u)) ++faults.wrong_edges;
+      glm::ivec2 first, along;  // a cell beside the near end of the side, and from there to the half after it
+    } sides[] = {{gpu::patch_east, at + glm::ivec2(size, 0), {0, half}}, {gpu::patch_north, at + glm::ivec2(0, size), {half, 0}},
+                 {gpu::patch_west, at - glm::ivec2(1, 0), {0, half}}, {gpu::patch_south, at - glm::ivec2(0, 1), {half, 0}}};
+    for (const auto& side : sides)
+      for (int n = 0; n < 2; ++n) {
+        const glm::ivec2 c = side.first + side.along * n;
+        const bool outside = c.x < 0 || c.y < 0 || c.x >= root || c.y >= root;
+        const int neighbour = outside ? size : leaf_at(c.x, c.y, std::max(half, quads), std::min(size * 2, root));
+        if (neighbour == 0) ++faults.unbalanced;
+        if ((neighbour > size) != ((p.flags & side.bit) != 0u)) ++faults.wrong_edges;
       }
   }
   return faults;
@@ -83,7 +97,7 @@ TEST(QuadtreeHard, hard_21_ocean_sizes_tile_the_root_once_and_balanced) {
       Quadtree tree(settings_of(preset, size));
       for (int n = 0; n < 60; ++n) {
         const glm::dvec3 eye(unit(random) * 3000.0, std::pow(10.0, 1.8 + 2.5 * unit(random)), unit(random) * 3000.0);
-        ASSERT_EQ(raster_faults(tree.select(everything_from(eye), {0.8, 0.6})), RasterFaults{})
+        ASSERT_EQ(tiling_faults(tree.select(everything_from(eye), {0.8, 0.6})), TilingFaults{})
             << preset.name << ' ' << size << " at " << eye.x << ' ' << eye.y << ' ' << eye.z;
       }
     }
@@ -102,7 +116,7 @@ TEST(QuadtreeHard, EveryDepthAndThresholdIsBalanced) {
       Quadtree tree(settings);
       ASSERT_EQ(tree.levels(), levels + 1);  // of patches, two a side in a square of 16 quads
       for (int n = 0; n < (levels > 9 ? 2 : 20); ++n)
-        ASSERT_EQ(raster_faults(tree.select(everything_from({unit(random) * 900.0, 1.0, unit(random) * 900.0}), {})), RasterFaults{})
+        ASSERT_EQ(tiling_faults(tree.select(everything_from({unit(random) * 900.0, 1.0, unit(random) * 900.0}), {})), TilingFaults{})
             << levels << ' ' << threshold;
     }
 }
@@ -132,10 +146,10 @@ TEST(QuadtreeHard, EveryLeafIsAsFineAsTheThresholdAsks) {
     }
 }
 
-TEST(QuadtreeHard, TheRasterSeesADroppedPatch) {
+TEST(QuadtreeHard, TheTilingSeesADroppedPatch) {
   LodSettings settings;
   settings.drop_patch = 3;
-  EXPECT_GT(raster_faults(Quadtree(settings).select(everything_from({0.0, 1.7, 0.0}), {})).holes, 0);
+  EXPECT_GT(tiling_faults(Quadtree(settings).select(everything_from({0.0, 1.7, 0.0}), {})).holes, 0);
 }
 
 // The complete mesh, skirt included: every edge belongs to exactly two triangles that run along it in opposite
@@ -237,7 +251,7 @@ TEST(QuadtreeHard, hard_19_quadtree_corner) {
       for (const glm::dvec2 at : {glm::dvec2(0.0), glm::dvec2(1.0, 0.0), glm::dvec2(1.0, 1.0), glm::dvec2(-3.0, 2.0)}) {
         const double node = 1024.0 / (1 << level);
         const SurfaceSelection& s = tree.select(everything_from({at.x * node, 1.7, at.y * node}), {});
-        ASSERT_EQ(raster_faults(s), RasterFaults{}) << preset.name << " level " << level;
+        ASSERT_EQ(tiling_faults(s), TilingFaults{}) << preset.name << " level " << level;
         if (preset.patch_quads == 16) expect_watertight(s, preset.name);
       }
   }
@@ -292,7 +306,7 @@ TEST(QuadtreeHard, AltitudeAndUnderWater) {
     for (const double height : {-200.0, -3.0, 0.0, 0.2, 100.0, 1e4, 2e4}) {
       Quadtree tree(settings_of(preset, 4096.0));
       const SurfaceSelection& s = tree.select(everything_from({1e6, height, -1e6}), {12.0, 15.0});
-      ASSERT_EQ(raster_faults(s), RasterFaults{}) << preset.name << ' ' << height;
+      ASSERT_EQ(tiling_faults(s), TilingFaults{}) << preset.name << ' ' << height;
       if (preset.patch_quads == 16) expect_watertight(s, preset.name);
       EXPECT_TRUE(std::isfinite(s.skirt_to_horizon));
       EXPECT_LT(s.patches.size(), 2500u);

@@ -108,6 +108,33 @@ TEST(Quadtree, DetailFollowsThresholdAndHeight) {
   EXPECT_EQ(deepest(1.2, -500.0), deepest(1.2, 500.0));
 }
 
+// Nothing splits where all of the water's motion is below the error that a mesh may have (error_over_spacing of the spacing
+// that distance allows): a still sea is the 16 nodes of the least levels, and in a calm one the nodes that are split reach
+// no farther than that distance and the ring that balancing adds. Control seen: visible_reach infinite.
+TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
+  for (const Preset& preset : presets) {
+    Quadtree tree(settings_of(preset, 4096.0));
+    const SurfaceSelection& still = tree.select(everything_from({3.0, 1.7, 5.0}), {0.0, 0.0});
+    EXPECT_EQ(still.patches.size() - static_cast<std::size_t>(still.skirt_strips), 16u) << preset.name;
+    for (const double height : {0.01, 0.1, 0.5}) {
+      const SurfaceSelection& s = tree.select(everything_from({3.0, 1.7, 5.0}), {height, 0.0});
+      const double reach = height / (Quadtree::error_over_spacing * Quadtree::spacing_over_distance(tree.settings()));
+      int finer = 0;
+      for (const auto& p : s.patches) {
+        if (is_skirt(p) || level_of(p) <= Quadtree::least_levels) continue;
+        ++finer;
+        const double side = p.stride * gpu::patch_quads * s.unit_m;
+        const glm::dvec2 gap = glm::max(glm::max(glm::dvec2(p.corner) * s.unit_m, -glm::dvec2(p.corner) * s.unit_m - side), glm::dvec2(0.0));
+        // Its parent holds it and is split: within reach, or beside a node that is, or beside one that is split for that.
+        ASSERT_LE(glm::length(gap), reach + 4.0 * side) << preset.name << ' ' << height << " m of water, patch of " << side << " m";
+      }
+      if (reach > 4.0) {
+        EXPECT_GT(finer, 0);
+      }
+    }
+  }
+}
+
 // The vertex budget of the presets at deck height (60 degrees, 16:9, 4096 m). Mean patches of 8 by 8 quads in view: low 85, medium
 // 105, high 295, ultra 453. Control seen: ultra's threshold at high.
 TEST(Quadtree, PresetsStayInTheirVertexBudget) {
