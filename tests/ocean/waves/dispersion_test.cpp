@@ -21,6 +21,17 @@ TEST(Dispersion, airy_is_met_at_every_depth) {
   RecordProperty("worst", std::to_string(worst));
 }
 
+TEST(Dispersion, orbits_are_as_wide_as_airy_has_them) {
+  // coth(k h) by exponentials, to 1e-12, up to 8; a circle in the deep, and where there is no wave. Control: circles at every depth (seen).
+  for (const double kh : {0.1, 0.13, 0.2, 0.5, 1.0, 3.0, 8.0, 30.0}) {
+    const double e = std::exp(-2 * kh);
+    EXPECT_NEAR(orbit_width(kh / 7, 7) / std::min((1 + e) / (1 - e), 8.0), 1, 1e-12) << kh;
+  }
+  EXPECT_EQ(orbit_width(1, 1e-6), 8);
+  EXPECT_EQ(orbit_width(1e-3, 1e6), 1);
+  for (const double nothing : {0.0, -1.0}) EXPECT_EQ(orbit_width(nothing, 10), 1);
+}
+
 TEST(Dispersion, hard_7_depths_of_1e_6_and_1e6) {
   // The limits of tanh: w = k sqrt(g h) and w = sqrt(g k), to 1e-6. Control: tanh(x) as x - x^3 / 3 fails in the deep.
   for (const double wave_m : {0.1, 1.0, 30.0, 3000.0}) {
