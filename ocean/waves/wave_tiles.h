@@ -1,7 +1,6 @@
 // The sea's tiles on the CPU at one time: displacement, its derivatives and their second moments, with mip chains, laid out
 // texel for texel as the GPU holds them.
 #pragma once
-#include <tbb/cache_aligned_allocator.h>
 
 #include <array>
 #include <cstdint>
@@ -9,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/large_pages.h"
 #include "ocean/waves/fft.h"
 #include "ocean/waves/wave_field.h"
 
@@ -81,8 +81,8 @@ class WaveTiles {
   WaveTileLayout layout_;
   glm::vec4* first_ = nullptr;  // of given_, or of the tiles' own texels
   std::span<glm::vec4> given_;
-  std::vector<glm::vec4, tbb::cache_aligned_allocator<glm::vec4>> texels_;
-  std::vector<float, tbb::cache_aligned_allocator<float>> workspace_;  // of the transforms, cascade after cascade
+  std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
+  std::vector<float, LargePages<float>> workspace_;  // of the transforms, cascade after cascade
 };
 
 }  // namespace seascape
