@@ -14,7 +14,7 @@ namespace {
 constexpr PresetRow rows[] = {
     // key                   low      medium   high       ultra
     {"waves.resolution",     "256",   "256",   "256",     "512"},
-    {"waves.cascades",       "3",     "4",     "5",       "5"},
+    {"waves.cascades",       "4",     "4",     "5",       "5"},
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
     {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},

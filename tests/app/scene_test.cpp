@@ -34,7 +34,7 @@ TEST(Scene, ReadsWhatItSays) {
   EXPECT_EQ(scene.settings.sea.seed, 7u);
   EXPECT_EQ(scene.settings.render.stereo, StereoMode::per_eye);
   EXPECT_EQ(scene.settings.render.vertical_fov_deg, 75.0);
-  EXPECT_EQ(scene.settings.waves.cascades, 3) << "the preset comes before the scene";
+  EXPECT_EQ(scene.settings.lod.patch_quads, 16) << "the preset comes before the scene";
   EXPECT_EQ(scene.start.position_m, glm::dvec3(1, 2, -3));
   const glm::dvec3 forward = scene.start.orientation * glm::dvec3(0, 0, -1);
   EXPECT_NEAR(forward.x, 1.0, 1e-12) << "yaw is clockwise from -z seen from above: 90 degrees look along +x";

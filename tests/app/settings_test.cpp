@@ -146,7 +146,7 @@ TEST(Quality, PresetsGrowFromLowToUltra) {
   apply_preset(medium, "medium");
   apply_preset(high, "high");
   apply_preset(ultra, "ultra");
-  EXPECT_EQ(low.waves.cascades, 3);
+  EXPECT_EQ(low.lod.patch_quads, 16);
   EXPECT_EQ(ultra.waves.resolution, 512);
   EXPECT_EQ(low.render.shape, FrameShape::tile);
   EXPECT_EQ(high.render.shape, FrameShape::automatic);
