@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/fresnel.h"
+
 namespace seascape {
 
 WaterOptics water_optics(double chlorophyll) {
@@ -25,13 +27,6 @@ glm::dvec3 radiance_from_below(const WaterOptics& optics) {
   return 0.54 * 0.33 / pi * optics.backscatter / (optics.absorption + optics.backscatter);
 }
 
-double fresnel_reflectance(double cosine) {
-  constexpr double index = 1.333;
-  const double c = std::clamp(cosine, 0.0, 1.0), g = std::sqrt(index * index - 1.0 + c * c);
-  const double s = (g - c) / (g + c), p = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-  return 0.5 * s * s * (1.0 + p * p);
-}
-
-double sun_share_entering(double sine) { return sine > 0.0 ? sine * (1.0 - fresnel_reflectance(sine)) : 0.0; }
+double sun_share_entering(double sine) { return sine > 0.0 ? sine * (1.0 - double(gpu::fresnel(float(sine)))) : 0.0; }
 
 }  // namespace seascape

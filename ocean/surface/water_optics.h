@@ -17,10 +17,6 @@ WaterOptics water_optics(double chlorophyll);
 // out through the surface (Mobley 1994, eq. 3.27).
 glm::dvec3 radiance_from_below(const WaterOptics& optics);
 
-// Unpolarised Fresnel reflectance from air, exact (Born and Wolf 1999, section 1.5.2), for the cosine of incidence. The twin of
-// fresnel() in shaders/lib/water_light.glsl.
-double fresnel_reflectance(double cosine);
-
 // Of the sun's irradiance on a plane that faces it, the share that enters a level sea; 0 below the horizon. `sine`: of its elevation.
 double sun_share_entering(double sine);
 

@@ -2,17 +2,9 @@
 #ifndef SEASCAPE_WATER_LIGHT_GLSL
 #define SEASCAPE_WATER_LIGHT_GLSL
 
-const float water_index = 1.333;
-const float pi = 3.14159265;
+#include "shared/fresnel.h"
 
-// Unpolarised Fresnel reflectance from air, exact (Born and Wolf 1999, section 1.5.2), for the cosine of incidence.
-float fresnel(float cosine) {
-  const float c = clamp(cosine, 0.0, 1.0);
-  const float g = sqrt(water_index * water_index - 1.0 + c * c);
-  const float s = (g - c) / (g + c);
-  const float p = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-  return 0.5 * s * s * (1.0 + p * p);
-}
+const float pi = 3.14159265;
 
 // Henyey and Greenstein (1941).
 float henyey_greenstein(float cosine, float g) {
