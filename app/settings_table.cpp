@@ -31,6 +31,8 @@ template <auto member> constexpr auto render = &at<&Settings::render, member>;
 template <auto member>
 constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choice<&Settings::sea, member>};
 template <auto member>
+constexpr ChoiceMember lod_choice{&choice_of<&Settings::lod, member>, &set_choice<&Settings::lod, member>};
+template <auto member>
 constexpr ChoiceMember render_choice{&choice_of<&Settings::render, member>, &set_choice<&Settings::render, member>};
 
 constexpr bool quality = true, rebuild = true, grows = true;
@@ -104,6 +106,9 @@ const std::vector<Setting>& table() {
        {"16", "32", "64"}, quality, rebuild},
       {"lod.threshold", "", "A patch splits when its size over its distance exceeds this; lower gives more detail.",
        lod<&LodSettings::threshold>, 0.5, 4.0, {}, quality, rebuild},
+      {"lod.join", "",
+       "How levels of detail meet: masked snaps edge vertices to the coarser side, morphed slides vertices there with distance, so that nothing pops.",
+       lod_choice<&LodSettings::join>, 0.0, 0.0, {"masked", "morphed"}},
       {"lod.cull_scale", "", "How much a patch's bounds grow before it is culled.", lod<&LodSettings::cull_scale>, 1.0, 4.0,
        {}, quality, false},
       {"lod.levels", "", "Depth of the quadtree; 0 takes as many levels as the quality needs.",

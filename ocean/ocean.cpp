@@ -83,6 +83,7 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   data.sea = waves_.sea_data(s.grid_origin_m);
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
+  data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);
   data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),
                          settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);

@@ -36,7 +36,7 @@ vec3 curved(vec2 flat_xz, float y, float c) {
 void main() {
   const int i = gl_VertexIndex % (patch_quads + 1), j = gl_VertexIndex / (patch_quads + 1);
   const PatchInstance p = PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w));
-  rest = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y) * frame.skirt.z;
+  rest = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y, frame.morph) * frame.skirt.z;
   const vec2 from_viewer = rest - frame.viewer.xy;
   const float footprint = vertex_footprint(rest);
   const vec4 d = sea_displacement(rest, footprint);

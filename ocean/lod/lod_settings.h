@@ -3,12 +3,19 @@
 
 namespace seascape {
 
+// How patches of two levels meet.
+enum class LodJoin {
+  masked,   // the finer one's odd edge vertices snap to the coarser one's
+  morphed,  // every other vertex slides to its coarser neighbour before the level changes
+};
+
 struct LodSettings {
   double ocean_size_m = 4096.0;  // side of the quadtree's root square, 256 to 8192; the skirt goes on to the horizon
   int patch_quads = 64;          // quads along the side of a square that the threshold speaks of: 16, 32 or 64; squares
                                  // are split and drawn in patches of gpu::patch_quads
   double threshold = 1.2;        // a LOWER threshold gives MORE detail: a square splits when size / distance exceeds
                                  // Quadtree::split_ratio times it; 0.5 to 4
+  LodJoin join = LodJoin::masked;
   double cull_scale = 1.8;       // multiplies the displacement that culling grows a patch's bounds by, 1 to 4
   int levels = 0;                // splits of the ocean into such squares, 0 to 12; 0: as many as the quality needs
   double max_height_m = 0.0;     // bound of the displacement for culling; 0: taken from the spectrum

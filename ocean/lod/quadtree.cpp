@@ -102,8 +102,13 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frame.gap_y = std::max(std::abs(eye.y) - vertical_m, 0.0) / unit_m_;
   const double spacing_ratio = spacing_over_distance(settings_);
   frame.ratio = gpu::patch_quads * spacing_ratio;
+  frame.morphed = settings_.join == LodJoin::morphed;
+  if (frame.morphed) frame.ratio = std::min(frame.ratio, TreeFrame::most_morphed_ratio);
   frame.visible_reach = vertical_m / unit_m_ / (error_over_spacing * spacing_ratio);
-  const int spacing = centre_spacing(frame);
+  const int coarsest = centre_spacing(frame);
+  // Vertices of the coarsest leaves may slide too; which of them are odd must not change while the viewer moves.
+  const int last_stride = frame.morphed ? std::min(coarsest, frame.root_size / gpu::patch_quads >> (TreeFrame::least_levels + 1)) : 0;
+  const int spacing = std::max(coarsest, 2 * last_stride);
   const auto to_centre = [spacing](std::int64_t grid) {
     const int into = static_cast<int>(((grid % spacing) + spacing) % spacing);
     return into * 2 < spacing ? -into : spacing - into;
@@ -114,6 +119,12 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frame.viewer_x = -frame.least.x;
   frame.viewer_z = -frame.least.y;
   frame.viewer_m = glm::dvec2(eye.x, eye.z) - selection_.grid_origin_m;
+
+  // A node that splits has 16 of its quarters' strides a side.
+  constexpr double strides = 2.0 * gpu::patch_quads;
+  selection_.morph = {glm::vec2(frame.viewer_m / unit_m_), static_cast<float>(frame.gap_y),
+                      frame.visible_reach > frame.gap_y ? static_cast<float>(strides / frame.ratio) : 0.0f,
+                      static_cast<float>(std::min(frame.visible_reach, 1e9)), static_cast<float>(TreeFrame::morph_step * strides), last_stride, 0.0f};
 
   selection_.horizon_m = std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), settings_.ocean_size_m * 0.75);
   // The tree's centre may be half a spacing away from the viewer, and the grid point half a unit.
@@ -147,6 +158,7 @@ void Quadtree::select_tree(const TreeFrame& frame) {
   std::array<Node, 3 * max_levels + 2> stack;
   std::size_t count = 0;
   stack[count++] = {{frame.least, frame.root_size / gpu::patch_quads, 0u}, frusta_.all(), splits_.split(0, 0, 0)};
+  const unsigned edges = frame.morphed ? 0u : gpu::patch_east | gpu::patch_north | gpu::patch_west | gpu::patch_south;
   int visited = 1, culled = 0;
   QuarterBoxes boxes{.rise = frame.rise_m, .viewer_x = frame.viewer_m.x, .viewer_z = frame.viewer_m.y,
                      .curve = frame.curved ? curvature_drop(1.0) : 0.0};
@@ -181,7 +193,7 @@ void Quadtree::select_tree(const TreeFrame& frame) {
       const unsigned quarter = nearest ^ turn;
       // Put there even if no eye sees it, and then overwritten: whether one does cannot be guessed.
       stack[count] = {{{corner.x + ((quarter & 1u) != 0u ? half : 0), corner.y + ((quarter & 2u) != 0u ? half : 0)}, stride,
-                       flags | (brood.coarser & SplitMap::outer_edges[quarter])}, questions[quarter], ((brood.splits >> quarter) & 1u) != 0u};
+                       flags | (brood.coarser & SplitMap::outer_edges[quarter] & edges)}, questions[quarter], ((brood.splits >> quarter) & 1u) != 0u};
       count += (seen >> quarter) & 1u;
     }
   }
@@ -199,6 +211,7 @@ void Quadtree::move_frozen(std::int64_t grid_x, std::int64_t grid_z) {
   const glm::ivec2 move(static_cast<int>(dx), static_cast<int>(dz));
   for (gpu::PatchInstance& patch : selection_.patches) patch.corner += move;
   selection_.tree_centre += move;
+  selection_.morph.viewer += glm::vec2(move);
   grid_x_ = grid_x;
   grid_z_ = grid_z;
   selection_.grid_origin_m = glm::dvec2(static_cast<double>(grid_x), static_cast<double>(grid_z)) * unit_m_;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "shaders/shared/patch_instance.h"
+#include "shaders/shared/vertex_morph.h"
 
 namespace seascape {
 
@@ -21,6 +22,7 @@ struct SurfaceSelection {
   double horizon_m = 0.0;          // how far the skirt reaches from the viewer, past the true horizon
   float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
   int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, at most six times as many
+  gpu::VertexMorph morph{};         // how vertices slide; with lod.join = masked none does
   int visited_nodes = 0;  // nodes of the tree and skirt strips that were considered
   int culled_nodes = 0;   // those of them that no eye can see (with all that is below them)
   int skirt_strips = 0;   // how many of the patches are strips of the skirt

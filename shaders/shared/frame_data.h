@@ -3,6 +3,7 @@
 #define SEASCAPE_FRAME_DATA_H
 #include "gpu_types.h"
 #include "sea_data.h"
+#include "vertex_morph.h"
 SEASCAPE_SHARED_BEGIN
 
 struct ViewData {
@@ -22,6 +23,7 @@ struct FrameData {
   vec4 whitecap;        // x: strength; y: Jacobian below which foam forms; z, w: unused
   ivec4 grid;           // x, y: the tree's centre in units; z: rows of the skirt; w: debug view
   vec4 skirt;           // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
+  VertexMorph morph;
   SeaData sea;
 };
 

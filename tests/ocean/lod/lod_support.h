@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct Preset {
 inline constexpr std::array<Preset, 4> presets{
     {{"low", 16, 2.0, 1.2}, {"medium", 32, 1.5, 1.5}, {"high", 64, 1.2, 1.8}, {"ultra", 64, 1.0, 2.0}}};
 
-inline LodSettings settings_of(const Preset& preset, double ocean_size_m) {
+inline LodSettings settings_of(const Preset& preset, double ocean_size_m, LodJoin join = LodJoin::masked) {
   LodSettings s;
+  s.join = join;
   s.patch_quads = preset.patch_quads;
   s.threshold = preset.threshold;
   s.cull_scale = preset.cull_scale;
@@ -35,12 +37,15 @@ inline bool is_skirt(const gpu::PatchInstance& p) { return (p.flags & gpu::patch
 inline unsigned side_of(const gpu::PatchInstance& p) { return (p.flags >> gpu::patch_skirt_side_shift) & 3u; }
 inline int level_of(const gpu::PatchInstance& p) { return static_cast<int>(gpu::patch_level(p.flags)); }
 
-// Identity of a vertex of the complete mesh: a tree vertex is its coordinate and row 0; a skirt vertex its border
-// coordinate and row. Row 0 of the skirt is a tree vertex.
-using VertexKey = std::array<int, 3>;
-inline VertexKey key_of(const gpu::PatchInstance& p, int i, int j) {
-  const glm::ivec2 c = gpu::patch_coordinate(p, i, j);
-  return {c.x, c.y, gpu::patch_skirt_row(p, j)};
+// Identity of a vertex of the complete mesh: the bits of its place, as the vertex shader computes it.
+struct VertexKey {
+  glm::vec2 place;
+  std::uint64_t bits;
+  bool operator==(const VertexKey& o) const { return bits == o.bits; }
+};
+inline VertexKey key_of(const SurfaceSelection& s, const gpu::PatchInstance& p, int i, int j) {
+  const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph) + 0.0f;  // no -0
+  return {place, std::uint64_t{std::bit_cast<std::uint32_t>(place.x)} << 32 | std::bit_cast<std::uint32_t>(place.y)};
 }
 
 // Faults of the topology of the mesh that all patches make together.
@@ -50,7 +55,7 @@ struct Topology {
   // Triangles of the tree that are clockwise from above. Where east and north neighbours are both coarser, one triangle
   // of the corner is flat at rest (its vertices lie on a line); it still closes the displaced surface, and is not a fold.
   int folded = 0;
-  std::int64_t twice_area = 0;  // of the tree's triangles, in square units
+  double twice_area = 0.0;  // of the tree's triangles, in square units
 };
 
 inline Topology topology_of(const SurfaceSelection& selection) {
@@ -58,14 +63,8 @@ inline Topology topology_of(const SurfaceSelection& selection) {
   constexpr int quads = gpu::patch_quads;
   static const std::vector<std::uint16_t> indices = patch_indices(quads);
   // Directed edges between numbered vertices, sorted: fast enough for half a million triangles.
-  const std::int64_t span = 4 * static_cast<std::int64_t>(selection.half_size) + 8;
-  const auto number = [&](const VertexKey& k) {
-    const std::int64_t x = k[0] - selection.tree_centre.x + 2 * selection.half_size;
-    const std::int64_t z = k[1] - selection.tree_centre.y + 2 * selection.half_size;
-    return (static_cast<std::int64_t>(k[2]) * span + z) * span + x;
-  };
   struct Edge {
-    std::int64_t low, high;
+    std::uint64_t low, high;
     int direction;
     bool operator<(const Edge& o) const { return low != o.low ? low < o.low : high < o.high; }
   };
@@ -73,22 +72,21 @@ inline Topology topology_of(const SurfaceSelection& selection) {
   std::vector<VertexKey> keys(static_cast<std::size_t>((quads + 1) * (quads + 1)));
   for (const gpu::PatchInstance& p : selection.patches) {
     for (int j = 0; j <= quads; ++j)
-      for (int i = 0; i <= quads; ++i) keys[static_cast<std::size_t>(j * (quads + 1) + i)] = key_of(p, i, j);
+      for (int i = 0; i <= quads; ++i) keys[static_cast<std::size_t>(j * (quads + 1) + i)] = key_of(selection, p, i, j);
     for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
       const std::array<const VertexKey*, 3> v{&keys[indices[t]], &keys[indices[t + 1]], &keys[indices[t + 2]]};
       if (*v[0] == *v[1] || *v[1] == *v[2] || *v[2] == *v[0]) continue;  // empty after snapping: draws nothing
       if (!is_skirt(p)) {
-        const auto ax = static_cast<std::int64_t>((*v[1])[0] - (*v[0])[0]), az = static_cast<std::int64_t>((*v[1])[1] - (*v[0])[1]);
-        const auto bx = static_cast<std::int64_t>((*v[2])[0] - (*v[0])[0]), bz = static_cast<std::int64_t>((*v[2])[1] - (*v[0])[1]);
-        const std::int64_t up = az * bx - ax * bz;  // y of (b - a) x (c - a)
-        if (up < 0) ++result.folded;
+        const glm::dvec2 a = glm::dvec2(v[1]->place) - glm::dvec2(v[0]->place), b = glm::dvec2(v[2]->place) - glm::dvec2(v[0]->place);
+        const double up = a.y * b.x - a.x * b.y;  // y of (b - a) x (c - a)
+        if (up < -1e-6 * p.stride * p.stride) ++result.folded;
         result.twice_area += up;
       }
       for (std::size_t e = 0; e < 3; ++e) {
-        const VertexKey &a = *v[e], &b = *v[(e + 1) % 3];
-        const std::int64_t na = number(a), nb = number(b);
+        const std::uint64_t na = v[e]->bits, nb = v[(e + 1) % 3]->bits;
         // The outer border of the skirt is open by design.
-        if (a[2] == selection.skirt_rows && b[2] == selection.skirt_rows) continue;
+        const auto row = [&](std::size_t corner) { return gpu::patch_skirt_row(p, indices[t + corner] / (quads + 1)); };
+        if (row(e) == selection.skirt_rows && row((e + 1) % 3) == selection.skirt_rows) continue;
         edges.push_back(na < nb ? Edge{na, nb, 1} : Edge{nb, na, -1});
       }
     }

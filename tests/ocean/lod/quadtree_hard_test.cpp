@@ -70,7 +70,8 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
         const bool outside = c.x < 0 || c.y < 0 || c.x >= root || c.y >= root;
         const int neighbour = outside ? size : leaf_at(c.x, c.y, std::max(half, quads), std::min(size * 2, root));
         if (neighbour == 0) ++faults.unbalanced;
-        if ((neighbour > size) != ((p.flags & side.bit) != 0u)) ++faults.wrong_edges;
+        // Where vertices slide there are no edge bits.
+        if ((neighbour > size && s.morph.last_stride == 0) != ((p.flags & side.bit) != 0u)) ++faults.wrong_edges;
       }
   }
   return faults;
@@ -81,7 +82,8 @@ void expect_watertight(const SurfaceSelection& s, const std::string& what) {
   EXPECT_EQ(t.open_edges, 0) << what;
   EXPECT_EQ(t.crowded_edges, 0) << what;
   EXPECT_EQ(t.folded, 0) << what;
-  EXPECT_EQ(t.twice_area, 2 * 4 * static_cast<std::int64_t>(s.half_size) * s.half_size) << what;
+  const double area = 8.0 * s.half_size * static_cast<double>(s.half_size);
+  EXPECT_NEAR(t.twice_area, area, 1e-9 * area) << what;
 }
 
 constexpr std::array<double, 6> sizes{256.0, 777.7, 1024.0, 2000.0, 4096.0, 8192.0};
@@ -204,7 +206,7 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         ++border[{c.x, c.y}];
         for (int j = 0; j <= n; ++j) {
           const int row = gpu::patch_skirt_row(p, j);
-          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
+          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
           if (row == 0) {
             EXPECT_EQ(place, glm::vec2(c));
           }
@@ -234,7 +236,7 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
       for (std::size_t t = 0; t < indices.size(); t += 3) {
         std::array<glm::dvec2, 3> v;
         for (std::size_t c = 0; c < 3; ++c)
-          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1), s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon);
+          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1), s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
         const glm::dvec2 a = v[1] - v[0], b = v[2] - v[0];
         ASSERT_GT(a.y * b.x - a.x * b.y, 0.0) << preset.name << " side " << side_of(p);
       }
@@ -332,7 +334,7 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
         double worst = 0.0, reach = 1e12;
         constexpr int n = gpu::patch_quads;
         const auto place = [&](const gpu::PatchInstance& p, int i, int j) {
-          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon)) * s.unit_m - fraction;
+          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph)) * s.unit_m - fraction;
           return glm::dvec3(v.x, -height - glm::dot(v, v) / (2.0 * radius), v.y);
         };
         for (const auto& p : s.patches) {
