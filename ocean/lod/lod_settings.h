@@ -15,7 +15,7 @@ struct LodSettings {
                                  // are split and drawn in patches of gpu::patch_quads
   double threshold = 1.2;        // a LOWER threshold gives MORE detail: a square splits when size / distance exceeds
                                  // Quadtree::split_ratio times it; 0.5 to 4
-  LodJoin join = LodJoin::masked;
+  LodJoin join = LodJoin::morphed;
   double cull_scale = 1.8;       // multiplies the displacement that culling grows a patch's bounds by, 1 to 4
   int levels = 0;                // splits of the ocean into such squares, 0 to 12; 0: as many as the quality needs
   double max_height_m = 0.0;     // bound of the displacement for culling; 0: taken from the spectrum
