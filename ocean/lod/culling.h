@@ -9,14 +9,14 @@
 
 namespace seascape {
 
-// The upright boxes of a node's four quarters, all in metres relative to EyeFrusta's origin, on a sea that falls away with the square of the distance from the viewer: quarter 0 has
-// the least x and z, 1 lies east and 2 north of it, 3 across.
+// The upright boxes of a node's four quarters, all in metres relative to EyeFrusta's origin, on a sea that falls away with the
+// square of the distance from the viewer: quarter 0 has the least x and z, 1 lies east and 2 north of it, 3 across.
 struct QuarterBoxes {
   double x, z, step;          // the centre of quarter 0; from centre to centre
   double half;                // half their sides
   double rise;                // their heights before curving: down and up by this
   double viewer_x, viewer_z;  // on the still sea beneath the viewer
-  double curve;               // a box's top is lowered by `curve` times the square of the least distance along x and z, its foot the greatest
+  double curve;               // lowers a box's top by this times the square of its least distance, its foot of its greatest
 };
 
 // An upright prism over the convex hull of four points (x, z), grown by `grow` to every side.

@@ -124,7 +124,8 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   constexpr double strides = 2.0 * gpu::patch_quads;
   selection_.morph = {glm::vec2(frame.viewer_m / unit_m_), static_cast<float>(frame.gap_y),
                       frame.visible_reach > frame.gap_y ? static_cast<float>(strides / frame.ratio) : 0.0f,
-                      static_cast<float>(std::min(frame.visible_reach, 1e9)), static_cast<float>(TreeFrame::morph_step * strides), last_stride, 0.0f};
+                      static_cast<float>(std::min(frame.visible_reach, 1e9)), static_cast<float>(TreeFrame::morph_step * strides),
+                      last_stride, 0.0f};
 
   selection_.horizon_m = std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), settings_.ocean_size_m * 0.75);
   // The tree's centre may be half a spacing away from the viewer, and the grid point half a unit.
@@ -146,8 +147,8 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   return selection_;
 }
 
-// A node's bounds are its square grown by the displacement times cull_scale. They hold its quarters', so what is culled takes all that is below it along, and what an eye sees wholly is not
-// asked about again. The root is not asked about: it reaches beneath the viewer.
+// A node's bounds are its square grown by the displacement times cull_scale. They hold its quarters', so what is culled takes all
+// that is below it along, and what an eye sees wholly is not asked about again. The root is not asked about: it reaches beneath the viewer.
 void Quadtree::select_tree(const TreeFrame& frame) {
   struct Node {
     gpu::PatchInstance patch;  // as it is drawn if it is a leaf

@@ -25,8 +25,9 @@ class Quadtree {
   // Selects for the viewpoint: levels follow the viewer, culling the eyes (none: nothing is culled, for a map or a test).
   // Neighbouring patches differ by at most one level. The result depends on nothing but the arguments: no history, so a
   // frame drawn alone equals the same frame of a replay. What the viewer's distance decides is taken from its grid point,
-  // so a viewer that trembles about a corner of the tree by less than half a unit flips nothing. There is no hysteresis
-  // yet: a viewer that moves to and fro over a half unit may change the list each time.
+  // so a viewer that trembles about a corner of the tree by less than half a unit flips nothing. There is no
+  // hysteresis, which would be history: a viewer that moves to and fro over a half unit may change the list each time. Where
+  // vertices slide (lod.join) they have arrived before the level changes, so that the list changes and the surface does not.
   // With settings.freeze the last selection is kept, re-expressed relative to the new viewer; the first is made as usual.
   // drop_patch counts in the list as it is after culling; beyond its end it drops nothing.
   // No allocation once the list has reached its size. Throws Error when the viewpoint or the bounds are not finite, the

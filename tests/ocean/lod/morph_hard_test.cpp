@@ -22,9 +22,9 @@ glm::dvec3 anywhere(std::mt19937& random, const Quadtree& tree, int n) {
 
 // Every edge of the mesh, vertices identified by the bits of their places, belongs to two triangles that run along it in opposite
 // directions, or to the skirt's outer border; no triangle is turned over and together they cover the root once. Calm and storm,
-// and a threshold coarser than any preset's. Controls seen: vertices that arrive 10 % beyond the reach (open edges), the tree
-// measuring a unit farther than vertices (open edges), distance by the vertex itself instead of the one it slides to (folds), the
-// skirt's strips not sliding (open edges), half the room between levels beyond the visible reach (folds).
+// and a threshold coarser than any preset's. Controls seen, each fails here: vertices that arrive 10 % beyond the reach, distance
+// by the vertex itself instead of the one it slides to, the skirt's strips not sliding, a twelfth of the room between levels
+// beyond the visible reach.
 TEST(MorphHard, TheWholeMeshIsWatertight) {
   std::mt19937 random(3);
   for (std::size_t k = 0; k < 5; ++k)
