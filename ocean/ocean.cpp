@@ -1,6 +1,7 @@
 #include "ocean/ocean.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -38,6 +39,7 @@ void Ocean::update(Frame& frame, double time_s) {
 }
 
 void Ocean::change(const SeaState& sea, double over_s) {
+  assert(grows_out_of(settings_.sea, sea));
   if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, settings_.waves);
   maker_->ask(sea);
   settings_.sea = sea;
