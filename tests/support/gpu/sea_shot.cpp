@@ -33,16 +33,16 @@ Viewpoint SeaShot::viewpoint(const Pose& head) const {
   return Headless(display).viewpoint(head);
 }
 
-void SeaShot::draw(const Pose& head, double time_s) {
+void SeaShot::draw(const Viewpoint& eyes, double time_s) {
   Frame& frame = experience_->frame();
   frame.begin();
-  draw_frame(*experience_, frame, viewpoint(head), time_s);
+  draw_frame(*experience_, frame, eyes, time_s);
   frame.submit();
   frame.finish();
 }
 
-std::vector<Image8> SeaShot::pictures(const Pose& head, double time_s) {
-  draw(head, time_s);
+std::vector<Image8> SeaShot::pictures(const Viewpoint& eyes, double time_s) {
+  draw(eyes, time_s);
   std::vector<Image8> views;
   for (int view = 0; view < options_.views; ++view) views.push_back(picture_of(device_, *experience_, view));
   return views;

@@ -29,11 +29,14 @@ class SeaShot {
   SeaShot(Device& device, const ShotOptions& options);
   // The views of a head, as a headless display hands them out.
   Viewpoint viewpoint(const Pose& head) const;
-  // Draws one frame and waits for it.
-  void draw(const Pose& head, double time_s);
+  // Draws one frame and waits for it; of a head as above, or of any eyes, as many as options.views.
+  void draw(const Pose& head, double time_s) { draw(viewpoint(head), time_s); }
+  void draw(const Viewpoint& eyes, double time_s);
   // The same, read back: one picture a view.
-  std::vector<Image8> pictures(const Pose& head, double time_s);
+  std::vector<Image8> pictures(const Pose& head, double time_s) { return pictures(viewpoint(head), time_s); }
+  std::vector<Image8> pictures(const Viewpoint& eyes, double time_s);
   Image8 picture(const Pose& head, double time_s) { return pictures(head, time_s).front(); }
+  Image8 picture(const Viewpoint& eyes, double time_s) { return pictures(eyes, time_s).front(); }
   // Takes a setting, as by --set.
   void set(const std::string& key, const std::string& value);
 
