@@ -8,7 +8,7 @@
 namespace seascape {
 namespace {
 
-constexpr int most_bands = 6;
+constexpr int most_bands = 8;  // what the three bits at patch_skirt_band hold
 
 // What one call shares. A strip's bounds are the trapezoid that it covers, grown by the displacement times cull_scale.
 struct Skirt {
