@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles_simd.h"
 #include "tests/bench/rivals.h"
 
@@ -91,6 +92,46 @@ void whole_cascade(benchmark::State& state) {
   state.counters["to_alone_1thread"] = whole_1.median() / alone_1.median();
 }
 BENCHMARK(whole_cascade)->ArgNames({"n", "band"})->Args({512, 64})->Args({512, 256})->Args({256, 64})->Unit(benchmark::kMicrosecond)->UseRealTime();
+
+// The tile of wave particles, 256^2 with its whole mip chain, beside a cascade of 64 bins into 256^2 with four levels of it, on two threads. The bar: of
+// 10,000 particles it costs less (to_cascade below 1).
+void wave_particles(benchmark::State& state) {
+  WaveParticleSettings settings;
+  settings.count = int(state.range(0));
+  const WaveParticles source(settings);
+  Floats workspace(source.workspace_floats(false));
+  std::vector<std::vector<glm::vec4, tbb::cache_aligned_allocator<glm::vec4>>> texels;
+  std::vector<PlaneLevel> levels;
+  for (int size = WaveParticles::tile_samples; size >= 1; size /= 2) {
+    PlaneLevel level{};
+    level.stride = size >= 32 ? size + 4 : size;
+    for (int plane = 0; plane < 3; ++plane) {
+      texels.emplace_back(std::size_t(level.stride) * std::size_t(size));
+      level.texels[plane] = texels.back().data();
+    }
+    levels.push_back(level);
+  }
+  WholeCascade cascade(256, 64);
+  tbb::task_arena two(2);
+  Times particles, with_mips, without, particles_1, with_mips_1;
+  std::int64_t ticks = 0;
+  for (auto _ : state) {
+    particles.take([&] { two.execute([&] { source.evaluate(ticks += 11650, false, levels, workspace); }); });
+    with_mips.take([&] { two.execute([&] { cascade.run(ticks += 11650, true); }); });
+    without.take([&] { two.execute([&] { cascade.run(ticks += 11650, false); }); });
+    tbb::task_arena(1).execute([&] { particles_1.take([&] { source.evaluate(ticks += 11650, false, levels, workspace); }); });
+    tbb::task_arena(1).execute([&] { with_mips_1.take([&] { cascade.run(ticks += 11650, true); }); });
+  }
+  state.counters["us"] = particles.median();
+  state.counters["us_min"] = particles.least();
+  state.counters["cascade_min"] = with_mips.least();
+  state.counters["bare_min"] = without.least();
+  state.counters["to_cascade"] = particles.median() / with_mips.median();
+  state.counters["to_cascade_min"] = particles.least() / with_mips.least();
+  state.counters["us_1thread_min"] = particles_1.least();
+  state.counters["to_cascade_1thread"] = particles_1.median() / with_mips_1.median();
+}
+BENCHMARK(wave_particles)->ArgName("count")->Arg(800)->Arg(2048)->Arg(2049)->Arg(10000)->Arg(30000)->Arg(100000)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 }  // namespace
 }  // namespace seascape::bench

@@ -1,0 +1,51 @@
+// What feeds sea() beside the cascades of waves: a periodic tile that a source fills for any time, laid over the sea at one size or
+// several. A new source is one class of this kind, one line in tile_sources(), and one in shaders/lib/sea.glsl.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace seascape {
+
+struct PlaneLevel;  // ocean/waves/wave_tiles_simd.h
+
+// One way in which the sea takes a tile: `size` times as long, and displaced as many times as far, as the tile is, so that slopes are
+// those of the tile. World place p has the tile coordinates p / side_m + offset on both axes.
+struct Laying {
+  double size, side_m, offset;
+  double longest_m, shortest_m;  // waves in it: a footprint of half the longest begins to fade it (kept_share)
+};
+inline constexpr int most_layings = 3, most_sources = 1;  // of all of a sea's sources together
+
+// Sums over a source's layings, as SeaStatistics has them.
+struct SourceStatistics {
+  double height_variance = 0.0;
+  glm::dvec3 slope_moments{0.0};  // of one laying: all have the same
+  double largest_height_m = 0.0, largest_shift_m = 0.0;
+};
+
+// Immutable once made: any number of threads may evaluate one.
+class TileSource {
+ public:
+  virtual ~TileSource() = default;
+  // The effect that it belongs to.
+  virtual std::string_view name() const = 0;
+  // Texels a side, a power of two from 16 to 512.
+  virtual int samples() const = 0;
+  // Nothing of it is to be seen at any time: nobody needs to evaluate or to draw it.
+  virtual bool still() const = 0;
+  virtual std::span<const Laying> layings() const = 0;
+  virtual SourceStatistics statistics() const = 0;
+  // Floats that an evaluation works in; they may lie anywhere on a cache line of 64 bytes.
+  virtual std::size_t workspace_floats(bool velocity) const = 0;
+  // Fills the planes (WavePlane) of every level for a time in ticks, on all cores: levels[0] has samples() texels a side, the last has
+  // one. The result depends on the source and the ticks alone. No allocation.
+  virtual void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const = 0;
+};
+using TileSources = std::vector<std::shared_ptr<const TileSource>>;
+
+}  // namespace seascape
