@@ -83,8 +83,8 @@ double longest_wave(const Cascade& cascade) {
   return 2.0 * std::numbers::pi / k;
 }
 
-double kept_share(const Cascade& cascade, double footprint_m) {
-  return std::clamp(2.0 - 2.0 * footprint_m / longest_wave(cascade), 0.0, 1.0);
+double kept_share(double longest_m, double footprint_m) {
+  return std::clamp(2.0 - 2.0 * footprint_m / longest_m, 0.0, 1.0);
 }
 
 double shortest_wave(const Cascade& cascade) { return 2.0 * std::numbers::pi / cascade.k_out[1]; }

@@ -53,7 +53,8 @@ inline glm::dvec2 rotate_xz(glm::dvec2 v, double angle) {
 // The longest wave that a cascade carries, in metres: its side for the first, which has the longest of all. A footprint of half of
 // it begins to fade the cascade, one of all of it leaves nothing (kept_share).
 double longest_wave(const Cascade& cascade);
-double kept_share(const Cascade& cascade, double footprint_m);
+double kept_share(double longest_m, double footprint_m);
+inline double kept_share(const Cascade& cascade, double footprint_m) { return kept_share(longest_wave(cascade), footprint_m); }
 // The shortest, below which its share is none.
 double shortest_wave(const Cascade& cascade);
 

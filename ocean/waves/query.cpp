@@ -22,10 +22,10 @@ QueryPlan plan_of(const WaveField& field, const WaveTiles& tiles, const QueryOpt
   plan.tolerance_m = float(options.tolerance_m);
   if (double(plan.tolerance_m) > options.tolerance_m) plan.tolerance_m = std::nextafter(plan.tolerance_m, -1.0f);
   plan.velocity = tiles.has_velocity();
-  for (int i = 0; i < tiles.cascades(); ++i) {
-    const std::size_t c = std::size_t(i);
-    if (filter.level[c] >= tiles.levels(i) - 1 || filter.share[c] <= 0.0f) continue;
+  for (std::size_t c = 0; c < field.places().size(); ++c) {
     const WaveField::Place& place = field.places()[c];
+    const int i = place.tile;
+    if (filter.level[c] >= tiles.levels(i) - 1 || filter.share[c] <= 0.0f) continue;
     for (int step = 0; step < (filter.between[c] > 0.0f ? 2 : 1); ++step) {
       const int level = filter.level[c] + step, size = tiles.samples(i) >> level;
       const auto plane = [&](WavePlane p) { return &tiles.texels(i, p, level)->x; };
@@ -35,12 +35,15 @@ QueryPlan plan_of(const WaveField& field, const WaveTiles& tiles, const QueryOpt
       layer.inverse_side = place.inverse_side;
       layer.size = size;
       // Texel j of level 0 stands at j / size of the side, and those of the next levels in the middle of what they average.
-      layer.first = size + 0.5 * size / tiles.samples(i) - 0.5;
+      layer.first = size + 0.5 * size / tiles.samples(i) - 0.5 + place.offset * size;
       layer.cosine_a_texel = float(place.cosine * place.inverse_side * size);
       layer.sine_a_texel = float(place.sine * place.inverse_side * size);
       layer.mask = size - 1;
       layer.stride = tiles.stride(i, level);
       layer.share = filter.share[c] * (step == 0 ? 1.0f - filter.between[c] : filter.between[c]);
+      const float laid = float(place.size);
+      layer.laid = {laid, laid, laid, 1.0f};
+      layer.plain = laid == 1.0f;
       layer.shift = plane(WavePlane::shift);
       layer.slope = plane(WavePlane::slope);
       layer.velocity = plan.velocity ? plane(WavePlane::velocity) : nullptr;

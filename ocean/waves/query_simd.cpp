@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level cache.
 constexpr int group = 32;
-constexpr int most_layers = 2 * gpu::max_cascades;
+constexpr int most_layers = 2 * WaveField::most_places;
 
 // A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a displacement
 // turned about: a float holds it as well as the tiles do, so that only where the place is in a tile needs double.
@@ -119,8 +119,14 @@ HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, float* 
     const auto weight_upper = hn::TableLookupLanes(weight, of_upper), weight_lower = hn::TableLookupLanes(weight, of_lower);
     const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
     for (std::size_t p = 0; p < count; ++p) {
-      upper[p] = hn::Add(upper[p], hn::Mul(weight_upper, pair(d, layer.*plane[p], at_upper, layer.mask)));
-      lower[p] = hn::Add(lower[p], hn::Mul(weight_lower, pair(d, layer.*plane[p], at_lower, layer.mask)));
+      auto above = pair(d, layer.*plane[p], at_upper, layer.mask), below = pair(d, layer.*plane[p], at_lower, layer.mask);
+      if (HWY_UNLIKELY(!layer.plain && plane[p] != &QueryLayer::slope)) {
+        const auto laid = hn::LoadDup128(d, layer.laid.data());
+        above = hn::Mul(laid, above);
+        below = hn::Mul(laid, below);
+      }
+      upper[p] = hn::Add(upper[p], hn::Mul(weight_upper, above));
+      lower[p] = hn::Add(lower[p], hn::Mul(weight_lower, below));
     }
   }
   for (std::size_t p = 0; p < count; ++p)
@@ -137,10 +143,16 @@ HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, float* 
       const std::ptrdiff_t right = at_upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
       const float* upper = layer.*plane[p] + (at_upper >= 0 ? at_upper : ~at_upper);
       const float* lower = layer.*plane[p] + (at_lower >= 0 ? at_lower : ~at_lower);
-      upper_left = hn::Add(upper_left, hn::Mul(hn::Set(d4, weight[0]), hn::LoadU(d4, upper)));
-      upper_right = hn::Add(upper_right, hn::Mul(hn::Set(d4, weight[1]), hn::LoadU(d4, upper + right)));
-      lower_left = hn::Add(lower_left, hn::Mul(hn::Set(d4, weight[2]), hn::LoadU(d4, lower)));
-      lower_right = hn::Add(lower_right, hn::Mul(hn::Set(d4, weight[3]), hn::LoadU(d4, lower + right)));
+      const bool scaled = !layer.plain && plane[p] != &QueryLayer::slope;
+      const auto laid = hn::LoadU(d4, layer.laid.data());
+      const auto texel = [&](const float* at) HWY_ATTR {
+        const auto value = hn::LoadU(d4, at);
+        return scaled ? hn::Mul(laid, value) : value;
+      };
+      upper_left = hn::Add(upper_left, hn::Mul(hn::Set(d4, weight[0]), texel(upper)));
+      upper_right = hn::Add(upper_right, hn::Mul(hn::Set(d4, weight[1]), texel(upper + right)));
+      lower_left = hn::Add(lower_left, hn::Mul(hn::Set(d4, weight[2]), texel(lower)));
+      lower_right = hn::Add(lower_right, hn::Mul(hn::Set(d4, weight[3]), texel(lower + right)));
     }
     hn::Store(hn::Add(hn::Add(upper_left, upper_right), hn::Add(lower_left, lower_right)), d4, to[p]);
   }

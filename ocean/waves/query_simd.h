@@ -9,19 +9,21 @@
 
 namespace seascape {
 
-// One mip level of one cascade's tile as a query samples it.
+// One mip level of one tile in one place as a query samples it.
 struct QueryLayer {
   double cosine, sine, inverse_side;  // from the world to the tile, in sides
   double size, first;                 // texels a side; texel coordinate of the tile's origin, a whole tile on so that it is positive
   float cosine_a_texel, sine_a_texel;  // cosine and sine over the texel, 1 / m
   std::int32_t mask, stride;          // size - 1; texels from one row to the next
   float share;                        // of what is read here that counts: the footprint's, and how near this level is to it
+  std::array<float, 4> laid;          // what the texels' displacements, velocities and their last number are to be multiplied with
+  bool plain;                         // by 1: a cascade
   const float *shift, *slope, *velocity;  // first texel of each plane; velocity null where there is none
 };
 
 // What all points of a batch share.
 struct QueryPlan {
-  std::array<QueryLayer, 2 * gpu::max_cascades> layers;
+  std::array<QueryLayer, 2 * WaveField::most_places> layers;
   int count = 0;
   int most_iterations = 0;
   float tolerance_m = 0.0f;

@@ -44,16 +44,17 @@ TexelVector blend(const glm::vec4* texels, const Corner& c) {
 
 // A trilinear sample's place: two levels and how far between.
 struct Spot {
-  int cascade, level;
+  int tile, level;
   float between, share;
+  double size;  // of the laying
   Corner fine, coarse;
 };
 
 glm::dvec4 sample(const WaveTiles& tiles, const Spot& spot, WavePlane plane) {
   const Texel d;
-  TexelVector value = blend(tiles.texels(spot.cascade, plane, spot.level), spot.fine);
+  TexelVector value = blend(tiles.texels(spot.tile, plane, spot.level), spot.fine);
   if (spot.between > 0.0f) {
-    const TexelVector coarse = blend(tiles.texels(spot.cascade, plane, spot.level + 1), spot.coarse);
+    const TexelVector coarse = blend(tiles.texels(spot.tile, plane, spot.level + 1), spot.coarse);
     value = hn::Add(value, hn::Mul(hn::Set(d, spot.between), hn::Sub(coarse, value)));
   }
   glm::vec4 result;
@@ -66,7 +67,7 @@ struct PlaneSum {
   const WaveTiles& tiles;
   WavePlane plane;
   glm::dvec3& to;
-  void resolved(const Spot& spot) { to += double(spot.share) * glm::dvec3(sample(tiles, spot, plane)); }
+  void resolved(const Spot& spot) { to += double(spot.share) * spot.size * glm::dvec3(sample(tiles, spot, plane)); }
   void unresolved(int) {}
 };
 
@@ -77,9 +78,9 @@ struct SeaSum {
   void resolved(const Spot& spot) {
     const double share = spot.share;
     const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift), slope = share * sample(tiles, spot, WavePlane::slope);
-    const glm::dvec4 all(*tiles.texels(spot.cascade, WavePlane::moments, tiles.levels(spot.cascade) - 1));
+    const glm::dvec4 all(*tiles.texels(spot.tile, WavePlane::moments, tiles.levels(spot.tile) - 1));
     const glm::dvec4 moments = glm::mix(all, sample(tiles, spot, WavePlane::moments), share);
-    to.displacement += glm::dvec3(shift);
+    to.displacement += spot.size * glm::dvec3(shift);
     to.height_gradient += glm::dvec2(slope);
     to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
     const double divergence = slope.z + slope.w;
@@ -87,8 +88,8 @@ struct SeaSum {
                                    moments.z - slope.x * slope.y);
     to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
   }
-  void unresolved(int cascade) {
-    const glm::dvec4 moments(*tiles.texels(cascade, WavePlane::moments, tiles.levels(cascade) - 1));
+  void unresolved(int tile) {
+    const glm::dvec4 moments(*tiles.texels(tile, WavePlane::moments, tiles.levels(tile) - 1));
     to.slope_moments += glm::dvec3(moments);
     to.divergence_moment += moments.w;
   }
@@ -97,60 +98,62 @@ struct SeaSum {
 
 WaveField::Filter WaveField::filter(double footprint_m) const {
   Filter result{};
-  for (int i = 0; i < quality_.cascades; ++i) {
-    const double texel = places_[i].texel_m;
-    const int last = std::countr_zero(unsigned(plans_[i].n));
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    const double texel = place.texel_m;
+    const int last = std::countr_zero(unsigned(place.tile < quality_.cascades ? plans_[std::size_t(place.tile)].n : others_[std::size_t(place.tile - quality_.cascades)]->samples()));
     const double lod = footprint_m > texel ? std::min(std::log2(footprint_m / texel), double(last)) : 0.0;
     result.level[i] = int(lod);
     result.between[i] = float(lod - int(lod));
-    result.share[i] = float(kept_share(bins_.ladder[i], footprint_m));
+    result.share[i] = float(kept_share(place.longest_m, footprint_m));
   }
   return result;
 }
 
-// Calls visit.resolved(spot) for each cascade that the footprint resolves and visit.unresolved(cascade) for each other.
+// Calls visit.resolved(spot) for each place that the footprint resolves and visit.unresolved(tile) for each other.
 template <class Visit>
-void WaveField::visit_cascades(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, Visit visit) const {
+void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, Visit visit) const {
   assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
-  for (int i = 0; i < quality_.cascades; ++i) {
-    if (filter.level[i] >= tiles.levels(i) - 1 || filter.share[i] <= 0.0f) {
-      visit.unresolved(i);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    if (filter.level[i] >= tiles.levels(place.tile) - 1 || filter.share[i] <= 0.0f) {
+      visit.unresolved(place.tile);
       continue;
     }
-    const Place& place = places_[i];
-    const double half_texel = 0.5 / tiles.samples(i);
+    const double first = 0.5 / tiles.samples(place.tile) + place.offset;
     // In double, so that a sample a thousand kilometres out is as exact as one at the origin.
     const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side;
     const double v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side;
-    const glm::dvec2 coordinates{u - std::floor(u) + half_texel, v - std::floor(v) + half_texel};
+    const glm::dvec2 coordinates{u - std::floor(u) + first, v - std::floor(v) + first};
     Spot spot;
-    spot.cascade = i;
+    spot.tile = place.tile;
+    spot.size = place.size;
     spot.level = filter.level[i];
     spot.between = filter.between[i];
     spot.share = filter.share[i];
-    spot.fine = corner(tiles.layout().level(i, spot.level), coordinates);
-    if (spot.between > 0.0f) spot.coarse = corner(tiles.layout().level(i, spot.level + 1), coordinates);
+    spot.fine = corner(tiles.layout().level(place.tile, spot.level), coordinates);
+    if (spot.between > 0.0f) spot.coarse = corner(tiles.layout().level(place.tile, spot.level + 1), coordinates);
     visit.resolved(spot);
   }
 }
 
 SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   SeaSample result;
-  visit_cascades(tiles, rest_xz_m, filter, SeaSum{tiles, result});
+  visit_places(tiles, rest_xz_m, filter, SeaSum{tiles, result});
   result.slope_moments += statistics_.tail_slope_moments;
   return result;
 }
 
 glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   glm::dvec3 result(0.0);
-  visit_cascades(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::shift, result});
+  visit_places(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::shift, result});
   return result;
 }
 
 glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   assert(tiles.has_velocity());
   glm::dvec3 result(0.0);
-  visit_cascades(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::velocity, result});
+  visit_places(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::velocity, result});
   return result;
 }
 

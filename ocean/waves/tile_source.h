@@ -20,6 +20,7 @@ struct Laying {
   double longest_m, shortest_m;  // waves in it: a footprint of half the longest begins to fade it (kept_share)
 };
 inline constexpr int most_layings = 3, most_sources = 1;  // of all of a sea's sources together
+static_assert(most_sources <= most_layings);
 
 // Sums over a source's layings, as SeaStatistics has them.
 struct SourceStatistics {

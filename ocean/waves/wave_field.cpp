@@ -52,18 +52,25 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
 }
 }  // namespace
 
-WaveField::WaveField(const SeaState& sea, const WaveQuality& quality) : WaveField(sea, quality, make_wave_bins(sea, quality)) {}
+WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, TileSources others)
+    : WaveField(sea, quality, make_wave_bins(sea, quality), std::move(others)) {}
 
-WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins)
-    : sea_(sea), quality_(quality), bins_(std::move(bins)), statistics_(sea_statistics(sea, bins_)) {
+WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others)
+    : sea_(sea), quality_(quality), bins_(std::move(bins)), statistics_(sea_statistics(sea, bins_)), others_(std::move(others)) {
+  std::erase_if(others_, [](const auto& source) { return source->still(); });
+  assert(others_.size() <= std::size_t(most_sources));
   for (int i = 0; i < quality.cascades; ++i) {
     const Cascade& cascade = bins_.ladder[i];
     const int samples = tile_samples(quality, i);
     plans_.push_back(make_fft_plan(samples, std::min(samples, bins_of(i))));
     tables_.push_back(make_table(sea, bins_, i, samples, plans_.back().band));
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
-                       cascade.side_m / samples});
+                       cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade)});
   }
+  for (std::size_t s = 0; s < others_.size(); ++s)
+    for (const Laying& laying : others_[s]->layings())
+      places_.push_back({1.0, 0.0, 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m});
+  assert(places_.size() <= std::size_t(most_places));
 }
 
 void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
@@ -88,10 +95,11 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
   });
 }
 
-WaveTileLayout::WaveTileLayout(const WaveQuality& quality) : cascades(quality.cascades), resolution(quality.resolution) {
-  for (int i = 0; i < cascades; ++i) {
+WaveTileLayout::WaveTileLayout(const WaveQuality& quality, const TileSources& others)
+    : cascades(quality.cascades), resolution(quality.resolution), sources(int(others.size())) {
+  for (int i = 0; i < cascades + sources; ++i) {
     Tile& tile = tiles[std::size_t(i)];
-    tile.samples = tile_samples(quality, i);
+    tile.samples = i < cascades ? tile_samples(quality, i) : others[std::size_t(i - cascades)]->samples();
     for (int size = tile.samples; size >= 1; size /= 2) {
       const int stride = size >= 32 ? size + 4 : size;
       tile.level[std::size_t(tile.levels++)] = {size, stride, plane_texels};
@@ -100,9 +108,10 @@ WaveTileLayout::WaveTileLayout(const WaveQuality& quality) : cascades(quality.ca
   }
 }
 
-void WaveTiles::shape(const WaveQuality& quality) {
-  const bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution;
-  if (!same) layout_ = WaveTileLayout(quality);
+void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
+  bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution && int(others.size()) == layout_.sources;
+  for (std::size_t i = 0; same && i < others.size(); ++i) same = layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
+  if (!same) layout_ = WaveTileLayout(quality, others);
   const std::size_t texels = layout_.plane_texels * std::size_t(planes_);
   assert(given_.empty() || given_.size() >= texels);
   if (given_.empty() && texels_.size() != texels) {
@@ -114,7 +123,7 @@ void WaveTiles::shape(const WaveQuality& quality) {
 void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
   const bool velocity = tiles.has_velocity();
   const int cascades = quality_.cascades;
-  tiles.shape(quality_);
+  tiles.shape(quality_, others_);
   tiles.ticks_ = ticks;
   std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
   // The number of its first piece of rows, and of its first strip.
@@ -133,6 +142,8 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     while (piece >= firsts[std::size_t(cascade) + 1]) ++cascade;
     return cascade;
   };
+  const std::size_t of_waves = floats;
+  for (const auto& source : others_) floats = std::max(floats, of_waves + source->workspace_floats(velocity));
   if (tiles.workspace_.size() != floats) tiles.workspace_.assign(floats, 0.0f);
   const auto plane_level = [&](int cascade, int level) {
     PlaneLevel result{};
@@ -159,6 +170,12 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
       const int size = plans_[cascade].n >> level;
       average_down(plane_level(cascade, level - 1), plane_level(cascade, level), tiles.planes_, 0, size, size);
     }
+  for (std::size_t s = 0; s < others_.size(); ++s) {
+    std::array<PlaneLevel, 10> levels;
+    const int tile = cascades + int(s), count = tiles.levels(tile);
+    for (int level = 0; level < count; ++level) levels[std::size_t(level)] = plane_level(tile, level);
+    others_[s]->evaluate(ticks, velocity, {levels.data(), std::size_t(count)}, {tiles.workspace_.data() + of_waves, floats - of_waves});
+  }
 }
 
 }  // namespace seascape

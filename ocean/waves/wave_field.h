@@ -10,6 +10,7 @@
 #include "ocean/waves/fft.h"
 #include "ocean/waves/ladder.h"
 #include "ocean/waves/sea_state.h"
+#include "ocean/waves/tile_source.h"
 #include "shaders/shared/wave_bin.h"
 
 namespace seascape {
@@ -96,10 +97,10 @@ struct WaveTable {
 // field, each with its own tiles.
 class WaveField {
  public:
-  // Throws Error as validate() does (spectrum.h).
-  WaveField(const SeaState& sea, const WaveQuality& quality);
+  // Throws Error as validate() does (spectrum.h). `others`: what feeds the sea beside its waves.
+  WaveField(const SeaState& sea, const WaveQuality& quality, TileSources others = {});
   // A sea of given waves, made for the same quality; of `sea` the chop, gravity, depth and wind count.
-  WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins);
+  WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others = {});
 
   // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher quality. Not
   // while another thread uses the field.
@@ -110,7 +111,7 @@ class WaveField {
   // shape.
   void evaluate(std::int64_t ticks, WaveTiles& tiles) const;
 
-  // The surface at a rest position (x, z in metres), smoothed over a footprint of `footprint_m`: each cascade is sampled
+  // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each cascade is sampled
   // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile coordinates u + 0.5 / samples
   // (texel centres at (i + 0.5) / size on every level). From half a cascade's longest wave on a
   // footprint fades it (kept_share); one that is gone, or whose lod reaches its last level, adds only its moments.
@@ -120,10 +121,11 @@ class WaveField {
   glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
 
   // The same for many places of one footprint, whose mip levels are found once.
+  static constexpr int most_places = gpu::max_cascades + most_layings;
   struct Filter {
-    std::array<int, gpu::max_cascades> level;      // the finer of two levels; the tile's last level: moments only
-    std::array<float, gpu::max_cascades> between;  // towards the next, 0 to 1
-    std::array<float, gpu::max_cascades> share;    // of the cascade that the footprint keeps (kept_share)
+    std::array<int, most_places> level;      // the finer of two levels; the tile's last level: moments only
+    std::array<float, most_places> between;  // towards the next, 0 to 1
+    std::array<float, most_places> share;    // of the place that the footprint keeps (kept_share)
   };
   Filter filter(double footprint_m) const;
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
@@ -134,10 +136,14 @@ class WaveField {
   const WaveQuality& quality() const { return quality_; }
   const WaveBins& bins() const { return bins_; }
   const SeaStatistics& statistics() const { return statistics_; }
-  struct Place {  // from world to tile coordinates
+  struct Place {  // from world to tile coordinates, and what is made of the tile there
     double cosine, sine, inverse_side, texel_m;
+    int tile;                          // whose: cascades, then sources
+    double offset = 0.0, size = 1.0;   // of a laying (tile_source.h)
+    double longest_m = 0.0;
   };
-  std::span<const Place> places() const { return places_; }  // of each cascade
+  std::span<const Place> places() const { return places_; }  // of each cascade, then of each laying of the other sources
+  const TileSources& others() const { return others_; }
 
  private:
   SeaState sea_;
@@ -147,8 +153,9 @@ class WaveField {
   std::vector<FftPlan> plans_;  // these three a cascade
   std::vector<WaveTable> tables_;
   std::vector<Place> places_;
+  TileSources others_;
   template <class Visit>
-  void visit_cascades(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, Visit visit) const;
+  void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, Visit visit) const;
 };
 
 }  // namespace seascape

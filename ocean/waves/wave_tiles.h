@@ -10,6 +10,7 @@
 
 #include "engine/large_pages.h"
 #include "ocean/waves/fft.h"
+#include "ocean/waves/tile_source.h"
 #include "ocean/waves/wave_field.h"
 
 namespace seascape {
@@ -21,7 +22,8 @@ enum class WavePlane {
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
 };
 
-// Where the texels of tiles lie, counted from their first: plane after plane, in it cascade after cascade, in it level after level.
+// Where the texels of tiles lie, counted from their first: plane after plane, in it tile after tile (those of the cascades, then those of other sources),
+// in it level after level.
 struct WaveTileLayout {
   struct Level {
     int size, stride;    // rows are `stride` texels apart, a little more than `size`: power-of-two strides cost cache aliasing
@@ -31,15 +33,15 @@ struct WaveTileLayout {
     int samples = 0, levels = 0;  // a side of level 0; log2(samples) + 1
     std::array<Level, 10> level{};
   };
-  int cascades = 0, resolution = 0;  // of the quality that it was made for
-  std::array<Tile, gpu::max_cascades> tiles;
+  int cascades = 0, resolution = 0, sources = 0;  // that it was made for
+  std::array<Tile, gpu::max_cascades + most_sources> tiles;
   std::size_t plane_texels = 0;  // from one plane to the next
 
   WaveTileLayout() = default;
-  explicit WaveTileLayout(const WaveQuality& quality);
-  const Level& level(int cascade, int level) const { return tiles[std::size_t(cascade)].level[std::size_t(level)]; }
-  std::size_t offset(int cascade, WavePlane plane, int level_index) const {
-    return std::size_t(plane) * plane_texels + level(cascade, level_index).offset;
+  explicit WaveTileLayout(const WaveQuality& quality, const TileSources& others = {});
+  const Level& level(int tile, int level) const { return tiles[std::size_t(tile)].level[std::size_t(level)]; }
+  std::size_t offset(int tile, WavePlane plane, int level_index) const {
+    return std::size_t(plane) * plane_texels + level(tile, level_index).offset;
   }
 };
 static_assert(longest_tile_samples < 1 << 10, "a tile has at most ten levels");
@@ -53,16 +55,17 @@ class WaveTiles {
   WaveTiles(const WaveTiles&) = delete;
   WaveTiles& operator=(const WaveTiles&) = delete;
   int cascades() const { return layout_.cascades; }
-  int samples(int cascade) const { return layout_.tiles[std::size_t(cascade)].samples; }
-  int levels(int cascade) const { return layout_.tiles[std::size_t(cascade)].levels; }
+  // Tiles are numbered from 0: the cascades' first, then the other sources'.
+  int samples(int tile) const { return layout_.tiles[std::size_t(tile)].samples; }
+  int levels(int tile) const { return layout_.tiles[std::size_t(tile)].levels; }
   const WaveTileLayout& layout() const { return layout_; }
   bool has_velocity() const { return planes_ == 4; }
   std::int64_t ticks() const { return ticks_; }
-  // First texel of a level, whose rows are `stride(cascade, level)` texels apart.
-  const glm::vec4* texels(int cascade, WavePlane plane, int level) const {
-    return first_ + layout_.offset(cascade, plane, level);
+  // First texel of a level, whose rows are `stride(tile, level)` texels apart.
+  const glm::vec4* texels(int tile, WavePlane plane, int level) const {
+    return first_ + layout_.offset(tile, plane, level);
   }
-  int stride(int cascade, int level) const { return layout_.level(cascade, level).stride; }
+  int stride(int tile, int level) const { return layout_.level(tile, level).stride; }
   // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own. It
   // holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
   void keep_in(std::span<glm::vec4> memory) {
@@ -72,9 +75,9 @@ class WaveTiles {
 
  private:
   friend class WaveField;
-  void shape(const WaveQuality& quality);
-  glm::vec4* writable(int cascade, WavePlane plane, int level) {
-    return const_cast<glm::vec4*>(texels(cascade, plane, level));
+  void shape(const WaveQuality& quality, const TileSources& others);
+  glm::vec4* writable(int tile, WavePlane plane, int level) {
+    return const_cast<glm::vec4*>(texels(tile, plane, level));
   }
   int planes_;
   std::int64_t ticks_ = 0;
@@ -82,7 +85,7 @@ class WaveTiles {
   glm::vec4* first_ = nullptr;  // of given_, or of the tiles' own texels
   std::span<glm::vec4> given_;
   std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
-  std::vector<float, LargePages<float>> workspace_;  // of the transforms, cascade after cascade
+  std::vector<float, LargePages<float>> workspace_;  // of the transforms, cascade after cascade; then of the other sources
 };
 
 }  // namespace seascape
