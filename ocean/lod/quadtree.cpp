@@ -123,7 +123,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   // A node that splits has 16 of its quarters' strides a side.
   constexpr double strides = 2.0 * gpu::patch_quads;
   selection_.morph = {glm::vec2(frame.viewer_m / unit_m_), static_cast<float>(frame.gap_y),
-                      frame.visible_reach > frame.gap_y ? static_cast<float>(strides / frame.ratio) : 0.0f,
+                      frame.visible_reach > 0.0 ? static_cast<float>(strides / frame.ratio) : 0.0f,
                       static_cast<float>(std::min(frame.visible_reach, 1e9)), static_cast<float>(TreeFrame::morph_step * strides),
                       last_stride, 0.0f};
 

@@ -8,7 +8,7 @@
 namespace seascape {
 namespace {
 
-constexpr int most_bands = 8;  // what the three bits at patch_skirt_band hold
+constexpr int most_bands = 31;
 
 // What one call shares. A strip's bounds are the trapezoid that it covers, grown by the displacement times cull_scale.
 struct Skirt {
@@ -57,16 +57,19 @@ struct Skirt {
 
 }  // namespace
 
-// Dense as the patches only as far as the water's motion can be seen. Rows may be up to 13 % of their distance apart: the
-// highest of them then stands within 0.01 degrees of the horizon from 10 km (its dip times the square of half of that, halved).
+// Dense as the patches only as far as the water's motion can be seen, then sparser by skirt_growth. Both parts end at whole rows of their
+// own spacing: from higher up more bands are laid outside of those that lie already, and none of these moves.
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection) {
+  constexpr double growth = static_cast<double>(gpu::skirt_growth);
   const double half_m = 0.5 * frame.root_size * frame.unit_m;
   const double dense = std::clamp(frame.visible_reach * frame.unit_m / half_m, 1.0, multiplier);
-  const double reach = reach_m / half_m;
-  const double rows = std::log(std::max(dense, reach)) / std::log(1.13);
+  const double near_growth = 1.0 + std::min(frame.ratio / gpu::patch_quads, growth - 1.0);
+  const int near_rows = static_cast<int>(std::ceil(std::log(dense) / std::log(near_growth)));
+  const int far_rows = static_cast<int>(std::ceil(std::max(std::log(reach_m / half_m / dense) / std::log(growth), 0.0)));
+  const int bands = std::clamp((near_rows + far_rows + gpu::patch_quads - 1) / gpu::patch_quads, 1, most_bands);
+  selection.skirt_rows = bands * gpu::patch_quads;
   selection.skirt_to_multiplier = static_cast<float>(dense);
-  selection.skirt_to_horizon = static_cast<float>(reach);
-  selection.skirt_rows = std::clamp(static_cast<int>(std::ceil(rows / gpu::patch_quads)), 1, most_bands) * gpu::patch_quads;
+  selection.skirt_to_horizon = static_cast<float>(dense * std::pow(growth, std::max(selection.skirt_rows - near_rows, 0)));
 }
 
 // Asked of a whole side first, then of each band of it, and of the strips only where that is neither wholly seen nor unseen.

@@ -21,7 +21,7 @@ struct SurfaceSelection {
   int half_size = 0;               // half the root's side in the same coordinates
   double horizon_m = 0.0;          // how far the skirt reaches from the viewer, past the true horizon
   float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
-  int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, at most eight times as many
+  int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, 31 times as many at most
   gpu::VertexMorph morph{};         // how vertices slide; with lod.join = masked none does
   int visited_nodes = 0;  // nodes of the tree and skirt strips that were considered
   int culled_nodes = 0;   // those of them that no eye can see (with all that is below them)

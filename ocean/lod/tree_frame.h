@@ -31,7 +31,7 @@ struct TreeFrame {
   double split_reach(int level) const {
     if (level < least_levels) return gap_y + 2.0 * root_size;
     if (!morphed) return std::min(size(level) / ratio, visible_reach);
-    return visible_reach > gap_y ? std::min(size(level) / ratio, visible_reach + morph_step * size(level)) : 0.0;
+    return visible_reach > 0.0 ? std::min(size(level) / ratio, visible_reach + morph_step * size(level)) : 0.0;
   }
 
   // Morphing needs room: the reaches of two levels lie 0.6 of a node's size apart where visible_reach bounds them, and no node

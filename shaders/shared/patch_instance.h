@@ -14,7 +14,7 @@ SEASCAPE_CONST uint patch_north = 2u;
 SEASCAPE_CONST uint patch_west = 4u;
 SEASCAPE_CONST uint patch_south = 8u;
 // A strip of the horizon skirt: row 0 is the outer edge of a patch on the root's border, the rows after it go outwards
-// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The two at
+// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The five at
 // patch_skirt_band say which of the skirt's rows, patch_quads at a time, the strip has.
 SEASCAPE_CONST uint patch_skirt = 16u;
 SEASCAPE_CONST uint patch_skirt_side_shift = 5u;

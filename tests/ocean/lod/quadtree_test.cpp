@@ -256,22 +256,30 @@ TEST(Horizon, IsTheTangentsLengthWithRoomToSpare) {
   EXPECT_LT(std::atan(1.7 / horizon_distance(1.7, 0.0, false)), 0.01 * 3.14159265 / 180.0);
 }
 
-// Control seen: a share of 1 for the near rows (no rows are left for the horizon).
-TEST(Skirt, RowsGrowFromOneToTheReach) {
-  for (const int rows : {16, 32, 64})
-    for (const float multiplier : {1.0f, 1.5f, 10.0f, 20.0f})
-      for (const float horizon : {1.2f, 3.0f, 10.0f, 45.0f, 6000.0f}) {
-        EXPECT_EQ(gpu::skirt_scale(0, rows, multiplier, horizon), 1.0f);
-        double greatest_ratio = 0.0;
-        for (int row = 1; row <= rows; ++row) {
-          const float here = gpu::skirt_scale(row, rows, multiplier, horizon), before = gpu::skirt_scale(row - 1, rows, multiplier, horizon);
-          ASSERT_GT(here, before) << rows << ' ' << multiplier << ' ' << horizon << ' ' << row;
-          greatest_ratio = std::max(greatest_ratio, static_cast<double>(here / before));
+// Rows grow, dense to the multiplier and then by skirt_growth to the horizon; and what lies there stays there while the viewer rises.
+// Controls seen: rows shared out anew by how far the horizon is, as once they were (all of the skirt moves at once when a band
+// comes to it: by 4 pixels on a tree of 256 m); a row less beyond the multiplier.
+TEST(Skirt, RowsGrowToTheReachAndStayWhereTheyAre) {
+  for (const Preset& preset : presets)
+    for (const double size : {256.0, 4096.0})
+      for (const double vertical : {0.0, 1.0, 12.0}) {
+        Quadtree tree(settings_of(preset, size));
+        std::vector<double> lower;
+        for (const double height : {1.7, 5.0, 30.0, 31.0, 200.0, 3000.0, 20000.0}) {
+          const SurfaceSelection& s = tree.select(everything_from({0.0, height, 0.0}), {vertical, vertical});
+          std::vector<double> rows;
+          for (int row = 0; row <= s.skirt_rows; ++row)
+            rows.push_back(static_cast<double>(gpu::skirt_scale(row, s.skirt_rows, s.skirt_to_multiplier, s.skirt_to_horizon)));
+          ASSERT_EQ(rows[0], 1.0);
+          for (std::size_t row = 1; row < rows.size(); ++row) {
+            ASSERT_GT(rows[row], rows[row - 1]);
+            ASSERT_LE(rows[row] / rows[row - 1], 1.13001);
+          }
+          EXPECT_GE(rows.back() * 0.5 * size, s.horizon_m) << preset.name << ' ' << size << ' ' << height;
+          for (std::size_t row = 0; row < std::min(rows.size(), lower.size()); ++row) ASSERT_NEAR(rows[row] / lower[row], 1.0, 1e-6);
+          EXPECT_GE(rows.size(), lower.size());
+          lower = rows;
         }
-        const double reach = std::max(multiplier, horizon);
-        EXPECT_NEAR(gpu::skirt_scale(rows, rows, multiplier, horizon) / reach, 1.0, 1e-4);
-        // Never worse than a quarter of the rows for the whole way.
-        EXPECT_LE(greatest_ratio, std::pow(reach, 4.0 / rows) * 1.001);
       }
 }
 
