@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/tile_sources.h"
 #include "engine/multiview_check.h"
 
 namespace seascape {
@@ -70,8 +71,9 @@ void Experience::build() {
     render.msaa = samples;
   }
   const Settings& s = scene_.settings;
+  TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam")});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam"), std::move(sources)});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -82,7 +84,7 @@ void Experience::build() {
   look.wireframe = render.debug == DebugView::wireframe;
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
-  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), frame_->ring(),
+  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), frame_->ring(),
                                        SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
   const EffectScope scope(device_, "sky");
   GraphicsSpec sky;
@@ -144,6 +146,12 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
                               {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
                                {.binding = 6, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
                               "tone");
+}
+
+void Experience::apply_effects(const std::vector<std::string>& effects) {
+  if (effects == scene_.effects) return;
+  scene_.effects = effects;
+  build();
 }
 
 void Experience::apply(const Settings& settings, bool sea_at_once) {

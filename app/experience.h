@@ -27,6 +27,9 @@ class Experience {
   // needs objects is built anew.
   void apply(const Settings& settings, bool sea_at_once = false);
 
+  // Other effects, of those that are built (effect_is_built): its objects are built anew.
+  void apply_effects(const std::vector<std::string>& effects);
+
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
 

@@ -8,6 +8,7 @@
 #include "app/explore.h"
 #include "app/frame.h"
 #include "app/quality.h"
+#include "app/tile_sources.h"
 #include "engine/error.h"
 #include "engine/files.h"
 
@@ -103,7 +104,7 @@ void Explorer::apply(const Settings& wanted) {
 }
 
 void Explorer::feel_water() {
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins());
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()));
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {

@@ -36,7 +36,6 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
-  const WaveImages& waves = e.ocean_->waves();
 
   // 1. What the sea does: spectrum, transforms, tiles; each only if the scene asked for it.
   e.ocean_->update(frame, time_s);
@@ -54,7 +53,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const bool tile = e.in_tile();
   const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
-  waves.add_uses(uses, Access::surface_read);
+  e.ocean_->add_uses(uses);
   frame.draw_pass("surface", tile ? e.picture_ : e.lit_, uses, [&](Commands& c) {
     e.surface_->draw(c, frame, selection, uniform);
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});

@@ -106,7 +106,7 @@ Edit edit_row(Settings& settings, const Setting& row) {
   }
   const bool wide = row.least >= 0.0 && row.most > 1000.0 * std::max(row.least, 1.0);
   const bool small = !wide && row.most - row.least <= 20.0;
-  const std::string format = (wide ? "%.0f" : row.most <= 0.5 ? "%.3f" : small ? "%.2f" : "%.1f") + unit;
+  const std::string format = (wide ? (row.least > 0.0 && row.least < 1.0 ? "%.3g" : "%.0f") : row.most <= 0.5 ? "%.3f" : small ? "%.2f" : "%.1f") + unit;
   const bool logarithmic = wide || (row.least > 0.0 && row.most / row.least >= 100.0);
   return scalar_state(ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &row.least, &row.most, format.c_str(),
                                           ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0)));

@@ -95,17 +95,17 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
     }
 }
 
-// Foam of this version is code in the surface's fragment shader and nothing else: its words are what the shader would lack
-// without it.
-void add_foam(Plan& plan, ShaderLibrary& library, const Surface& surface) {
+// What effects are of code in the surface's shaders: the words that a shader would lack without the effect.
+void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
   for (const auto& shader : surface.pipeline().shaders()) {
-    if (shader->stage != VK_SHADER_STAGE_FRAGMENT_BIT) continue;
-    std::vector<SpecValue> without = shader->values;
-    for (SpecValue& value : without)
-      if (value.id == Surface::foam_constant) value.value = 0;
-    const std::size_t lacking = library.load(shader->name, without)->words.size();
-    if (lacking < shader->words.size())
-      effect_named(plan, "foam").modules.push_back({shader->name, shader->words.size() - lacking, "surface"});
+    for (const auto& [effect, constant] : Surface::effect_code) {
+      std::vector<SpecValue> without = shader->values;
+      for (SpecValue& value : without)
+        if (value.id == constant) value.value = 0;
+      const std::size_t lacking = library.load(shader->name, without)->words.size();
+      if (lacking < shader->words.size())
+        effect_named(plan, effect).modules.push_back({shader->name, shader->words.size() - lacking, "surface"});
+    }
   }
 }
 
@@ -157,7 +157,7 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
   }
   plan.passes = experience.frame().counts().passes;
   for (const ObjectRecord& object : device.objects()) add_object(effect_named(plan, object.effect), object);
-  add_foam(plan, shaders, experience.surface());
+  add_code(plan, shaders, experience.surface());
   return plan;
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/csv.h"
 #include "app/progress.h"
+#include "app/tile_sources.h"
 #include "engine/files.h"
 #include "ocean/effects.h"
 #include "ocean/waves/query.h"
@@ -39,7 +40,7 @@ void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer
 }  // namespace
 
 std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dvec2> points) {
-  const WaveField field(sea_of(scene), scene.settings.waves);
+  const WaveField field(sea_of(scene), scene.settings.waves, tile_sources(scene));
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(time_s), tiles);
 

@@ -8,6 +8,7 @@
 #include "engine/files.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/waves/wave_particle_settings.h"
 
 namespace seascape {
 
@@ -105,6 +106,15 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   scene.start.position_m = {0.0, 1.7, 0.0};  // eye height of somebody standing on the still sea
   apply_preset(scene.settings, preset);
   faults.attempt([&] { read_scene(scene, parse_located_json(text, where), where, faults); });
+  // What one value alone does not show: whether an effect's settings go together.
+  if (std::find(scene.effects.begin(), scene.effects.end(), "wave_particles") != scene.effects.end())
+    faults.attempt([&] {
+      try {
+        validate(scene.settings.wave_particles);
+      } catch (const Error& error) {
+        throw Error(where, error.where() + ": " + error.fault(), error.remedy());
+      }
+    });
   return scene;
 }
 

@@ -13,6 +13,7 @@
 #include "ocean/lod/lod_settings.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/sea_state.h"
+#include "ocean/waves/wave_particle_settings.h"
 #include "ocean/waves/wave_place.h"
 
 namespace seascape {
@@ -21,6 +22,7 @@ struct Settings {
   SeaState sea;          // keys waves.*
   WaveQuality waves;     // keys waves.resolution, waves.cascades, waves.half_storage
   WavePlace wave_place = WavePlace::automatic;  // key waves.where
+  WaveParticleSettings wave_particles;  // keys wave_particles.*
   LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*
   SkySettings sky;       // keys sky.*

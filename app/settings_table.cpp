@@ -24,6 +24,7 @@ void set_choice(Settings& settings, int index) {
 template <auto member> constexpr RealMember real = &at<member>;
 template <auto member> constexpr auto sea = &at<&Settings::sea, member>;
 template <auto member> constexpr auto waves = &at<&Settings::waves, member>;
+template <auto member> constexpr auto particles = &at<&Settings::wave_particles, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
 template <auto member> constexpr auto water = &at<&Settings::water, member>;
 template <auto member> constexpr auto sky = &at<&Settings::sky, member>;
@@ -99,6 +100,23 @@ const std::vector<Setting>& table() {
        "What computes the picture's waves: the GPU, or the processor, which uploads them; auto takes the processor on software drivers.",
        ChoiceMember{&choice_of<&Settings::wave_place>, &set_choice<&Settings::wave_place>}, 0.0, 0.0, {"auto", "gpu", "cpu"}, false,
        rebuild},
+
+      {"wave_particles.count", "", "Wave particles on the tile: bumps that run straight on, half of them troughs, evenly in all directions.",
+       particles<&WaveParticleSettings::count>, 1.0, 100000.0, {}, false, rebuild},
+      {"wave_particles.height_m", "m", "Significant height of the wave particles' waves; 0 leaves them out.",
+       particles<&WaveParticleSettings::height_m>, 0.0, 20.0, {}, false, rebuild},
+      {"wave_particles.tile_m", "m", "Side of the wave particles' tile, after which the largest of its sizes repeats.",
+       particles<&WaveParticleSettings::tile_m>, 0.25, 4000.0, {}, false, rebuild},
+      {"wave_particles.radius_m", "m", "Radius of a wave particle, half the length of its wave: 1/64 to 1/4 of the tile's side.",
+       particles<&WaveParticleSettings::radius_m>, 0.005, 1000.0, {}, false, rebuild},
+      {"wave_particles.speed_mps", "m/s", "How fast wave particles run; 0 takes the speed of a deep-water wave two radii long.",
+       particles<&WaveParticleSettings::speed_mps>, 0.0, 100.0, {}, false, rebuild},
+      {"wave_particles.chop", "", "Horizontal displacement that sharpens wave particles: 0 none, 1 as Yuksel's are at their crests.",
+       particles<&WaveParticleSettings::chop>, 0.0, 2.0, {}, false, rebuild},
+      {"wave_particles.scales", "", "How many sizes the tile is laid over the sea in: the whole, 0.62 and 0.32 of it.",
+       particles<&WaveParticleSettings::scales>, 1.0, 3.0, {"1", "2", "3"}, false, rebuild},
+      {"wave_particles.seed", "", "Which wave particles of the same statistics.", particles<&WaveParticleSettings::seed>, 0.0,
+       4294967295.0, {}, false, rebuild},
 
       {"lod.ocean_size_m", "m", "Side of the square that is divided into patches; a skirt goes on to the horizon.",
        lod<&LodSettings::ocean_size_m>, 256.0, 8192.0, {}, false, rebuild},

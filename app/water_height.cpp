@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace seascape {
 
@@ -26,8 +27,8 @@ WaveBins longest(const WaveBins& drawn) {
 
 }  // namespace
 
-WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn)
-    : field_(sea, coarse(quality), longest(drawn)) {}
+WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others)
+    : field_(sea, coarse(quality), longest(drawn), std::move(others)) {}
 
 double WaterHeight::at(glm::dvec2 place_m, double time_s) {
   const std::int64_t ticks = ticks_from_seconds(time_s);

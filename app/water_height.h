@@ -11,7 +11,7 @@ namespace seascape {
 class WaterHeight {
  public:
   // The waves that the sea draws.
-  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn);
+  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {});
   // Other amplitudes of the same waves, as the drawn sea has them while it changes.
   void follow(const WaveBins& drawn, double chop) {
     field_.take(drawn, chop, field_.statistics());

@@ -15,7 +15,7 @@ struct Effect {
 };
 
 constexpr Effect effects[] = {
-    {"waves", true, ""},           {"gerstner", false, ""},      {"wave_particles", false, ""},
+    {"waves", true, ""},           {"gerstner", false, ""},      {"wave_particles", true, "waves"},
     {"baked", false, ""},          {"dynamic_waves", false, ""}, {"foam", true, "waves"},
     {"spray", false, "foam"},      {"flow", false, ""},          {"sea_depth", false, ""},
     {"level", false, ""},          {"clip", false, ""},          {"shadow", false, ""},

@@ -29,6 +29,14 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, bins_, waves_);
   else
     upload_ = std::make_unique<WaveUpload>(device, settings.sea, settings.waves, bins_, waves_);
+  for (const auto& source : settings.sources) {
+    if (source->still()) continue;
+    sources_.push_back(std::make_unique<DrawnSource>(device, source, waves_.half_storage()));
+    const SourceStatistics s = source->statistics();
+    of_sources_.height_variance += s.height_variance;
+    of_sources_.largest_height_m += s.largest_height_m;
+    of_sources_.largest_shift_m += s.largest_shift_m;
+  }
 }
 
 void Ocean::update(Frame& frame, double time_s) {
@@ -36,6 +44,12 @@ void Ocean::update(Frame& frame, double time_s) {
   if (changing()) follow_change(frame, ticks);
   if (compute_) compute_->update(frame, ticks);
   if (upload_) upload_->update(frame, ticks);
+  for (const auto& source : sources_) source->update(frame, ticks);
+}
+
+void Ocean::add_uses(Uses& uses) const {
+  waves_.add_uses(uses, Access::surface_read);
+  for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
 }
 
 void Ocean::change(const SeaState& sea, double over_s) {
@@ -69,8 +83,8 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
-  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m;
-  selection_ = &quadtree_.select(viewpoint, {height, statistics_.largest_shift_m});
+  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
+  selection_ = &quadtree_.select(viewpoint, {height, statistics_.largest_shift_m + of_sources_.largest_shift_m});
   return *selection_;
 }
 
@@ -84,6 +98,8 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   const SurfaceSelection& s = *selection_;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   data.sea = waves_.sea_data(s.grid_origin_m);
+  for (const auto& source : sources_) source->describe(data.sea.particles, s.grid_origin_m);
+  data.sea.footprint.z += float(of_sources_.largest_height_m);
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);
@@ -92,7 +108,7 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
   // What lies between vertices at most, so that the waves that a vertex keeps are drawn by several.
   data.sea.footprint.x = float(s.unit_m);
   data.sea.footprint.y = float(Quadtree::spacing_over_distance(settings_.lod));
-  data.sea.footprint.w = float(4.0 * std::sqrt(statistics_.height_variance));
+  data.sea.footprint.w = float(4.0 * std::sqrt(statistics_.height_variance + of_sources_.height_variance));
   const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));
   data.water_backscatter = glm::vec4(glm::vec3(optics.backscatter), float(settings_.water.glitter));

@@ -7,6 +7,7 @@
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
+#include "ocean/waves/drawn_source.h"
 #include "ocean/waves/sea_change.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_compute.h"
@@ -25,6 +26,7 @@ struct OceanSettings {
   LodSettings lod;
   WaterSettings water;
   bool foam = false;
+  TileSources sources;  // what feeds the sea beside its waves
 };
 
 class Ocean {
@@ -55,6 +57,10 @@ class Ocean {
   double chop() const { return chop_; }
 
   const WaveImages& waves() const { return waves_; }
+  // Those that are not still.
+  std::span<const std::unique_ptr<DrawnSource>> sources() const { return sources_; }
+  // Adds every image that the surface samples.
+  void add_uses(Uses& uses) const;
   const SeaStatistics& statistics() const { return statistics_; }
   const OceanSettings& settings() const { return settings_; }
 
@@ -65,6 +71,8 @@ class Ocean {
   WaveImages waves_;
   std::unique_ptr<WaveCompute> compute_;  // either this
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
+  std::vector<std::unique_ptr<DrawnSource>> sources_;
+  SourceStatistics of_sources_;  // all of them together
   void follow_change(Frame& frame, std::int64_t ticks);
   std::unique_ptr<SeaMaker> maker_;  // from the first change on
   bool asked_for_ = false;

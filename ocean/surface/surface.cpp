@@ -7,8 +7,17 @@
 
 namespace seascape {
 
+namespace {
+// Where a tile source's layings are counted and its three images bound (shaders/lib/sea.glsl).
+struct SourceSlot {
+  std::string_view name;
+  std::uint32_t constant, binding;
+};
+constexpr SourceSlot slots[] = {{"wave_particles", 8, 12}};
+}  // namespace
+
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
-                 const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look) {
+                 std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look) {
   const EffectScope scope(device, "surface");
   const auto indices = patch_indices(gpu::patch_quads);
   index_count_ = std::uint32_t(indices.size());
@@ -17,8 +26,13 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
   spec.vertex = "surface.vert";
   spec.fragment = "surface.frag";
   spec.values = {{0, !target.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
-                 {foam_constant, look.foam},              {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
+                 {3, look.foam},                          {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
                  {7, std::uint32_t(waves.cascades())}};
+  for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
+  for (const auto& source : sources)
+    for (std::size_t i = 0; i < std::size(slots); ++i)
+      if (slots[i].name == source->source().name())
+        spec.values[spec.values.size() - std::size(slots) + i].value = std::uint32_t(source->source().layings().size());
   spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
   spec.wireframe = look.wireframe && device.facts().wireframe;
@@ -34,6 +48,13 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
     entries.push_back({.binding = first + 1, .view = set.derivatives.view(), .sampler = waves.pixel_sampler()});
     entries.push_back({.binding = first + 2, .view = set.moments.view(), .sampler = waves.pixel_sampler()});
   }
+  for (const auto& source : sources)
+    for (const SourceSlot& slot : slots) {
+      if (slot.name != source->source().name()) continue;
+      entries.push_back({.binding = slot.binding, .view = source->displacement().view(), .sampler = waves.vertex_sampler()});
+      entries.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
+      entries.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
+    }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/frame.h"
 #include "ocean/lod/quadtree.h"
+#include "ocean/waves/drawn_source.h"
 #include "ocean/waves/wave_images.h"
 
 namespace seascape {
@@ -25,15 +26,19 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves, const Buffer& frame_ring,
-          const SurfaceLight& light, const SurfaceLook& look);
+  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
+          std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
 
   // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
 
-  // Its fragment shader holds the code of foam where the constant `foam_constant` is true.
   const Pipeline& pipeline() const { return pipeline_; }
-  static constexpr std::uint32_t foam_constant = 3;
+  // Effects that are code in its shaders: what they are where the effect's constant is 0 lacks it.
+  struct EffectCode {
+    const char* effect;
+    std::uint32_t constant;
+  };
+  static constexpr EffectCode effect_code[] = {{"foam", 3}, {"wave_particles", 8}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }

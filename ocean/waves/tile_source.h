@@ -33,7 +33,7 @@ struct SourceStatistics {
 class TileSource {
  public:
   virtual ~TileSource() = default;
-  // The effect that it belongs to.
+  // The effect that it belongs to, a literal.
   virtual std::string_view name() const = 0;
   // Texels a side, a power of two from 16 to 512.
   virtual int samples() const = 0;

@@ -14,15 +14,15 @@
 #include "engine/text.h"
 #include "ocean/waves/particle_sums.h"
 #include "ocean/waves/wave_field.h"
+#include "shaders/shared/wave_particles.h"
 
 namespace seascape {
 
 namespace {
 constexpr int tile = WaveParticles::tile_samples;
 
-// The layings' sizes: the golden number's inverse and the plastic number's fourth power's. No small multiple of a tile's side is near one of
-// another's, as it would be at 2/3 and 1/3, where all three repeat together every two sides.
-constexpr double sizes[most_layings] = {1.0, 0.6180339887, 0.3247179572};
+constexpr double sizes[gpu::max_particle_layings] = {1.0, double(gpu::particle_size_1), double(gpu::particle_size_2)};
+static_assert(gpu::max_particle_layings <= most_layings);
 constexpr double offsets[most_layings] = {0.0, 0.3713, 0.7219};  // so that no place has the same tile around it at several sizes
 
 void require(double value, double least, double most, const std::string& name) {

@@ -1,5 +1,5 @@
 // sea(): what all of the surface asks about the water at a rest position, for a footprint in metres. Included after the
-// uniform block `frame` (FrameData) has been declared. The C++ twin is ocean/waves/tile_sampler.h.
+// uniform block `frame` (FrameData) has been declared. The C++ twin is ocean/waves/tile_sampler.cpp.
 #ifndef SEASCAPE_SEA_GLSL
 #define SEASCAPE_SEA_GLSL
 
@@ -14,6 +14,15 @@ layout(binding = 11) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^
 // How many cascades there are; what is beyond is stripped.
 layout(constant_id = 7) const int cascade_count = max_cascades;
 
+// Wave particles: one tile laid over the sea in up to three sizes; 0: there are none, and nothing of them is left here.
+layout(constant_id = 8) const int particle_layings = 0;
+layout(binding = 12) uniform sampler2DArray particle_displacement;  // as those above
+layout(binding = 13) uniform sampler2DArray particle_derivatives;
+layout(binding = 14) uniform sampler2DArray particle_moments;
+
+// What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
+vec4 laid(float size) { return vec4(size, size, size, 1.0); }
+
 vec2 tile_vector(CascadeData c, vec2 rest) {
   return vec2(dot(c.tile_from_rest.xy, rest), dot(c.tile_from_rest.zw, rest));
 }
@@ -21,24 +30,27 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
 // How much of a cascade a footprint keeps: from half the cascade's longest wave on it fades, and at the whole it is gone.
 float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint / c.moments.w, 0.0, 1.0); }
 
-void add_displacement(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float footprint) {
-  const CascadeData c = frame.sea.cascade[i];
+// `by`: what the texels' four numbers count for, beside what the footprint keeps.
+void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, float layer, vec4 by, vec2 rest, float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
   const vec2 at = tile_vector(c, rest) + c.origin.xy;
-  sum += share * textureLod(tiles, vec3(at, float(max(i - 1, 0))), level);
+  sum += share * by * textureLod(tiles, vec3(at, layer), level);
 }
 
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
-  add_displacement(sum, sea_longest_displacement, 0, rest, footprint);
-  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, 1, rest, footprint);
-  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, 2, rest, footprint);
-  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, 3, rest, footprint);
-  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, 4, rest, footprint);
+  add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 1.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 2.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 3.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 0.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 0.0, laid(particle_size_1), rest, footprint);
+  if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 0.0, laid(particle_size_2), rest, footprint);
   return sum;
 }
 
@@ -85,15 +97,15 @@ struct SeaSlopes {
 };
 
 // `left`: the share that the vertices have not carried.
-void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, int i, vec2 rest, vec2 along, vec2 across, float blur, float left) {
+void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, float layer, vec2 rest, vec2 along, vec2 across,
+                float blur, float left) {
   if (left <= 0.0) return;
-  const CascadeData c = frame.sea.cascade[i];
   const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
     s.variance += c.moments.xyz;
     return;
   }
-  const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, float(max(i - 1, 0)));
+  const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, layer);
   const vec2 du = tile_vector(c, along), dv = tile_vector(c, across);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
   const vec4 d = share * textureGrad(derivatives, at, 0.5 * du, 0.5 * dv);
@@ -120,11 +132,14 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, Carri
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  add_slopes(s, sea_longest_derivatives, sea_longest_moments, 0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
-  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 1, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
-  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 2, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
-  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 3, rest, along, across, blur, 1.0);
-  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, 4, rest, along, across, blur, 1.0);
+  add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
+  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
+  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 2.0, rest, along, across, blur, 1.0);
+  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 3.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 0.0, rest, along, across, blur, 1.0);
   return s;
 }
 

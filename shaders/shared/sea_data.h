@@ -3,8 +3,10 @@
 #define SEASCAPE_SEA_DATA_H
 #include "gpu_types.h"
 #include "wave_bin.h"
+#include "wave_particles.h"
 SEASCAPE_SHARED_BEGIN
 
+// A cascade's tile, or another source's as one of its layings has it.
 struct CascadeData {
   vec4 tile_from_rest;  // xy, zw: rows of the matrix from rest position (metres from the grid origin) to tile coordinates
   vec4 origin;          // xy: tile coordinates of the grid origin, half a texel added; z: metres a texel; w: its shortest wave in metres
@@ -13,6 +15,7 @@ struct CascadeData {
 
 struct SeaData {
   CascadeData cascade[max_cascades];
+  CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
   vec4 footprint;  // of vertices: x: least in metres, y: per metre of distance; z: highest crest in metres, w: significant height of the drawn waves, metres
 };

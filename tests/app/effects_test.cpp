@@ -19,6 +19,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 // Control: clearing what foam needs in effects.cpp fails here.
 TEST(Effects, TheClosureAddsWhatIsNeededAndSaysWhy) {
   EXPECT_EQ(entries({"foam"}), (Entries{{"waves", "foam needs it"}, {"foam", "the scene names it"}}));
+  EXPECT_EQ(entries({"wave_particles"}), (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
   EXPECT_EQ(entries({"foam", "waves"}), (Entries{{"waves", "the scene names it"}, {"foam", "the scene names it"}}));
 }
 
@@ -32,6 +33,7 @@ TEST(Effects, TheNamesAreThoseOfTheDesign) {
   EXPECT_EQ(effect_names().size(), 22u);
   EXPECT_TRUE(effect_is_built("waves"));
   EXPECT_TRUE(effect_is_built("foam"));
+  EXPECT_TRUE(effect_is_built("wave_particles"));
   EXPECT_TRUE(effect_is_known("boats"));
   EXPECT_FALSE(effect_is_built("boats"));
   EXPECT_FALSE(effect_is_known("boat"));

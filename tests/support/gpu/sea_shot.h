@@ -1,6 +1,7 @@
 // A scene at a preset, drawn for a pose and a time into pictures, as the program's commands do it.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ struct ShotOptions {
   int eye = 0;  // of one view: -1 left, 0 centre, 1 right
   bool per_eye = false, probe = false;
   std::vector<std::pair<std::string, std::string>> set;  // as by --set
+  std::optional<std::vector<std::string>> effects = {};  // instead of the scene's
 };
 
 // A pose from metres and degrees.

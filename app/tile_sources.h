@@ -1,0 +1,12 @@
+// What feeds a scene's sea beside its waves, by the effects that it names.
+#pragma once
+#include "app/scene.h"
+#include "ocean/waves/tile_source.h"
+
+namespace seascape {
+
+// One source for each effect of the scene's closure that is one, in the order of their names in the design; made for its settings.
+// Throws Error where they do not go together.
+TileSources tile_sources(const Scene& scene);
+
+}  // namespace seascape

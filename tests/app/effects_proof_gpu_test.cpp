@@ -1,0 +1,270 @@
+// Only what the scene calls for, proved for every effect of the table below (truths.md, section 5): absent is as if it had never been built. What an
+// effect adds to this file is its row; what it adds to tests/CMakeLists.txt, a line of the shaders that never had it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "app/frame.h"
+#include "app/plan.h"
+#include "app/program.h"
+#include "tests/support/gpu/gpu_test.h"
+#include "tests/support/gpu/gpu_transform.h"
+#include "tests/support/gpu/picture.h"
+#include "tests/support/gpu/sea_shot.h"
+
+namespace seascape {
+namespace {
+
+using test::pose;
+using test::SeaShot;
+
+struct EffectUnderProof {
+  std::string name;
+  std::vector<std::string> without, with;            // the scene's effects
+  std::vector<std::pair<std::string, std::string>> set;  // that let it be seen
+  std::pair<std::string, std::string> idle;          // a setting by which it is declared but not needed; none: ""
+  std::vector<std::uint32_t> bindings;               // of the surface's shaders that are its own
+  bool variants;                                     // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
+  bool objects;                                      // it has objects of its own, and a pass a frame
+};
+
+const EffectUnderProof table[] = {
+    {"foam", {"waves"}, {"waves", "foam"}, {{"waves.wind_speed_mps", "18"}}, {"", ""}, {}, false, false},
+    {"wave_particles", {"waves"}, {"waves", "wave_particles"}, {{"wave_particles.height_m", "0.2"}}, {"wave_particles.height_m", "0"}, {12, 13, 14}, true, true},
+};
+
+const Pose head = pose({0.0, 3.0, 0.0}, 20.0, -12.0);
+
+enum class Leak { none, buffer, dispatch, branch, code };
+
+// What is compared between a scene that never had the effect and one that no longer names it.
+struct Evidence {
+  std::size_t tagged = 0;            // objects of the effect
+  std::uint64_t tagged_bytes = 0;
+  std::uint64_t memory = 0;          // bytes in use on the device
+  std::size_t objects = 0;           // of all effects
+  FrameCounts counts;
+  std::set<std::string> passes;
+  std::vector<std::vector<std::uint32_t>> modules;  // words of the surface's shaders
+  std::set<std::uint32_t> bindings;
+  std::uint64_t pipelines = 0, pipelines_after_loading = 0;
+  Image8 picture;
+};
+
+struct Proofs {
+  bool allocation, commands, spirv, pipelines, picture;
+};
+
+class EffectProof : public test::GpuTest {
+ protected:
+  static test::ShotOptions options(const EffectUnderProof& effect, const std::vector<std::string>& effects) {
+    test::ShotOptions result{.scene = "open_sea", .preset = "medium", .width = 80, .height = 48, .views = 2,
+                             .set = {{"waves.where", "gpu"}, {"waves.resolution", "32"}, {"waves.cascades", "3"}, {"lod.patch_quads", "16"}, {"msaa", "1"}},
+                             .effects = effects};
+    for (const auto& pair : effect.set) result.set.push_back(pair);
+    return result;
+  }
+  // `effects` are the scene's after a beginning with `first`.
+  static Evidence collect(const EffectUnderProof& effect, const std::vector<std::string>& first, const std::vector<std::string>& effects, Leak leak = Leak::none) {
+    Device& device = test::device();
+    device.wait_idle();
+    Evidence e;
+    SeaShot shot(options(effect, first));
+    shot.draw(head, 1.0);
+    shot.experience().apply_effects(effects);
+    Buffer planted;
+    if (leak == Leak::buffer) {
+      const EffectScope scope(device, effect.name);
+      planted = Buffer(device, "planted", 256, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    }
+    shot.draw(head, 1.0);
+    shot.draw(head, 1.1);
+    device.wait_idle();
+    for (const ObjectRecord& object : device.objects()) {
+      ++e.objects;
+      if (object.effect == effect.name) ++e.tagged, e.tagged_bytes += object.bytes;
+      if (object.type == VK_OBJECT_TYPE_PIPELINE) ++e.pipelines;
+    }
+    e.memory = device.memory().used_bytes();
+    const std::uint64_t made = device.pipelines_made();
+    Frame& frame = shot.experience().frame();
+    {
+      const Viewpoint viewpoint = shot.viewpoint(head);
+      std::unique_ptr<test::GpuTransform> planted_work;
+      if (leak == Leak::dispatch) planted_work = std::make_unique<test::GpuTransform>(device, test::shaders(), 64, 64, 8, 8, std::vector<std::complex<float>>(64 * 64));
+      frame.begin();
+      draw_frame(shot.experience(), frame, viewpoint, 1.2);
+      if (planted_work) planted_work->record(frame);
+      frame.submit();
+      frame.finish();
+    }
+    e.counts = frame.counts();
+    for (const PipelineWork& work : frame.work()) e.passes.insert(work.pass);
+    if (leak == Leak::none) e.pipelines_after_loading = device.pipelines_made() - made;
+    for (const auto& shader : shot.experience().surface().pipeline().shaders()) {
+      e.modules.push_back(shader->words);
+      for (const ShaderBinding& binding : shader->bindings) e.bindings.insert(binding.binding);
+      if (leak != Leak::branch && leak != Leak::code) continue;
+      ShaderLibrary other(std::filesystem::path(SEASCAPE_BUILD_DIR) / ((leak == Leak::branch ? "leaking_" : "without_") + effect.name));
+      e.modules.back() = other.load(shader->name, shader->values)->words;
+    }
+    e.picture = picture_of(device, shot.experience(), 0);
+    return e;
+  }
+  static Proofs compare(const EffectUnderProof& effect, const Evidence& never, const Evidence& absent) {
+    const auto own = [&](const Evidence& e) { return std::any_of(effect.bindings.begin(), effect.bindings.end(), [&](std::uint32_t b) { return e.bindings.contains(b); }); };
+    Proofs p{};
+    p.allocation = absent.tagged == 0 && absent.tagged_bytes == 0 && absent.objects == never.objects && absent.memory == never.memory;
+    p.commands = absent.counts.hash == never.counts.hash && absent.counts.commands == never.counts.commands && absent.counts.dispatches == never.counts.dispatches &&
+                 absent.counts.draws == never.counts.draws && absent.counts.barriers == never.counts.barriers && absent.passes == never.passes;
+    p.spirv = absent.modules == never.modules && !own(absent);
+    p.pipelines = absent.pipelines == never.pipelines && absent.pipelines_after_loading == 0;
+    p.picture = test::differing_pixels(absent.picture, never.picture) == 0;
+    return p;
+  }
+};
+
+// An effect that was there and was switched off is as if it had never been: allocations, commands, SPIR-V, pipelines, picture. That the effect
+// itself fails the same comparisons shows that they see something.
+TEST_F(EffectProof, AbsentIsAsIfItHadNeverBeen) {
+  for (const EffectUnderProof& effect : table) {
+    SCOPED_TRACE(effect.name);
+    const Evidence never = collect(effect, effect.without, effect.without);
+    const Proofs absent = compare(effect, never, collect(effect, effect.with, effect.without));
+    EXPECT_TRUE(absent.allocation && absent.commands && absent.spirv && absent.pipelines && absent.picture)
+        << absent.allocation << absent.commands << absent.spirv << absent.pipelines << absent.picture;
+    const Evidence present = collect(effect, effect.without, effect.with);
+    const Proofs there = compare(effect, never, present);
+    EXPECT_EQ(there.allocation, !effect.objects);
+    EXPECT_FALSE(there.commands);  // a pipeline's hash is that of its code
+    EXPECT_FALSE(there.spirv);
+    EXPECT_FALSE(there.picture);
+    EXPECT_EQ(present.tagged > 0, effect.objects);
+    EXPECT_EQ(present.passes.contains(effect.name), effect.objects);
+    for (const std::uint32_t binding : effect.bindings) EXPECT_TRUE(present.bindings.contains(binding)) << binding;
+  }
+}
+
+// The words loaded without an effect are those of shaders that never had a line of it.
+TEST_F(EffectProof, TheLoadedWordsAreThoseOfShadersThatNeverHadIt) {
+  for (const EffectUnderProof& effect : table) {
+    if (!effect.variants) continue;
+    SCOPED_TRACE(effect.name);
+    const Evidence never = collect(effect, effect.without, effect.without, Leak::code), absent = collect(effect, effect.without, effect.without);
+    ASSERT_EQ(never.modules.size(), 2u);
+    EXPECT_TRUE(never.modules == absent.modules) << never.modules[0].size() << " and " << absent.modules[0].size() << ", " << never.modules[1].size() << " and "
+                                                 << absent.modules[1].size() << " words";
+    // The control: called for, those shaders still have none of it, and the shipped ones do.
+    const Evidence asked = collect(effect, effect.with, effect.with, Leak::code), present = collect(effect, effect.with, effect.with);
+    EXPECT_TRUE(asked.modules == never.modules);
+    EXPECT_TRUE(present.modules[0] != never.modules[0] && present.modules[1] != never.modules[1]);
+  }
+}
+
+// The negative controls that truths.md asks for: one buffer, one dispatch, one branch, each seen by its proof and by no other.
+TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
+  for (const EffectUnderProof& effect : table) {
+    SCOPED_TRACE(effect.name);
+    const Evidence never = collect(effect, effect.without, effect.without);
+    const Proofs buffer = compare(effect, never, collect(effect, effect.with, effect.without, Leak::buffer));
+    EXPECT_FALSE(buffer.allocation);
+    EXPECT_TRUE(buffer.commands && buffer.spirv && buffer.picture);
+    const Proofs dispatch = compare(effect, never, collect(effect, effect.with, effect.without, Leak::dispatch));
+    EXPECT_FALSE(dispatch.commands);
+    EXPECT_TRUE(dispatch.allocation && dispatch.spirv && dispatch.picture);
+    if (!effect.variants) continue;
+    const Proofs branch = compare(effect, never, collect(effect, effect.with, effect.without, Leak::branch));
+    EXPECT_FALSE(branch.spirv);
+    EXPECT_TRUE(branch.allocation && branch.commands && branch.picture);
+  }
+}
+
+// On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A toggle builds the scene anew.)
+TEST_F(EffectProof, TogglingLeavesNothingBehind) {
+  for (const EffectUnderProof& effect : table) {
+    SCOPED_TRACE(effect.name);
+    SeaShot shot(options(effect, effect.without));
+    const auto held = [&] {
+      test::device().wait_idle();
+      return std::pair(test::device().objects().size(), test::device().memory().used_bytes());
+    };
+    shot.draw(head, 0.0);
+    const auto before = held();
+    const Image8 without = shot.picture(head, 2.0);
+    shot.experience().apply_effects(effect.with);
+    const Image8 with = shot.picture(head, 2.0);
+    const auto then = held();
+    EXPECT_EQ(then != before, effect.objects);
+    EXPECT_GT(test::differing_pixels(with, without), 0);
+    for (int i = 0; i < 40; ++i) {
+      shot.experience().apply_effects(effect.without);
+      if (i % 13 == 0) {
+        EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), without), 0);
+        EXPECT_EQ(held(), before);
+      }
+      shot.experience().apply_effects(effect.with);
+      if (i % 11 == 0) {
+        EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), with), 0);
+      }
+    }
+    EXPECT_EQ(held(), then);
+    shot.experience().apply_effects(effect.without);
+    EXPECT_EQ(held(), before);
+  }
+}
+
+// Declared but not needed: while the clock stands an effect's pass is not recorded from the second frame on, and back in the first frame that it runs in;
+// where a setting makes nothing of it, nothing is built.
+TEST_F(EffectProof, IdleCostsNothing) {
+  for (const EffectUnderProof& effect : table) {
+    if (!effect.objects) continue;
+    SCOPED_TRACE(effect.name);
+    SeaShot shot(options(effect, effect.with));
+    const auto passes = [&] {
+      std::size_t count = 0;
+      for (const PipelineWork& work : shot.experience().frame().work()) count += std::string(work.pass) == effect.name;
+      return count;
+    };
+    shot.draw(head, 5.0);
+    EXPECT_EQ(passes(), 1u);
+    shot.draw(head, 5.0);
+    EXPECT_EQ(passes(), 0u) << "the sea stands still";
+    shot.draw(head, 5.1);
+    EXPECT_EQ(passes(), 1u);
+    if (effect.idle.first.empty()) continue;
+    shot.set(effect.idle.first, effect.idle.second);
+    shot.draw(head, 6.0);
+    EXPECT_EQ(passes(), 0u);
+    for (const ObjectRecord& object : test::device().objects()) EXPECT_NE(object.effect, effect.name) << object.name;
+    shot.set(effect.idle.first, "0.3");
+    shot.draw(head, 6.1);
+    EXPECT_EQ(passes(), 1u);
+  }
+}
+
+// Each effect alone, every pair, none and all are drawn without a word of the validation layer, and the plan names each and why.
+TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
+  const std::size_t count = std::size(table);
+  for (std::size_t set = 0; set < std::size_t{1} << count; ++set) {
+    std::vector<std::string> effects{"waves"};
+    for (std::size_t i = 0; i < count; ++i)
+      if (set >> i & 1) effects.push_back(table[i].name);
+    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}, .effects = effects});
+    const Plan plan = make_plan(test::device(), test::shaders(), shot.experience(), "medium");
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == table[i].name; });
+      ASSERT_EQ(found != plan.effects.end(), bool(set >> i & 1)) << table[i].name;
+      if (found == plan.effects.end()) continue;
+      EXPECT_EQ(found->because, "the scene names it");
+      EXPECT_FALSE(found->modules.empty()) << "its code in the surface's shaders";
+      EXPECT_EQ(!found->passes.empty(), table[i].objects);
+      EXPECT_EQ(found->bytes > 0, table[i].objects);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace seascape
