@@ -125,7 +125,7 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
 
 // Control: a scene without its path, or one with a key of another name, fails here.
 TEST(Scene, EveryShippedSceneReadsAndHasAPathOfItsName) {
-  for (const char* name : {"open_sea", "calm", "storm", "swell"}) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool"}) {
     SCOPED_TRACE(name);
     const Scene scene = load_scene(name, "medium");
     EXPECT_FALSE(scene.title.empty());

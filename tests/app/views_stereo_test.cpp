@@ -21,10 +21,10 @@ class Stereo : public test::GpuTest {};
 
 bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
-// Every scene with SEASCAPE_LONG=1, else two that differ most: the storm has foam, and is hazy.
+// Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave particles.
 std::vector<std::string> scenes() {
-  if (long_run()) return {"open_sea", "calm", "storm", "swell"};
-  return {"open_sea", "storm"};
+  if (long_run()) return {"open_sea", "calm", "storm", "swell", "rain_pool"};
+  return {"open_sea", "storm", "rain_pool"};
 }
 
 // Where an eye cannot see both sides of a patch's edge alike: near the water, rolled, and looking down.
