@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/tile_sources.h"
 #include "engine/multiview_check.h"
@@ -150,7 +151,13 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
 
 void Experience::apply_effects(const std::vector<std::string>& effects) {
   if (effects == scene_.effects) return;
-  scene_.effects = effects;
+  std::vector<std::string> before = std::exchange(scene_.effects, effects);
+  try {
+    (void)tile_sources(scene_);  // whose settings may not go together
+  } catch (...) {
+    scene_.effects = std::move(before);
+    throw;
+  }
   build();
 }
 

@@ -27,7 +27,8 @@ class Experience {
   // needs objects is built anew.
   void apply(const Settings& settings, bool sea_at_once = false);
 
-  // Other effects, of those that are built (effect_is_built): its objects are built anew.
+  // Other effects, of those that are built (effect_is_built): its objects are built anew. Throws Error, and stays as it
+  // was, where an effect's settings do not go together.
   void apply_effects(const std::vector<std::string>& effects);
 
   // How many times its objects were built.

@@ -243,6 +243,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.preset = program_.preset;
   facts.device = program_.device->facts().name;
   facts.scenes = scenes_;
+  facts.effects = scene.effects;
   facts.width = shown.width;
   facts.height = shown.height;
   facts.views = window_.views();
@@ -269,6 +270,14 @@ void Explorer::obey(const PanelWish& wish) {
     program_.preset = *wish.preset;
     apply(changed);
     tell("quality: " + *wish.preset);
+  }
+  if (wish.effects) {
+    try {
+      experience_->apply_effects(*wish.effects);
+      feel_water();
+    } catch (const Error& fault) {
+      tell_fault(fault.what());
+    }
   }
   if (wish.travel) set_travel(*wish.travel);
   if (wish.pause) toggle_pause();

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/quality.h"
 #include "engine/text.h"
+#include "ocean/effects.h"
 
 namespace seascape {
 
@@ -38,6 +40,7 @@ std::string_view group_of(std::string_view key) {
 std::string group_title(std::string_view group) {
   if (group == "lod") return "Level of detail";
   std::string title(group);
+  std::replace(title.begin(), title.end(), '_', ' ');
   title[0] = char(title[0] - 'a' + 'A');
   return title;
 }
@@ -151,6 +154,19 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   if (pick("travel", travel_name(facts.travel), travels, chosen).changed)
     wish.travel = Travel(std::find(std::begin(travels), std::end(travels), chosen) - std::begin(travels));
   ImGui::PopItemWidth();
+  bool first = true;
+  for (const std::string_view name : effect_names()) {
+    if (!effect_is_built(name) || name == "waves") continue;  // the sea is made of waves
+    if (!std::exchange(first, false)) ImGui::SameLine();
+    std::string label(name);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    const auto at = std::find(facts.effects.begin(), facts.effects.end(), name);
+    bool on = at != facts.effects.end();
+    if (!ImGui::Checkbox(label.c_str(), &on)) continue;
+    wish.effects.emplace(facts.effects.begin(), facts.effects.end());
+    if (on) wish.effects->emplace_back(name);
+    else wish.effects->erase(wish.effects->begin() + (at - facts.effects.begin()));
+  }
   if (ImGui::Button(facts.paused ? "Run" : "Pause")) wish.pause = true;
   ImGui::SameLine();
   if (ImGui::Button("Screenshot")) wish.screenshot = true;

@@ -15,7 +15,7 @@ namespace seascape {
 // What the panel shows and does not change.
 struct PanelFacts {
   std::string_view title, scene, preset, device, message;
-  std::span<const std::string> scenes;
+  std::span<const std::string> scenes, effects;  // effects: the scene's as they are now
   std::uint32_t width = 0, height = 0;
   int views = 1;
   Travel travel = Travel::fly;
@@ -31,6 +31,7 @@ struct PanelFacts {
 struct PanelWish {
   std::optional<Settings> settings;
   std::optional<std::string> preset, scene;
+  std::optional<std::vector<std::string>> effects;
   std::optional<Travel> travel;
   bool screenshot = false, record = false, pause = false;
 };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
@@ -182,7 +183,8 @@ TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
   }
 }
 
-// On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A toggle builds the scene anew.)
+// On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A toggle builds the scene
+// anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
 TEST_F(EffectProof, TogglingLeavesNothingBehind) {
   for (const EffectUnderProof& effect : table) {
     SCOPED_TRACE(effect.name);
@@ -199,7 +201,8 @@ TEST_F(EffectProof, TogglingLeavesNothingBehind) {
     const auto then = held();
     EXPECT_EQ(then != before, effect.objects);
     EXPECT_GT(test::differing_pixels(with, without), 0);
-    for (int i = 0; i < 40; ++i) {
+    const int times = std::getenv("SEASCAPE_LONG") ? 500 : 20;
+    for (int i = 0; i < times; ++i) {
       shot.experience().apply_effects(effect.without);
       if (i % 13 == 0) {
         EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), without), 0);

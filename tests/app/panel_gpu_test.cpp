@@ -18,7 +18,7 @@ class PanelUnderTheMouse : public testing::Test {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.DisplaySize = {1280.0f, 2400.0f};  // tall enough for all rows
+    io.DisplaySize = {1280.0f, 3000.0f};  // tall enough for all rows
     io.DeltaTime = 1.0f / 60.0f;
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -43,7 +43,7 @@ class PanelUnderTheMouse : public testing::Test {
   void open_all() {
     frame(-1.0f, -1.0f, false, [] {
       ImGui::Begin("Seascape");
-      for (const char* title : {"Waves", "Level of detail", "Water", "Sky", "Frame", "Stereo", "Camera", "Time", "Debug"})
+      for (const char* title : {"Waves", "Wave particles", "Level of detail", "Water", "Sky", "Frame", "Stereo", "Camera", "Time", "Debug"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
     });
@@ -89,7 +89,7 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
       EXPECT_FALSE(down && row.rebuild) << row.key;
     }
   };
-  constexpr float lowest = 1900.0f;
+  constexpr float lowest = 2200.0f;
   try_column(290.0f, 40.0f, lowest, told);  // sliders
   try_column(200.0f, 0.0f, lowest, told);   // boxes and lists
   try_column(373.0f, 0.0f, lowest, told);   // the steps beside a number that is typed
@@ -124,6 +124,28 @@ TEST_F(PanelUnderTheMouse, IsNotThereWhenHidden) {
   frame(100.0f, 100.0f, false);
   frame(100.0f, 100.0f, false);
   EXPECT_TRUE(ImGui::GetIO().WantCaptureMouse);
+}
+
+// A box for each effect that is built but the waves; a click asks for the scene's effects with it, or without. Control seen: the box taken for its opposite.
+TEST_F(PanelUnderTheMouse, SwitchesEffects) {
+  const std::vector<std::string> now{"waves", "foam"};
+  facts_.effects = now;
+  for (int i = 0; i < 3; ++i) frame(-1.0f, -1.0f, false);
+  std::map<std::string, int> asked;
+  for (float y = 40.0f; y < 220.0f; y += 6.0f)
+    for (float x = 10.0f; x < 420.0f; x += 6.0f) {
+      frame(x, y, false);
+      frame(x, y, true);
+      const PanelWish wish = frame(x, y, false);
+      frame(-1.0f, -1.0f, false);
+      if (!wish.effects) continue;
+      std::string list;
+      for (const std::string& name : *wish.effects) list += name + " ";
+      ++asked[list];
+    }
+  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_GT(asked["waves "], 0) << "foam off";
+  EXPECT_GT(asked["waves foam wave_particles "], 0);
 }
 
 }  // namespace
