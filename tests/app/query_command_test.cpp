@@ -14,6 +14,7 @@
 #include "engine/files.h"
 #include "engine/text.h"
 #include "ocean/waves/query.h"
+#include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/temporary_folder.h"
 
@@ -65,6 +66,31 @@ TEST(Query, RowsAreTheAnswersOfTheWaveField) {
                                             answer.normal.z, answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y,
                                             answer.orbital_velocity_mps.z, answer.converged ? 1.0 : 0.0}));
   }
+}
+
+// A scene's wave particles are in its answers. Control seen: the field made without tile_sources().
+TEST(Query, WaveParticlesAreInTheAnswers) {
+  Scene scene = small_scene();
+  scene.effects = {"waves"};
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < 50; ++i) points.emplace_back(0.7 * i, -0.3 * i);
+  const auto without = rows_of(query_csv(scene, 12.5, points));
+  scene.effects = {"waves", "wave_particles"};
+  scene.settings.wave_particles.height_m = 0.1;
+  scene.settings.wave_particles.chop = 0.0;
+  const auto with = rows_of(query_csv(scene, 12.5, points));
+  const WaveField field(scene.settings.sea, scene.settings.waves, {std::make_shared<WaveParticles>(scene.settings.wave_particles)});
+  WaveTiles tiles(true);
+  field.evaluate(ticks_from_seconds(12.5), tiles);
+  double moved = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    QueryAnswer answer;
+    query(field, tiles, {&points[i], 1}, {&answer, 1});
+    EXPECT_EQ(with[i][2], answer.height_m);
+    EXPECT_EQ(with[i][7], answer.orbital_velocity_mps.y);
+    moved += std::pow(with[i][2] - without[i][2], 2) / 50.0;
+  }
+  EXPECT_NEAR(4.0 * std::sqrt(moved), 0.1, 0.03);
 }
 
 // Control: a query that takes its waves from scene.settings.sea in any case is not flat here.

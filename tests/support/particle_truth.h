@@ -6,12 +6,14 @@
 
 namespace truth {
 
+inline constexpr double pi_of_bumps = 3.14159265358979323846;
+
 // A bump of height a and radius r at (x, z) of a plane.
 struct Bump {
   double x = 0.0, z = 0.0, a = 1.0;
 };
 
-inline double bump(double u) { return u < 1.0 ? 0.5 * (1.0 + std::cos(3.14159265358979323846 * u)) : 0.0; }
+inline double bump(double u) { return u < 1.0 ? 0.5 * (1.0 + std::cos(pi_of_bumps * u)) : 0.0; }
 
 // The nearest of a distance and its repetitions.
 inline double nearest(double d, double side) { return side > 0.0 ? d - side * std::floor(d / side + 0.5) : d; }
@@ -32,7 +34,7 @@ inline double bumps_dx(const std::vector<Bump>& list, double r, double side, dou
   for (const Bump& b : list) {
     const double dx = nearest(x - b.x, side), dz = nearest(z - b.z, side);
     const double d = std::hypot(dx, dz);
-    if (d > 0.0 && d < r) sum -= b.a * 0.5 * 3.14159265358979323846 / r * std::sin(3.14159265358979323846 * d / r) * dx / d;
+    if (d > 0.0 && d < r) sum -= b.a * 0.5 * pi_of_bumps / r * std::sin(pi_of_bumps * d / r) * dx / d;
   }
   return sum;
 }
