@@ -83,9 +83,14 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
-  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
-  selection_ = &quadtree_.select(viewpoint, {height, statistics_.largest_shift_m + of_sources_.largest_shift_m});
+  selection_ = &select(viewpoint, quadtree_);
   return *selection_;
+}
+
+const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
+  patches.apply(settings_.lod);
+  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
+  return patches.select(viewpoint, {height, statistics_.largest_shift_m + of_sources_.largest_shift_m});
 }
 
 void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
@@ -94,8 +99,8 @@ void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
   settings_.water = water;
 }
 
-void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint) const {
-  const SurfaceSelection& s = *selection_;
+void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const {
+  const SurfaceSelection& s = selection;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   data.sea = waves_.sea_data(s.grid_origin_m);
   for (const auto& source : sources_) source->describe(data.sea.particles, s.grid_origin_m);

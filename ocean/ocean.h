@@ -38,11 +38,15 @@ class Ocean {
 
   // The patches for a viewpoint. The result stays until the next call.
   const SurfaceSelection& select(const Viewpoint& viewpoint);
+  // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with patches of its own, which stay until they
+  // are selected again. They take this sea's settings.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, Quadtree& patches) const;
   // The patches selected last, null before the first.
   const SurfaceSelection* selection() const { return selection_; }
 
   // Fills what the surface's shaders are told of sea, place and water.
-  void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const;
+  void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const { describe(data, viewpoint, *selection_); }
+  void describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const;
 
   // Takes settings that need no new GPU objects (levels of detail, water).
   void apply(const LodSettings& lod, const WaterSettings& water);
