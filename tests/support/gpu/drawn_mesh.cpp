@@ -33,7 +33,7 @@ DrawnMesh::DrawnMesh(SeaShot& shot, const Viewpoint& viewpoint) : viewpoint_(vie
   vertices_.resize(s.patches.size() * per_patch);
   patches_.resize(s.patches.size());
   for (std::size_t n = 0; n < patches_.size(); ++n) {
-    Patch& patch = patches_[n] = {glm::dvec2(1e30), glm::dvec2(-1e30), (s.patches[n].flags & gpu::patch_skirt) != 0u};
+    Patch& patch = patches_[n] = {glm::dvec2(1e30), glm::dvec2(-1e30)};
     for (std::size_t v = n * per_patch; v < (n + 1) * per_patch; ++v) {
       std::array<float, 8> out;
       std::memcpy(out.data(), &bytes[v * 32], 32);
@@ -101,7 +101,7 @@ std::vector<DrawnMesh::Shown> DrawnMesh::shown(int width, int height) const {
           for (std::size_t c = 0; c < 3; ++c) sum += w[c] /= p[c].z;
           Shown& pixel = pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
           if (pixel.any && pixel.depth <= 1.0 / sum) continue;
-          pixel = {{}, 1.0 / sum, patches_[first / per_patch].of_skirt, true};
+          pixel = {{}, 1.0 / sum, first / per_patch, true};
           for (std::size_t c = 0; c < 3; ++c) {
             pixel.point.rest += w[c] / sum * vertices_[v[c]].rest;
             pixel.point.at += w[c] / sum * vertices_[v[c]].at;

@@ -27,7 +27,7 @@ class DrawnMesh {
   struct Shown {
     SurfacePoint point;
     double depth = 0.0;  // along the axis of sight, metres
-    bool of_skirt = false;
+    std::size_t patch = 0;  // of the selection
     bool any = false;
   };
   std::vector<Shown> shown(int width, int height) const;
@@ -43,7 +43,6 @@ class DrawnMesh {
  private:
   struct Patch {
     glm::dvec2 low, high;  // of its vertices' rest positions
-    bool of_skirt;
   };
   Viewpoint viewpoint_;
   bool curved_;
