@@ -33,7 +33,8 @@ bool needs_rebuild(const Settings& a, const Settings& b, bool sea_at_once) {
   for (const Setting& row : settings_table())
     if (row.rebuild && (sea_at_once || !row.grows) && value_of(x, row) != value_of(y, row)) return true;
   return r.msaa != q.msaa || r.shape != q.shape || is_debug(a) != is_debug(b) ||
-         (r.debug == DebugView::wireframe) != (q.debug == DebugView::wireframe);
+         (r.debug == DebugView::wireframe) != (q.debug == DebugView::wireframe) ||
+         (r.debug == DebugView::holes) != (q.debug == DebugView::holes);
 }
 
 }  // namespace
@@ -62,6 +63,13 @@ bool Experience::in_tile() const {
   return shape == FrameShape::tile || (shape == FrameShape::automatic && !options_.linear_picture);
 }
 
+// Where pixels are lit by a CPU, one that several small triangles touch costs several times its light: measured in docs/performance.md.
+bool Experience::deferred() const {
+  const RenderSettings& render = scene_.settings.render;
+  if (render.msaa > 1 || (is_debug(scene_.settings) && render.debug != DebugView::holes)) return false;  // the others colour triangles
+  return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
+}
+
 void Experience::build() {
   ++builds_;
   RenderSettings& render = scene_.settings.render;
@@ -83,23 +91,27 @@ void Experience::build() {
   look.foam = named(scene_, "foam");
   look.debug = is_debug(s);
   look.wireframe = render.debug == DebugView::wireframe;
+  look.deferred = deferred();
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), frame_->ring(),
                                        SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
-  const EffectScope scope(device_, "sky");
-  GraphicsSpec sky;
-  sky.vertex = "sky.vert";
-  sky.fragment = "sky.frag";
-  sky.values = {{0, !options_.per_eye}, {2, tile}, {4, look.debug}};
-  sky.depth_write = false;
-  sky.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
-  sky_pipeline_ = make_graphics_pipeline(device_, shaders_, drawn, sky);
-  sky_bindings_ = Bindings(device_, sky_pipeline_,
-                           {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                            {.binding = 4, .view = sky_->map().view(), .sampler = sky_->sampler()},
-                            {.binding = 5, .buffer = &sky_->light()}},
-                           "sky");
+  sky_pipeline_ = {};
+  if (!look.deferred) {  // or else it is lit with the sea
+    const EffectScope scope(device_, "sky");
+    GraphicsSpec sky;
+    sky.vertex = "sky.vert";
+    sky.fragment = "sky.frag";
+    sky.values = {{0, !options_.per_eye}, {2, tile}, {4, look.debug}};
+    sky.depth_write = false;
+    sky.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    sky_pipeline_ = make_graphics_pipeline(device_, shaders_, drawn, sky);
+    sky_bindings_ = Bindings(device_, sky_pipeline_,
+                             {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                              {.binding = 4, .view = sky_->map().view(), .sampler = sky_->sampler()},
+                              {.binding = 5, .buffer = &sky_->light()}},
+                             "sky");
+  }
   tone_pipeline_ = {};
   if (!tile) {
     const EffectScope tone_scope(device_, "frame");
@@ -126,14 +138,14 @@ void Experience::build_targets() {
   spec.views = options_.views;
   spec.per_eye = options_.per_eye;
   spec.samples = tile ? render.msaa : 1;
-  spec.depth = tile;
+  spec.depth = tile && !deferred();
   picture_ = {};
   lit_ = {};
   picture_ = RenderTarget(device_, "picture", spec);
   if (tile) return;
   spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
   spec.samples = render.msaa;
-  spec.depth = true;
+  spec.depth = !deferred();
   lit_ = RenderTarget(device_, "lit", spec);
 }
 
@@ -142,6 +154,7 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
   options_.width = width;
   options_.height = height;
   build_targets();
+  surface_->resize(in_tile() ? picture_ : lit_);
   if (tone_pipeline_)
     tone_bindings_ = Bindings(device_, tone_pipeline_,
                               {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},

@@ -47,6 +47,8 @@ class Experience {
   const RenderTarget* lit() const { return in_tile() ? nullptr : &lit_; }
   // Whether a frame is tone mapped where it is drawn, without a picture of its light.
   bool in_tile() const;
+  // Whether the sea's pixels are lit once, after all its triangles are drawn.
+  bool deferred() const;
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);

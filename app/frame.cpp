@@ -27,7 +27,7 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
   for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
     data.view[i] = view_data(viewpoint.eyes[i], viewpoint.viewer, settings.render.near_m, height);
   data.sun = glm::vec4(glm::vec3(sun_direction(settings.sky)), float(std::cos(glm::radians(0.267))));
-  data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev), 0.0f, 0.0f);
+  data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev), float(settings.render.near_m), 0.0f);
   data.grid.w = int(settings.render.debug);
   return data;
 }
@@ -48,18 +48,26 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
+  const bool from_air = e.ocean_->eyes_in_air(viewpoint);
 
-  // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture.
-  const bool tile = e.in_tile();
+  // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture. Deferred: what
+  // the sea is in each pixel first, then the light of all pixels.
+  const bool tile = e.in_tile(), deferred = e.deferred();
+  const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
   e.ocean_->add_uses(uses);
-  frame.draw_pass("surface", tile ? e.picture_ : e.lit_, uses, [&](Commands& c) {
-    e.surface_->draw(c, frame, selection, uniform);
+  frame.draw_pass("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
+    e.surface_->draw(c, frame, selection, uniform, from_air);
+    if (deferred) return;
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
   });
+  if (deferred) {
+    e.surface_->add_points(uses);
+    frame.draw_pass("light", drawn, uses, [&](Commands& c) { e.surface_->light(c, uniform); });
+  }
 
   // 5. The desktop frame's tone mapping.
   if (!tile)

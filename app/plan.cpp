@@ -97,7 +97,7 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
 
 // What effects are of code in the surface's shaders: the words that a shader would lack without the effect.
 void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
-  for (const auto& shader : surface.pipeline().shaders()) {
+  for (const auto& shader : surface.lighting().shaders()) {
     for (const auto& [effect, constant] : Surface::effect_code) {
       std::vector<SpecValue> without = shader->values;
       for (SpecValue& value : without)

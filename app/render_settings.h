@@ -6,12 +6,15 @@ namespace seascape {
 
 // automatic: tile, unless something asks for the light before tone mapping.
 enum class FrameShape { tile, desktop, automatic };
+// How the sea's pixels are lit: where its triangles are drawn, or once a pixel when all of them are.
+enum class Lighting { forward, deferred, automatic };
 enum class StereoMode { automatic, single, per_eye };
 enum class DebugView { none, holes, lod, wireframe, normals, slices };
 
 struct RenderSettings {
   int msaa = 4;  // samples a pixel: 1, 2, 4 or 8
   FrameShape shape = FrameShape::automatic;
+  Lighting lighting = Lighting::automatic;
   StereoMode stereo = StereoMode::automatic;
   DebugView debug = DebugView::none;
   double eye_distance_m = 0.064;

@@ -11,6 +11,7 @@ enum class Access {
   compute_write,       // storage buffer or image, general layout
   compute_sample,      // sampled image in its read-only layout
   surface_read,        // sampled image or storage buffer in vertex and fragment shaders
+  host_texels,         // an image whose texels the host writes between frames, sampled in vertex and fragment shaders, general layout
   fragment_sample,     // sampled image in the fragment shader
   vertex_store,        // storage buffer written by a vertex shader (test probes)
   colour_target,

@@ -203,6 +203,7 @@ void Frame::begin_target(const char* name, const RenderTarget& target, const Use
   barriers.add(target.colour(), target.resolved_eye() ? Access::transfer_write : Access::colour_target, true);
   if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
   if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
+  if (target.second()) barriers.add(*target.second(), Access::colour_target, true);
   if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
   open(name, barriers);
 }
@@ -223,7 +224,7 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
   begin.renderPass = target.render_pass();
   begin.framebuffer = target.framebuffer(pass);
   begin.renderArea = {{0, 0}, {spec.width, spec.height}};
-  begin.clearValueCount = 1u + spec.depth + (spec.samples > 1);
+  begin.clearValueCount = 1u + spec.depth + (target.second() != nullptr || spec.samples > 1);
   begin.pClearValues = clears;
   vkCmdBeginRenderPass(commands_.commands_, &begin, VK_SUBPASS_CONTENTS_INLINE);
   const VkViewport viewport{0.0f, 0.0f, float(spec.width), float(spec.height), 0.0f, 1.0f};

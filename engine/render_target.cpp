@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/error.h"
 
@@ -28,17 +29,23 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   const bool multi = spec.samples > 1;
   const VkImageLayout colour_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   // With several samples only the resolved picture is stored; the samples never leave the tile.
-  const VkAttachmentReference colour = add(spec.colour, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                           multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
+  VkAttachmentReference colours[2];
+  colours[0] = add(spec.colour, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                   multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
   VkAttachmentReference depth{}, resolve{};
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
-  subpass.pColorAttachments = &colour;
+  subpass.pColorAttachments = colours;
   if (spec.depth) {
     depth = add(device.facts().depth_format, samples, VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_DONT_CARE,
                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
     subpass.pDepthStencilAttachment = &depth;
+  }
+  if (spec.second != VK_FORMAT_UNDEFINED) {
+    assert(!multi);
+    colours[1] = add(spec.second, samples, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
+    subpass.colorAttachmentCount = 2;
   }
   if (multi) {
     resolve = add(spec.colour, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
@@ -56,7 +63,7 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   info.pAttachments = attachments.data();
   info.subpassCount = 1;
   info.pSubpasses = &subpass;
-  const std::string key = fmt::format("pass colour {} samples {} depth {} views {} {}", int(spec.colour), spec.samples, spec.depth,
+  const std::string key = fmt::format("pass colour {} {} samples {} depth {} views {} {}", int(spec.colour), int(spec.second), spec.samples, spec.depth,
                                       spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
   return device.cached_render_pass(key, info);
 }
@@ -78,6 +85,11 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
     image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   }
   colour_ = Image(device, fmt::format("{} colour", name), image);
+  if (spec.second != VK_FORMAT_UNDEFINED) {
+    image.format = spec.second;
+    second_ = Image(device, fmt::format("{} second", name), image);
+    image.format = spec.colour;
+  }
   // Samples and depth live inside one pass; where eyes are drawn one after the other they share them.
   if (spec.per_eye) image.layers = 1;
   image.samples = samples();
@@ -97,6 +109,7 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
     if (spec.samples > 1) views.push_back(view_of(multisampled_));
     else views.push_back(view_of(colour_));
     if (spec.depth) views.push_back(view_of(depth_));
+    if (second_) views.push_back(view_of(second_));
     if (spec.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour_));
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = render_pass_;

@@ -13,6 +13,7 @@ struct TargetSpec {
   int views = 1;                 // layers of every image: the eyes
   bool per_eye = false;          // a pass per eye instead of one multiview pass (drivers whose multiview is at fault)
   VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;
+  VkFormat second = VK_FORMAT_UNDEFINED;  // of a second colour image that is drawn at once, with one sample
   int samples = 1;
   bool depth = true;
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 1.0f};
@@ -32,6 +33,7 @@ class RenderTarget {
   VkFramebuffer framebuffer(std::size_t pass) const { return framebuffers_[pass].get(); }
   // The picture: one layer a view, single-sampled.
   const Image& colour() const { return colour_; }
+  const Image* second() const { return second_ ? &second_ : nullptr; }
   // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one that
   // needs a pass per eye, resolves into layer 0 whatever the view says.
   const Image* resolved_eye() const { return resolved_eye_ ? &resolved_eye_ : nullptr; }
@@ -41,7 +43,7 @@ class RenderTarget {
  private:
   TargetSpec spec_;
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
-  Image colour_, resolved_eye_, multisampled_, depth_;
+  Image colour_, second_, resolved_eye_, multisampled_, depth_;
   std::vector<Owned<VkFramebuffer>> framebuffers_;
 };
 

@@ -1,5 +1,7 @@
 #include "engine/resources.h"
 
+#include <cassert>
+
 #include <algorithm>
 #include <cstring>
 
@@ -50,7 +52,9 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec) : dev
   info.mipLevels = spec.levels;
   info.arrayLayers = spec.layers;
   info.samples = spec.samples;
-  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.tiling = spec.host ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL;
+  // What the host has written before the first use is kept.
+  if (spec.host) info.initialLayout = state_.layout = VK_IMAGE_LAYOUT_PREINITIALIZED;
   info.usage = spec.usage | (spec.transient ? VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT : 0);
   if (spec.mutable_as != VK_FORMAT_UNDEFINED) info.flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
   VkImage image = VK_NULL_HANDLE;
@@ -58,14 +62,35 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec) : dev
   VkMemoryRequirements needs;
   vkGetImageMemoryRequirements(device.handle(), image, &needs);
   image_ = Owned<VkImage>(device, image, name, needs.size);
-  allocation_ = device.memory().allocate(needs, 0,
-                                         spec.transient ? VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+  allocation_ = device.memory().allocate(needs, spec.host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
+                                         spec.host ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                                         : spec.transient ? VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
                                                         : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
                                          true);
   check(vkBindImageMemory(device.handle(), image, allocation_.memory(), allocation_.offset()), "vkBindImageMemory");
   const VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   if (spec.usage & viewable) view_ = make_view(0, spec.levels, 0, spec.layers, spec.array);
+}
+
+bool host_may_write(const Device& device, const ImageSpec& spec) {
+  VkFormatProperties features;
+  vkGetPhysicalDeviceFormatProperties(device.physical(), spec.format, &features);
+  if (!(features.linearTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT)) return false;
+  VkImageFormatProperties most;
+  if (vkGetPhysicalDeviceImageFormatProperties(device.physical(), spec.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_LINEAR, spec.usage, 0, &most) !=
+      VK_SUCCESS)
+    return false;
+  return most.maxExtent.width >= spec.width && most.maxExtent.height >= spec.height && most.maxMipLevels >= spec.levels &&
+         most.maxArrayLayers >= spec.layers;
+}
+
+Image::HostTexels Image::host_texels(std::uint32_t level, std::uint32_t layer) const {
+  assert(spec_.host);
+  const VkImageSubresource part{aspect(), level, layer};
+  VkSubresourceLayout place;
+  vkGetImageSubresourceLayout(device_->handle(), get(), &part, &place);
+  return {static_cast<std::byte*>(allocation_.mapped()) + place.offset, std::size_t(place.rowPitch)};
 }
 
 Image::Image(Device& device, std::string_view name, VkImage borrowed, const ImageSpec& spec)

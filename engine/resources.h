@@ -1,5 +1,6 @@
 // Buffers, images and samplers, each with the memory it lies in and the state its last use left it in.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -50,7 +51,12 @@ struct ImageSpec {
   bool transient = false;  // lives inside one render pass: lazily allocated where the device has such memory
   bool array = true;       // views are 2-D arrays even with one layer
   VkFormat mutable_as = VK_FORMAT_UNDEFINED;  // another format that views may take
+  bool host = false;       // its texels lie row after row in memory that the host sees and writes
 };
+
+// Whether the device samples such an image, with linear filters, where the host has written it: software drivers do, most others
+// not with levels and layers.
+bool host_may_write(const Device& device, const ImageSpec& spec);
 
 class Image {
  public:
@@ -62,6 +68,12 @@ class Image {
   VkImageView view() const { return view_.get(); }
   const ImageSpec& spec() const { return spec_; }
   VkImageAspectFlags aspect() const;
+  // Of an image that the host writes: a level of a layer, and the bytes from row to row. Sees what the next submission sees.
+  struct HostTexels {
+    std::byte* first;
+    std::size_t row_bytes;
+  };
+  HostTexels host_texels(std::uint32_t level, std::uint32_t layer) const;
   // A further view of `levels` levels from `level` and `layers` layers from `layer`, owned by the image.
   VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array = true);
   UseState& state() const { return state_; }

@@ -21,7 +21,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
       bins_(make_wave_bins(settings.sea, settings.waves)),
       statistics_(sea_statistics(settings.sea, bins_)),
       waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy,
-             on_gpu(device, settings.wave_place) ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT),
+             on_gpu(device, settings.wave_place) ? WaveImages::Filled::stored : WaveImages::Filled::written),
       chop_(settings.sea.chop),
       drawn_seed_(settings.sea.seed),
       quadtree_(settings.lod) {
@@ -48,7 +48,7 @@ void Ocean::update(Frame& frame, double time_s) {
 }
 
 void Ocean::add_uses(Uses& uses) const {
-  waves_.add_uses(uses, Access::surface_read);
+  waves_.add_reads(uses);
   for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
 }
 
@@ -91,6 +91,17 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patc
   patches.apply(settings_.lod);
   const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
   return patches.select(viewpoint, {height, statistics_.largest_shift_m + of_sources_.largest_shift_m});
+}
+
+bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
+  constexpr double margin_m = 0.5;  // the near plane reaches less far
+  return std::all_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
+    const glm::dvec3& place = eye.pose.position_m;
+    if (place.y > statistics_.largest_height_m + of_sources_.largest_height_m + margin_m) return true;
+    if (!upload_ || place.y < margin_m) return false;
+    const QueryAnswer water = upload_->query({place.x, place.z});
+    return water.converged && place.y > water.height_m + of_sources_.largest_height_m + margin_m;
+  });
 }
 
 void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {

@@ -44,6 +44,10 @@ class Ocean {
   // The patches selected last, null before the first.
   const SurfaceSelection* selection() const { return selection_; }
 
+  // Whether all eyes are surely above the water, by half a metre: by the highest crest that the sea may have, or where the processor
+  // makes the waves by the water beneath them as it was in the last update.
+  bool eyes_in_air(const Viewpoint& viewpoint) const;
+
   // Fills what the surface's shaders are told of sea, place and water.
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const { describe(data, viewpoint, *selection_); }
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const;

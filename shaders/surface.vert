@@ -12,12 +12,12 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = 1) const bool probe = false;
 layout(constant_id = 4) const bool debug = false;
-layout(constant_id = 5) const float anisotropy = 1.0;
+layout(constant_id = 10) const bool deferred = false;  // pixels have their place from their depth
 layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 
 layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, flags
 
-layout(location = 0) out vec3 relative;    // metres from the viewer, world axes
+layout(location = 0) out vec3 place;       // metres from the viewer, world axes
 layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
 layout(location = 2) out vec2 height_shear;      // x: above the curved still sea, metres; y: dDx/dz
 layout(location = 3) out vec4 derivatives;       // of the cascades that vertices carry
@@ -40,12 +40,13 @@ void main() {
   const vec2 from_viewer = rest - frame.viewer.xy;
   const float footprint = vertex_footprint(rest);
   const vec4 d = sea_displacement(rest, footprint);
-  relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
+  vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
+  if (!deferred) place = relative;
   height_shear = d.yw;
   const ViewData view = frame.view[eye_index()];
-  derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w, anisotropy));
-  if (debug) flags = p.flags;
+  derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
+  if (debug && !deferred) flags = p.flags;
   if (probe) {
     const int n = (patch_quads + 1) * (patch_quads + 1);
     const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);

@@ -14,20 +14,34 @@ struct SourceSlot {
   std::uint32_t constant, binding;
 };
 constexpr SourceSlot slots[] = {{"wave_particles", 8, 12}};
+
+// What surface_points.frag writes, for pictures like `picture`.
+RenderTarget make_points(Device& device, const RenderTarget& picture) {
+  TargetSpec spec;
+  spec.width = picture.spec().width;
+  spec.height = picture.spec().height;
+  spec.views = picture.spec().views;
+  spec.per_eye = picture.spec().per_eye;
+  spec.colour = spec.second = VK_FORMAT_R32G32B32A32_UINT;
+  spec.clear = {};
+  return RenderTarget(device, "surface points", spec);
+}
+
 }  // namespace
 
-Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
-                 std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look) {
+Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
+                 std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
+    : device_(device), waves_(waves), look_(look) {
   const EffectScope scope(device, "surface");
   const auto indices = patch_indices(gpu::patch_quads);
   index_count_ = std::uint32_t(indices.size());
   indices_ = make_filled_buffer(device, "patch indices", indices.data(), indices.size() * 2, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   GraphicsSpec spec;
   spec.vertex = "surface.vert";
-  spec.fragment = "surface.frag";
-  spec.values = {{0, !target.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
-                 {3, look.foam},                          {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
-                 {7, std::uint32_t(waves.cascades())}};
+  spec.fragment = look.deferred ? "surface_points.frag" : "surface.frag";
+  spec.values = {{0, !picture.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
+                 {3, look.foam},                           {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
+                 {7, std::uint32_t(waves.cascades())},     {10, look.deferred}};
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
     for (std::size_t i = 0; i < std::size(slots); ++i)
@@ -36,38 +50,85 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& tar
   spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
   spec.wireframe = look.wireframe && device.facts().wireframe;
-  pipeline_ = make_graphics_pipeline(device, shaders, target, spec);
-  std::vector<Bound> entries = {
+  if (look.deferred) points_ = make_points(device, picture);
+  pipeline_ = make_graphics_pipeline(device, shaders, target(picture), spec);
+  entries_ = {
       {.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
       {.binding = 4, .view = light.sky_map, .sampler = light.sky_sampler},
       {.binding = 5, .buffer = light.sky_light},
   };
-  for (const WaveImages::Set& set : waves.sets()) {
-    const std::uint32_t first = set.first == 0 ? 1 : 9;  // shaders/lib/sea.glsl
-    entries.push_back({.binding = first, .view = set.displacement.view(), .sampler = waves.vertex_sampler()});
-    entries.push_back({.binding = first + 1, .view = set.derivatives.view(), .sampler = waves.pixel_sampler()});
-    entries.push_back({.binding = first + 2, .view = set.moments.view(), .sampler = waves.pixel_sampler()});
-  }
   for (const auto& source : sources)
     for (const SourceSlot& slot : slots) {
       if (slot.name != source->source().name()) continue;
-      entries.push_back({.binding = slot.binding, .view = source->displacement().view(), .sampler = waves.vertex_sampler()});
-      entries.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
-      entries.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
+      entries_.push_back({.binding = slot.binding, .view = source->displacement().view(), .sampler = waves.vertex_sampler()});
+      entries_.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
+      entries_.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
     }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-    entries.push_back({.binding = 8, .buffer = &probe_});
+    entries_.push_back({.binding = 8, .buffer = &probe_});
   }
-  bindings_ = Bindings(device, pipeline_, entries, "surface");
+  for (std::size_t copy = 0; copy < waves.copies().size(); ++copy) bindings_.emplace_back(device, pipeline_, entries(copy), "surface");
+  if (!look.deferred) return;
+  // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above first.
+  spec.cull = VK_CULL_MODE_BACK_BIT;
+  air_pipeline_ = make_graphics_pipeline(device, shaders, points_, spec);
+  GraphicsSpec once;
+  once.vertex = "sky.vert";
+  once.fragment = "surface_light.frag";
+  once.values = spec.values;
+  once.depth_test = once.depth_write = false;
+  light_pipeline_ = make_graphics_pipeline(device, shaders, picture, once);
+  points_sampler_ = make_sampler(device, "surface points", {false, false, 1.0f});
+  bind_light();
 }
 
-void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const {
+std::vector<Bound> Surface::entries(std::size_t copy) const {
+  std::vector<Bound> list = entries_;
+  const VkImageLayout layout = waves_.read_layout();
+  for (const WaveImages::Set& set : waves_.copies()[copy]) {
+    const std::uint32_t first = set.first == 0 ? 1 : 9;  // shaders/lib/sea.glsl
+    list.push_back({.binding = first, .view = set.displacement.view(), .sampler = waves_.vertex_sampler(), .layout = layout});
+    list.push_back({.binding = first + 1, .view = set.derivatives.view(), .sampler = waves_.pixel_sampler(), .layout = layout});
+    list.push_back({.binding = first + 2, .view = set.moments.view(), .sampler = waves_.pixel_sampler(), .layout = layout});
+  }
+  return list;
+}
+
+void Surface::bind_light() {
+  light_bindings_.clear();
+  for (std::size_t copy = 0; copy < waves_.copies().size(); ++copy) {
+    std::vector<Bound> list = entries(copy);
+    list.push_back({.binding = 16, .view = points_.colour().view(), .sampler = points_sampler_.get()});
+    list.push_back({.binding = 17, .view = points_.second()->view(), .sampler = points_sampler_.get()});
+    light_bindings_.emplace_back(device_, light_pipeline_, list, "surface light");
+  }
+}
+
+void Surface::resize(const RenderTarget& picture) {
+  if (!look_.deferred) return;
+  const EffectScope scope(device_, "surface");
+  points_ = make_points(device_, picture);
+  bind_light();
+}
+
+void Surface::add_points(Uses& uses) const {
+  uses.add(use(points_.colour(), Access::fragment_sample));
+  uses.add(use(*points_.second(), Access::fragment_sample));
+}
+
+void Surface::light(Commands& commands, std::uint32_t frame_uniform) const {
+  commands.bind(light_pipeline_, light_bindings_[waves_.shown()], {frame_uniform, 0u});
+  commands.push(gpu::DrawPush{commands.eye()});
+  commands.draw(3);
+}
+
+void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform, bool from_air) const {
   if (selection.patches.empty()) return;
   const Upload instances =
       frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
-  commands.bind(pipeline_, bindings_, {frame_uniform, 0u});
+  commands.bind(from_air && air_pipeline_ ? air_pipeline_ : pipeline_, bindings_[waves_.shown()], {frame_uniform, 0u});
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(instances);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);

@@ -14,6 +14,7 @@ struct SurfaceLook {
   bool debug = false;       // debug views are possible
   bool wireframe = false;
   bool probe = false;       // write vertex positions (tests)
+  bool deferred = false;    // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };
 
@@ -26,13 +27,25 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const WaveImages& waves,
+  // `picture`: what the finished pixels go into.
+  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
           std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
 
-  // Inside a draw pass into the target it was made for. `frame_uniform`: ring offset of FrameData.
-  void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
+  // Other pictures of the same formats, after a change of size.
+  void resize(const RenderTarget& picture);
+
+  // Where draw() draws: the picture, or with look.deferred what light() will light.
+  const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
+  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData.
+  // `from_air`: all eyes are above the water (Ocean::eyes_in_air); what faces away from them is then hidden by what faces them.
+  void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform, bool from_air) const;
+  // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
+  void light(Commands& commands, std::uint32_t frame_uniform) const;
+  void add_points(Uses& uses) const;
 
   const Pipeline& pipeline() const { return pipeline_; }
+  // What its pixels are lit by.
+  const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }
   // Effects that are code in its shaders: what they are where the effect's constant is 0 lacks it.
   struct EffectCode {
     const char* effect;
@@ -45,10 +58,18 @@ class Surface {
   static constexpr std::uint32_t probe_patches = 2048;
 
  private:
+  void bind_light();
+  std::vector<Bound> entries(std::size_t copy) const;
+  Device& device_;
+  const WaveImages& waves_;
+  SurfaceLook look_;
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
-  Pipeline pipeline_;
-  Bindings bindings_;
+  std::vector<Bound> entries_;  // without the waves
+  RenderTarget points_;
+  Pipeline pipeline_, air_pipeline_, light_pipeline_;
+  Owned<VkSampler> points_sampler_;
+  std::vector<Bindings> bindings_, light_bindings_;  // one for each copy of the waves' images
 };
 
 }  // namespace seascape

@@ -50,7 +50,7 @@ WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState&
   const EffectScope scope(device, "waves");
   fetch_sampler_ = make_sampler(device, "waves, mips", {false, true, 1.0f});
   mips_pipeline_ = make_compute_pipeline(device, shaders, images.half_storage() ? "wave_mips_half.comp" : "wave_mips_full.comp");
-  for (WaveImages::Set& set : images.sets_) work_.push_back(make_work(device, shaders, sea, bins, set));
+  for (WaveImages::Set& set : images.copies_.front()) work_.push_back(make_work(device, shaders, sea, bins, set));
 }
 
 WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins,

@@ -108,16 +108,30 @@ WaveTileLayout::WaveTileLayout(const WaveQuality& quality, const TileSources& ot
   }
 }
 
+void WaveTiles::keep_in(std::span<glm::vec4> memory) {
+  memory_ = memory;
+  given_ = false;
+  layout_ = {};
+}
+
+void WaveTiles::keep_in(const Places& places, const WaveTileLayout& layout) {
+  first_ = places;
+  layout_ = layout;
+  given_ = true;
+}
+
 void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
   bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution && int(others.size()) == layout_.sources;
   for (std::size_t i = 0; same && i < others.size(); ++i) same = layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
-  if (!same) layout_ = WaveTileLayout(quality, others);
+  assert(same || !given_);
+  if (same || given_) return;
+  layout_ = WaveTileLayout(quality, others);
   const std::size_t texels = layout_.plane_texels * std::size_t(planes_);
-  assert(given_.empty() || given_.size() >= texels);
-  if (given_.empty() && texels_.size() != texels) {
-    texels_.assign(texels, glm::vec4(0.0f));
-    first_ = texels_.data();
-  }
+  if (memory_.empty()) texels_.assign(texels, glm::vec4(0.0f));
+  assert(memory_.empty() || memory_.size() >= texels);
+  for (auto& planes : first_)
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+      planes[plane] = (memory_.empty() ? texels_.data() : memory_.data()) + plane * layout_.plane_texels;
 }
 
 void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {

@@ -12,9 +12,11 @@ namespace seascape {
 
 class WaveImages {
  public:
-  // `filled_as`: what the images are to whoever fills them (storage, or the destination of copies).
+  // How the images are filled: stored into by WaveCompute; by WaveUpload written where they lie, if the device samples such images, or else
+  // copied into.
+  enum class Filled { stored, written, copied };
   WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, const SeaStatistics& statistics,
-             double anisotropy, VkImageUsageFlags filled_as);
+             double anisotropy, Filled filled);
 
   // Other amplitudes and chop: what shaders are told of the waves' statistics.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
@@ -31,8 +33,16 @@ class WaveImages {
       return plane == WavePlane::shift ? displacement : plane == WavePlane::slope ? derivatives : moments;
     }
   };
-  // The longest tile, and all others where there are any.
-  const std::vector<Set>& sets() const { return sets_; }
+  // The longest tile, and all others where there are any; of images that the processor writes, those drawn from now.
+  const std::vector<Set>& sets() const { return copies_[shown_]; }
+  Filled filled() const { return filled_; }
+  // Images that the processor writes are there once for each frame in flight.
+  const std::vector<std::vector<Set>>& copies() const { return copies_; }
+  std::size_t shown() const { return shown_; }
+  void show(std::size_t copy) { shown_ = copy; }
+  // Adds every image as a pass that shades uses it.
+  void add_reads(Uses& uses) const;
+  VkImageLayout read_layout() const { return filled_ == Filled::written ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; }
   // Adds every image as a pass uses it; `whole`: nothing of what it held is kept.
   void add_uses(Uses& uses, Access access, bool whole = false) const;
   VkSampler vertex_sampler() const { return vertex_sampler_.get(); }
@@ -47,7 +57,9 @@ class WaveImages {
   double chop_;
   bool half_ = false;
   std::vector<glm::dvec3> cascade_moments_;
-  std::vector<Set> sets_;
+  Filled filled_;
+  std::vector<std::vector<Set>> copies_;
+  std::size_t shown_ = 0;
   Owned<VkSampler> vertex_sampler_, pixel_sampler_;
 };
 

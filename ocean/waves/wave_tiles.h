@@ -63,15 +63,15 @@ class WaveTiles {
   std::int64_t ticks() const { return ticks_; }
   // First texel of a level, whose rows are `stride(tile, level)` texels apart.
   const glm::vec4* texels(int tile, WavePlane plane, int level) const {
-    return first_ + layout_.offset(tile, plane, level);
+    return first_[std::size_t(tile)][std::size_t(plane)] + layout_.level(tile, level).offset;
   }
   int stride(int tile, int level) const { return layout_.level(tile, level).stride; }
   // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own. It
   // holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
-  void keep_in(std::span<glm::vec4> memory) {
-    given_ = memory;
-    first_ = memory.data();
-  }
+  void keep_in(std::span<glm::vec4> memory);
+  // The same, a place for the planes of each tile, in which its levels lie as `layout` says (its plane_texels do not count).
+  using Places = std::array<std::array<glm::vec4*, 4>, gpu::max_cascades + most_sources>;
+  void keep_in(const Places& places, const WaveTileLayout& layout);
 
  private:
   friend class WaveField;
@@ -82,8 +82,9 @@ class WaveTiles {
   int planes_;
   std::int64_t ticks_ = 0;
   WaveTileLayout layout_;
-  glm::vec4* first_ = nullptr;  // of given_, or of the tiles' own texels
-  std::span<glm::vec4> given_;
+  Places first_{};  // what the levels' offsets count from
+  bool given_ = false;
+  std::span<glm::vec4> memory_;
   std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
   std::vector<float, LargePages<float>> workspace_;  // of the transforms, cascade after cascade; then of the other sources
 };

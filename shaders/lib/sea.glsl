@@ -13,6 +13,8 @@ layout(binding = 11) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^
 
 // How many cascades there are; what is beyond is stripped.
 layout(constant_id = 7) const int cascade_count = max_cascades;
+// Of the samplers of slopes; 1 where the driver has no other.
+layout(constant_id = 5) const float anisotropy = 1.0;
 
 // Wave particles: one tile laid over the sea in up to three sizes; 0: there are none, and nothing of them is left here.
 layout(constant_id = 8) const int particle_layings = 0;
@@ -66,7 +68,7 @@ float vertex_footprint(vec2 rest) {
 }
 
 // What a pixel averages at least where `to_eye` leads to the eye, on a level sea; `pixel`: radians a pixel.
-float level_blur(vec3 to_eye, float pixel, float anisotropy) {
+float level_blur(vec3 to_eye, float pixel) {
   const float across = length(to_eye) * pixel;
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
@@ -96,6 +98,19 @@ struct SeaSlopes {
   vec3 variance;   // of the slopes that the footprint does not resolve: xx, zz, xz
 };
 
+// A mip level for a footprint of `texels`: whole over three quarters of the way from one level to the next, so that a driver that
+// samples on a CPU mostly reads one level instead of two; continuous.
+float mip_level(float texels) {
+  const float level = log2(max(texels, 1.0)), whole = floor(level);
+  return whole + clamp(4.0 * (level - whole) - 1.5, 0.0, 1.0);
+}
+
+// Mean of a tile over a footprint with half axes du, dv (tile coordinates), or about that of mip level `level` without anisotropy.
+vec4 tile_mean(sampler2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
+  if (anisotropy > 1.0) return textureGrad(tiles, at, du, dv);
+  return textureLod(tiles, at, level);
+}
+
 // `left`: the share that the vertices have not carried.
 void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, float layer, vec2 rest, vec2 along, vec2 across,
                 float blur, float left) {
@@ -106,15 +121,16 @@ void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray mo
     return;
   }
   const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, layer);
-  const vec2 du = tile_vector(c, along), dv = tile_vector(c, across);
+  const vec2 du = 0.5 * tile_vector(c, along), dv = 0.5 * tile_vector(c, across);
+  const float level = mip_level(0.5 * blur / c.origin.z);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
-  const vec4 d = share * textureGrad(derivatives, at, 0.5 * du, 0.5 * dv);
+  const vec4 d = share * tile_mean(derivatives, at, du, dv, level);
   s.gradient += left * d.xy;
   s.shift.xy += left * d.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to twice that.
   const float coarse = clamp(blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
-  const vec3 m = mix(c.moments.xyz, textureGrad(moments, at, 0.5 * du, 0.5 * dv).xyz, share);
+  const vec3 m = mix(c.moments.xyz, tile_mean(moments, at, du, dv, level).xyz, share);
   s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
 }
 
@@ -126,7 +142,7 @@ struct CarriedSlopes {
 };
 
 // `along`, `across`: the two axes of the footprint at the rest position, in metres.
-SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, float anisotropy, CarriedSlopes have) {
+SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   SeaSlopes s = SeaSlopes(have.derivatives.xy, vec3(have.derivatives.zw, have.shear), frame.sea.tail.xyz);
   along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));

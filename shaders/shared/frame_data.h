@@ -16,7 +16,7 @@ struct FrameData {
   ViewData view[2];
   vec4 viewer;          // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
   vec4 sun;             // xyz: towards the sun; w: cosine of its angular radius
-  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z, w: 2 over the picture's width and height in pixels
+  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: unused
   vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that enters a level sea

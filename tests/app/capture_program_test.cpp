@@ -113,15 +113,15 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
   }
 }
 
-// Control: with waves.where=gpu the columns are others.
-TEST(Capture, UploadsAreAPassOfTheirOwn) {
+// Control: with waves.where=gpu, or lit forward, the columns are others.
+TEST(Capture, LightIsAPassOfItsOwnWhereItIsDeferred) {
   const TemporaryFolder folder;
   const ProgramResult result = run({"capture", "--scene", "swell", "--preset", "low", "--size", "48x27", "--views", "1", "--frames", "2",
-                                    "--warmup", "1", "--set", "waves.where=cpu", "--out", folder / "out"});
+                                    "--warmup", "1", "--set", "msaa=1", "--set", "frame.lighting=deferred", "--set", "waves.where=cpu", "--out", folder / "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], std::string(fixed_columns) + ",gpu_wave upload_ms,gpu_surface_ms");
+  EXPECT_EQ(lines[0], std::string(fixed_columns) + ",gpu_surface_ms,gpu_light_ms") << "the processor writes the waves' images: no copies";
   EXPECT_GT(std::stod(split(lines[1], ',')[12]), 0.0);
 }
 

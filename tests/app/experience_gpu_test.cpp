@@ -155,7 +155,8 @@ TEST_F(ExperienceLife, AFrameIsAFunctionOfItsPlaceAndTime) {
     shot.draw(at_deck, 3.0);
     EXPECT_EQ(shot.counts().dispatches, 0u);
     EXPECT_EQ(shot.counts().passes, 1u) << "the surface alone";
-    EXPECT_NE(shot.counts().hash, moving.hash);
+    // Waves that the processor writes where the images lie are no commands.
+    EXPECT_EQ(shot.counts().hash != moving.hash, moving.passes > 1);
   }
 }
 

@@ -62,7 +62,7 @@ void wave_compute(benchmark::State& state) {
   const WaveQuality quality{.resolution = int(state.range(0)), .cascades = int(state.range(1)), .half_storage = state.range(2) != 0};
   const SeaState sea;
   const WaveBins bins = make_wave_bins(sea, quality);
-  WaveImages images(gpu().device, sea, quality, bins, sea_statistics(sea, bins), 1.0, VK_IMAGE_USAGE_STORAGE_BIT);
+  WaveImages images(gpu().device, sea, quality, bins, sea_statistics(sea, bins), 1.0, WaveImages::Filled::stored);
   WaveCompute compute(gpu().device, gpu().shaders, sea, bins, images);
   Frame frame(gpu().device, 4096);
   std::int64_t ticks = 0;

@@ -15,7 +15,12 @@ namespace {
 using test::DrawnTiles;
 using test::windy;
 
+using Filled = WaveImages::Filled;
+
 class UploadedTiles : public test::GpuTest {};
+
+// Both ways into the images; the first falls back to the second where the device does not sample what the host writes.
+constexpr Filled both[] = {Filled::written, Filled::copied};
 
 // To the nearest number with 11 bits, ties to the even one, from 2^-24 on.
 double to_half(float value) {
@@ -49,8 +54,9 @@ std::size_t wrong_numbers(DrawnTiles& drawn, const WaveTiles& field, std::string
   return numbers == 0 ? 1 : wrong;
 }
 
-void expect_exact(const WaveQuality& quality) {
-  DrawnTiles drawn(WavePlace::cpu, windy(), quality);
+void expect_exact(const WaveQuality& quality, Filled filled) {
+  DrawnTiles drawn(WavePlace::cpu, windy(), quality, filled);
+  SCOPED_TRACE(drawn.images().filled() == Filled::written ? "written" : "copied");
   EXPECT_EQ(drawn.images().half_storage(), quality.half_storage);
   const WaveField field(windy(), quality);
   WaveTiles tiles;
@@ -66,31 +72,34 @@ void expect_exact(const WaveQuality& quality) {
 }
 
 // Controls: rows taken as long as the level is wide, derivatives copied from the moments, and one level's copy left out each
-// fail here.
+// fail here; of tiles written in place, the last row of a piece of halves left out.
 TEST_F(UploadedTiles, HoldTheFieldsBits) {
-  for (const int resolution : {16, 32, 64, 128, 256, 512}) expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2});
+  for (const Filled filled : both)
+    for (const int resolution : {16, 32, 64, 128, 256, 512}) expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2}, filled);
 }
 
 TEST_F(UploadedTiles, HoldTheFieldsBitsForAnyNumberOfCascades) {
-  for (int cascades = 1; cascades <= 5; ++cascades) expect_exact({.resolution = 32, .cascades = cascades});
+  for (const Filled filled : both)
+    for (int cascades = 1; cascades <= 5; ++cascades) expect_exact({.resolution = 32, .cascades = cascades}, filled);
 }
 
 // Control: halves cut instead of rounded fail.
 TEST_F(UploadedTiles, HoldTheFieldsNumbersRoundedToHalves) {
-  for (const int resolution : {16, 32, 64, 128, 256, 512})
-    expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2, .half_storage = true});
+  for (const Filled filled : both)
+    for (const int resolution : {16, 32, 64, 128, 256, 512})
+      expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2, .half_storage = true}, filled);
 }
 
 // The processor writes the next frame's tiles while the GPU still copies this one's: each frame keeps what it had. Control:
-// one staging buffer for all frames in flight is seen here (by most of the pairs).
-TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
+// one staging buffer, or one set of images, for all frames in flight is seen here (by most of the pairs).
+void expect_frames_apart(Filled filled) {
   const WaveQuality quality{.resolution = 256, .cascades = 5};
-  DrawnTiles drawn(WavePlace::cpu, windy(), quality);
+  DrawnTiles drawn(WavePlace::cpu, windy(), quality, filled);
   const WaveField field(windy(), quality);
   WaveTiles tiles;
-  const Image& moments = drawn.image(4, WavePlane::moments);
   const VkDeviceSize bytes = 256u * 256u * 16u;
-  Buffer kept(test::device(), "kept", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+  constexpr VkDeviceSize times = 60;  // long enough for the processor to have written the next frame's before the last
+  Buffer kept(test::device(), "kept", times * bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   VkBufferImageCopy last{};
   last.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 3, 1};
   last.imageExtent = {256, 256, 1};
@@ -98,8 +107,10 @@ TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
     Frame& frame = drawn.frame();
     frame.begin();
     drawn.update(2 * pair);
+    const Image& moments = drawn.image(4, WavePlane::moments);
     frame.pass("keep", {use(moments, Access::transfer_read), use(kept, Access::transfer_write)}, [&](Commands& c) {
-      vkCmdCopyImageToBuffer(c.raw(), moments.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kept.get(), 1, &last);
+      for (last.bufferOffset = 0; last.bufferOffset < times * bytes; last.bufferOffset += bytes)
+        vkCmdCopyImageToBuffer(c.raw(), moments.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kept.get(), 1, &last);
     });
     frame.submit();
     frame.begin();
@@ -110,8 +121,27 @@ TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
     const auto got = read_buffer(test::device(), kept);
     int wrong = 0;
     for (int z = 0; z < 256; ++z)
-      wrong += std::memcmp(&got[std::size_t(z) * 256 * 16], tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(4, 0), 256 * 16) != 0;
+      wrong += std::memcmp(&got[(times - 1) * bytes + std::size_t(z) * 256 * 16], tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(4, 0), 256 * 16) != 0;
     EXPECT_EQ(wrong, 0) << "rows of pair " << pair;
+  }
+}
+
+TEST_F(UploadedTiles, FramesInFlightDoNotShareTheirMemory) {
+  for (const Filled filled : both) expect_frames_apart(filled);
+}
+
+// A sea that stands still is not computed again, whichever frame's images hold it; another time is.
+TEST_F(UploadedTiles, AreKeptWhileTimeStands) {
+  for (const Filled filled : both) {
+    DrawnTiles drawn(WavePlace::cpu, windy(), {.resolution = 32, .cascades = 2}, filled);
+    const WaveField field(windy(), {.resolution = 32, .cascades = 2});
+    WaveTiles tiles;
+    std::string where;
+    for (const std::int64_t ticks : {7, 7, 7, 9, 9, 7}) {
+      drawn.compute(ticks);
+      field.evaluate(ticks, tiles);
+      EXPECT_EQ(wrong_numbers(drawn, tiles, where), 0u) << ticks << ": " << where;
+    }
   }
 }
 
@@ -125,11 +155,20 @@ TEST_F(UploadedTiles, BuildNothingOfTheOtherWay) {
   };
   const std::uint64_t pipelines = device.pipelines_made();
   {
-    const DrawnTiles drawn(WavePlace::cpu, windy(), {.resolution = 32, .cascades = 2});
+    const DrawnTiles drawn(WavePlace::cpu, windy(), {.resolution = 32, .cascades = 2}, Filled::copied);
     EXPECT_EQ(device.pipelines_made(), pipelines);
     EXPECT_EQ(named("wave bins") + named("wave rows"), 0);
     EXPECT_EQ(named("wave staging"), Frame::slots);
     EXPECT_FALSE(drawn.images().sets()[1].displacement.spec().usage & VK_IMAGE_USAGE_STORAGE_BIT);
+  }
+  device.wait_idle();
+  {
+    const DrawnTiles drawn(WavePlace::cpu, windy(), {.resolution = 32, .cascades = 2});
+    EXPECT_EQ(device.pipelines_made(), pipelines);
+    if (drawn.images().filled() == Filled::written) {
+      EXPECT_EQ(named("wave staging"), 0);
+      EXPECT_EQ(named("wave moments"), 2 * 2 * Frame::slots) << "an image and its view, of two sets";
+    }
   }
   device.wait_idle();
   const DrawnTiles computed(WavePlace::gpu, windy(), {.resolution = 32, .cascades = 2});

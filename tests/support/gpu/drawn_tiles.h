@@ -25,12 +25,13 @@ inline SeaState windy() {
 // The tiles for one sea and quality, at any time.
 class DrawnTiles {
  public:
-  DrawnTiles(WavePlace place, const SeaState& sea, const WaveQuality& quality)
+  // `from_cpu`: how the processor's tiles come into the images.
+  DrawnTiles(WavePlace place, const SeaState& sea, const WaveQuality& quality, WaveImages::Filled from_cpu = WaveImages::Filled::written)
       : bins_(make_wave_bins(sea, quality)),
         statistics_(sea_statistics(sea, bins_)),
         frame_(device(), 4096),
         images_(device(), sea, quality, bins_, statistics_, 1.0,
-                place == WavePlace::gpu ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_TRANSFER_DST_BIT) {
+                place == WavePlace::gpu ? WaveImages::Filled::stored : from_cpu) {
     if (place == WavePlace::gpu) compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, bins_, images_);
     else upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
   }
