@@ -97,7 +97,9 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
 
 // What effects are of code in the surface's shaders: the words that a shader would lack without the effect.
 void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
-  for (const auto& shader : surface.lighting().shaders()) {
+  std::vector<std::shared_ptr<const Shader>> shaders = surface.pipeline().shaders();
+  if (&surface.lighting() != &surface.pipeline()) shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
+  for (const auto& shader : shaders) {
     for (const auto& [effect, constant] : Surface::effect_code) {
       std::vector<SpecValue> without = shader->values;
       for (SpecValue& value : without)
