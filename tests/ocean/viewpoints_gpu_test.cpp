@@ -33,8 +33,8 @@ struct Camera {
     e.ocean().describe(data, view, *selection);
     const std::uint32_t uniform = frame.upload_uniform(data);
     Uses uses{use(e.sky().map(), Access::surface_read), use(e.sky().light(), Access::surface_read)};
-    e.ocean().waves().add_uses(uses, Access::surface_read);
-    frame.draw_pass("a viewpoint", picture, uses, [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform); });
+    e.ocean().add_uses(uses);
+    frame.draw_pass("a viewpoint", picture, uses, [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform, false); });
   }
   Image8 read(SeaShot& shot) const { return {int(width), int(height), 4, read_image(shot.device(), picture.colour(), 0)}; }
 
