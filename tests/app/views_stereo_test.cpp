@@ -102,7 +102,7 @@ TEST_F(Stereo, AnotherEyeDistanceIsSeen) {
   for (std::size_t eye = 0; eye < 2; ++eye) EXPECT_GT(differing_pixels(usual[eye], wider[eye]), 50);
 }
 
-TEST_F(Stereo, EyesAtNoDistanceSeeTheSame) {
+TEST_F(Stereo, hard_39_eyes_at_no_distance_see_the_same) {
   for (const char* preset : {"low", "high"}) {
     ShotOptions options = small("storm", preset);
     options.views = 2;

@@ -38,7 +38,7 @@ DrawnMesh::DrawnMesh(SeaShot& shot, const Viewpoint& viewpoint) : viewpoint_(vie
       std::array<float, 8> out;
       std::memcpy(out.data(), &bytes[v * 32], 32);
       const glm::dvec2 place = viewer + glm::dvec2(out[4], out[5]);
-      vertices_[v] = {s.grid_origin_m + glm::dvec2(out[0], out[1]), {place.x, out[6], place.y}};
+      vertices_[v] = {s.grid_origin_m + glm::dvec2(out[0], out[1]), {place.x, out[6], place.y}, out[2]};
       patch.low = glm::min(patch.low, vertices_[v].rest);
       patch.high = glm::max(patch.high, vertices_[v].rest);
     }

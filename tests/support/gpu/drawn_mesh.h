@@ -12,6 +12,7 @@ namespace seascape::test {
 struct SurfacePoint {
   glm::dvec2 rest{0.0};
   glm::dvec3 at{0.0};
+  double footprint_m = 0.0;  // of a vertex: that of the waves it keeps
 };
 
 class DrawnMesh {
