@@ -17,6 +17,7 @@ constexpr PresetRow rows[] = {
     {"waves.cascades",       "4",     "4",     "5",       "5"},
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
+    {"lod.pixel_error",      "8",     "4",     "2",       "1"},
     {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},
     {"lod.cull_scale",       "1.2",   "1.5",   "1.8",     "2.0"},
     {"water.anisotropy",     "2",     "4",     "8",       "16"},

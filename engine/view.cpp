@@ -1,5 +1,6 @@
 #include "engine/view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -16,6 +17,12 @@ std::vector<View> stereo_views(const Pose& head, const Fov& fov, double eye_dist
   left.pose.position_m -= right * (0.5 * eye_distance_m);
   right_eye.pose.position_m += right * (0.5 * eye_distance_m);
   return {left, right_eye};
+}
+
+double pixels_per_radian(const std::vector<View>& eyes, double height_px) {
+  double most = 0.0;
+  for (const View& eye : eyes) most = std::max(most, height_px / (eye.fov.up - eye.fov.down));
+  return most;
 }
 
 glm::dmat4 projection(const Fov& fov, double near_m) {

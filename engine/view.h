@@ -26,7 +26,13 @@ struct View {
 struct Viewpoint {
   Pose viewer;
   std::vector<View> eyes;
+  double pixels_per_radian = 0.0;  // in the middle of the picture, of the eye that has most; 0: not known, no picture
 };
+
+// Of these eyes' pictures, `height_px` high each.
+double pixels_per_radian(const std::vector<View>& eyes, double height_px);
+// Of an eye of 1680 x 1760 pixels and 100 degrees, upwards as well as sideways: where no picture says.
+inline constexpr double reference_pixels_per_radian = 738.4;
 
 // Symmetric field of view of `vertical_deg` for a picture of `aspect` = width / height.
 Fov symmetric_fov(double vertical_deg, double aspect);

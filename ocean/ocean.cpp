@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ocean/lod/water_below.h"
 #include "ocean/surface/water_optics.h"
 #include "shaders/shared/skirt.h"
 
@@ -25,9 +26,11 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
       chop_(settings.sea.chop),
       drawn_seed_(settings.sea.seed),
       quadtree_(settings.lod) {
-  if (on_gpu(device, settings.wave_place))
+  if (on_gpu(device, settings.wave_place)) {
     compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, bins_, waves_);
-  else
+    const WaveQuality longest{64, std::min(2, settings.waves.cascades)};  // waves of some 6 m and more
+    long_waves_ = std::make_unique<WaveField>(settings.sea, longest);
+  } else {
     upload_ = std::make_unique<WaveUpload>(device, settings.sea, settings.waves, bins_, waves_);
   for (const auto& source : settings.sources) {
     if (source->still()) continue;
@@ -45,6 +48,10 @@ void Ocean::update(Frame& frame, double time_s) {
   if (compute_) compute_->update(frame, ticks);
   if (upload_) upload_->update(frame, ticks);
   for (const auto& source : sources_) source->update(frame, ticks);
+  if (long_waves_ && long_ticks_ != ticks) {
+    long_waves_->evaluate(ticks, long_tiles_);
+    long_ticks_ = ticks;
+  }
 }
 
 void Ocean::add_uses(Uses& uses) const {
@@ -77,9 +84,32 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
   waves_.take(bins_, chop_, statistics_);
   if (compute_) compute_->take(frame, bins_, chop_);
   if (upload_) upload_->take(bins_, chop_, statistics_);
+  if (long_waves_) {
+    long_waves_->take(bins_, chop_, statistics_);
+    long_ticks_.reset();
+  }
   if (!blend_->over(ticks)) return;
   drawn_seed_ = blend_->to().state.seed;
   blend_.reset();
+}
+
+DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
+  DisplacementBounds result;
+  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
+  result.horizontal_m = statistics_.largest_shift_m + of_sources_.largest_shift_m;
+  result.mesh_error = statistics_.mesh_error;
+  const WaveField* field = upload_ ? &upload_->field() : long_waves_.get();
+  const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
+  if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
+  if (sources_.empty()) return result;
+  // Of sources no spectrum is known: a mesh misses them by a share of its spacing, and water anywhere may be off by all of them.
+  for (std::size_t n = 0; n < result.mesh_error.octave_m.size(); ++n)
+    result.mesh_error.octave_m[n] += std::min(Quadtree::error_over_spacing * std::ldexp(MeshError::least_spacing_m, int(n)), of_sources_.largest_height_m);
+  if (result.below) {
+    for (double& off : result.below->motion.vertical_m) off += of_sources_.largest_height_m;
+    for (double& off : result.below->motion.horizontal_m) off += of_sources_.largest_shift_m;
+  }
+  return result;
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
@@ -89,8 +119,8 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
   patches.apply(settings_.lod);
-  const double height = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
-  return patches.select(viewpoint, {height, statistics_.largest_shift_m + of_sources_.largest_shift_m});
+  const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty();
+  return patches.select(viewpoint, bounds(viewpoint), all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
 }
 
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
@@ -121,9 +151,6 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);
   data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),
                          settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
-  // What lies between vertices at most, so that the waves that a vertex keeps are drawn by several.
-  data.sea.footprint.x = float(s.unit_m);
-  data.sea.footprint.y = float(Quadtree::spacing_over_distance(settings_.lod));
   data.sea.footprint.w = float(4.0 * std::sqrt(statistics_.height_variance + of_sources_.height_variance));
   const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));

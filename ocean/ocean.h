@@ -14,6 +14,7 @@
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_images.h"
 #include "ocean/waves/wave_place.h"
+#include "ocean/waves/wave_tiles.h"
 #include "ocean/waves/wave_upload.h"
 #include "shaders/shared/frame_data.h"
 
@@ -41,6 +42,8 @@ class Ocean {
   // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with patches of its own, which stay until they
   // are selected again. They take this sea's settings.
   const SurfaceSelection& select(const Viewpoint& viewpoint, Quadtree& patches) const;
+  // What selecting is told of the water for a viewpoint, as it is since the last update.
+  DisplacementBounds bounds(const Viewpoint& viewpoint) const;
   // The patches selected last, null before the first.
   const SurfaceSelection* selection() const { return selection_; }
 
@@ -82,6 +85,10 @@ class Ocean {
   std::vector<std::unique_ptr<DrawnSource>> sources_;
   SourceStatistics of_sources_;  // all of them together
   void follow_change(Frame& frame, std::int64_t ticks);
+  // The long waves alone, on the processor, where the GPU makes the picture's: what the water beneath a viewer does.
+  std::unique_ptr<WaveField> long_waves_;
+  WaveTiles long_tiles_;
+  std::optional<std::int64_t> long_ticks_;  // that they are of
   std::unique_ptr<SeaMaker> maker_;  // from the first change on
   bool asked_for_ = false;
   double change_s_ = 0.0, chop_;

@@ -15,9 +15,10 @@ DisplayFrame Headless::begin() {
 Viewpoint Headless::viewpoint(const Pose& carrier) const {
   const Fov fov = symmetric_fov(options_.vertical_fov_deg, double(options_.width) / options_.height);
   const std::vector<View> eyes = stereo_views(carrier, fov, options_.eye_distance_m);
-  if (options_.views == 2) return {carrier, eyes};
-  if (options_.eye == 0) return {carrier, {{carrier, fov}}};
-  return {carrier, {options_.eye < 0 ? eyes[0] : eyes[1]}};
+  const double pixels = pixels_per_radian(eyes, options_.height);
+  if (options_.views == 2) return {carrier, eyes, pixels};
+  if (options_.eye == 0) return {carrier, {{carrier, fov}}, pixels};
+  return {carrier, {options_.eye < 0 ? eyes[0] : eyes[1]}, pixels};
 }
 
 void Headless::end(Frame& frame, const RenderTarget* picture) {

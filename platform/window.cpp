@@ -290,8 +290,10 @@ DisplayFrame Window::begin() {
 
 Viewpoint Window::viewpoint(const Pose& carrier) const {
   const Fov fov = symmetric_fov(vertical_fov_deg_, std::max(1.0, double(width_) / options_.views) / std::max(1, height_));
-  if (options_.views == 2) return {carrier, stereo_views(carrier, fov, eye_distance_m_)};
-  return {carrier, {{carrier, fov}}};
+  const std::vector<View> eyes = stereo_views(carrier, fov, eye_distance_m_);
+  const double pixels = pixels_per_radian(eyes, std::max(1, height_));
+  if (options_.views == 2) return {carrier, eyes, pixels};
+  return {carrier, {{carrier, fov}}, pixels};
 }
 
 // The swapchain's next image, or null when the window cannot take a picture at present.

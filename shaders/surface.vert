@@ -36,10 +36,12 @@ vec3 curved(vec2 flat_xz, float y, float c) {
 void main() {
   const int i = gl_VertexIndex % (patch_quads + 1), j = gl_VertexIndex / (patch_quads + 1);
   const PatchInstance p = PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w));
-  rest = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y, frame.morph) * frame.skirt.z;
+  const vec2 stands = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y, frame.morph);
+  rest = stands * frame.skirt.z;
   const vec2 from_viewer = rest - frame.viewer.xy;
   const float footprint = vertex_footprint(rest);
-  const vec4 d = sea_displacement(rest, footprint);
+  const float displaced = displacement_footprint(frame.morph, stands) * frame.skirt.z;
+  const vec4 d = sea_displacement(rest, displaced);
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
@@ -50,7 +52,7 @@ void main() {
   if (probe) {
     const int n = (patch_quads + 1) * (patch_quads + 1);
     const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);
-    probed[at] = vec4(rest, footprint, 0.0);
+    probed[at] = vec4(rest, displaced, 0.0);
     probed[at + 1] = vec4(from_viewer + d.xz, d.y, 0.0);
   }
   gl_Position = view.clip_from_relative * vec4(relative, 1.0);

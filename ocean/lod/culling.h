@@ -9,14 +9,17 @@
 
 namespace seascape {
 
-// The upright boxes of a node's four quarters, all in metres relative to EyeFrusta's origin, on a sea that falls away with the
-// square of the distance from the viewer: quarter 0 has the least x and z, 1 lies east and 2 north of it, 3 across.
-struct QuarterBoxes {
-  double x, z, step;          // the centre of quarter 0; from centre to centre
-  double half;                // half their sides
-  double rise;                // their heights before curving: down and up by this
-  double viewer_x, viewer_z;  // on the still sea beneath the viewer
-  double curve;               // lowers a box's top by this times the square of its least distance, its foot of its greatest
+// A row of equal upright boxes side by side along x, all in metres relative to EyeFrusta's origin: box n, whatever whole number it
+// is, has its centre at (x + n * step, z).
+struct BoxRow {
+  double x, z, step;
+  double half_x, half_z;  // half their sides
+  double low, high;       // their heights
+};
+
+// Boxes of a row from `first` to `last`; none where last < first.
+struct BoxRange {
+  int first, last;
 };
 
 // An upright prism over the convex hull of four points (x, z), grown by `grow` to every side.
@@ -68,8 +71,10 @@ class EyeFrusta {
     });
   }
 
-  // The same for four boxes at once, within bounds that left `asked`: a bit for each that may be seen, and what it leaves.
-  unsigned may_see(const QuarterBoxes& boxes, Questions asked, std::array<Questions, 4>& left) const;
+  // The same for a row of boxes, of those that `range` holds: writes the ranges that may be seen, apart and from the least on,
+  // as many as there are eyes at most, and returns how many. Without eyes all of it is. The planes cut a row where one division
+  // says, so that a row costs as much as two boxes.
+  std::size_t may_see(const BoxRow& row, BoxRange range, std::vector<BoxRange>& seen) const;
 
  private:
   struct Span {
@@ -114,7 +119,16 @@ class EyeFrusta {
     return false;
   }
 
+  // An eye's planes for rows along x: first those whose seen side is towards +x, from `turn` on towards -x, from `level` to the
+  // end those along x.
+  struct RowPlanes {
+    std::array<FrustumPlane, planes_per_eye> planes;
+    std::array<double, planes_per_eye> inverse_x;
+    std::size_t turn, level, end;
+  };
+
   std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
+  std::vector<RowPlanes> row_planes_;
   Questions all_ = none;
 };
 

@@ -13,6 +13,7 @@ struct LodSettings {
   double ocean_size_m = 4096.0;  // side of the quadtree's root square, 256 to 8192; the skirt goes on to the horizon
   int patch_quads = 64;          // quads along the side of a square that the threshold speaks of: 16, 32 or 64; squares
                                  // are split and drawn in patches of gpu::patch_quads
+  double pixel_error = 0.0;      // the most pixels by which the mesh may miss the sea, 0.25 to 64; 0: the threshold decides
   double threshold = 1.2;        // a LOWER threshold gives MORE detail: a square splits when size / distance exceeds
                                  // Quadtree::split_ratio times it; 0.5 to 4
   LodJoin join = LodJoin::morphed;

@@ -1,7 +1,6 @@
 #include "ocean/lod/quadtree.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,9 +8,14 @@
 #include "engine/error.h"
 #include "ocean/lod/horizon.h"
 #include "ocean/lod/skirt_strips.h"
+#include "ocean/lod/water_below.h"
 
 namespace seascape {
 namespace {
+
+// How many standard deviations the water about the viewer may be off the smoothed water beneath: where levels need the
+// nearest water, and where culling must not lose any (Rayleigh: exp(-c^2 / 2) = 1e-6, and a tenth more).
+constexpr double crest_deviations = 2.5, near_deviations = 5.8;
 
 void require(bool good, const char* key, double value, const char* range) {
   if (!good)
@@ -23,6 +27,7 @@ void require(bool good, const char* key, double value, const char* range) {
 void check(const LodSettings& s) {
   require(s.ocean_size_m >= 256.0 && s.ocean_size_m <= 8192.0, "ocean_size_m", s.ocean_size_m, "256 to 8192");
   require(s.patch_quads == 16 || s.patch_quads == 32 || s.patch_quads == 64, "patch_quads", s.patch_quads, "16, 32 or 64");
+  require(s.pixel_error == 0.0 || (s.pixel_error >= 0.25 && s.pixel_error <= 64.0), "pixel_error", s.pixel_error, "0, or 0.25 to 64");
   require(s.threshold >= 0.5 && s.threshold <= 4.0, "threshold", s.threshold, "0.5 to 4");
   require(s.cull_scale >= 1.0 && s.cull_scale <= 4.0, "cull_scale", s.cull_scale, "1 to 4");
   require(s.levels >= 0 && s.levels <= Quadtree::max_square_levels, "levels", s.levels, "0 to 12");
@@ -30,11 +35,13 @@ void check(const LodSettings& s) {
   require(s.skirt_multiplier >= 1.0 && s.skirt_multiplier <= 20.0, "skirt_multiplier", s.skirt_multiplier, "1 to 20");
 }
 
-// As many levels as bring the smallest squares to 6.8 m times the threshold or less: 8 m at high (0.125 m between
-// vertices), 4 m at ultra. A level more shows only within a few metres of the eye.
+// As many levels as bring vertices to what is needed a quarter of a metre from the eye, 4 mm a pixel of error in a rough sea; levels that
+// neither eye nor sea needs cost nothing.
 int automatic_levels(const LodSettings& s) {
+  const double needed_m = s.pixel_error > 0.0 ? 0.004 * s.pixel_error : 0.25 * Quadtree::spacing_over_distance(s);
+  const int most = Quadtree::max_levels - std::countr_zero(static_cast<unsigned>(s.patch_quads / gpu::patch_quads));
   int levels = 0;
-  for (double size = s.ocean_size_m; levels < Quadtree::max_square_levels && size > 6.8 * s.threshold; size *= 0.5) ++levels;
+  for (double size = s.ocean_size_m; levels < most && size > needed_m * s.patch_quads; size *= 0.5) ++levels;
   return levels;
 }
 
@@ -54,6 +61,25 @@ int centre_spacing(const TreeFrame& frame) {
   return 1 << (frame.levels - coarsest);
 }
 
+// VertexMorph::spacing: where levels change, spacings over distances. Their bound is the line through the finest levels, and a parabola
+// above the others as far as slopes of waves matter.
+glm::vec4 spacing_of(const TreeFrame& frame) {
+  constexpr double most_m = 400.0;
+  double least = 1.0, line = 0.0, growth = 0.0;
+  int counted = 0;
+  for (int n = 0; n < frame.levels; ++n) {
+    const double distance = frame.reach[static_cast<std::size_t>(n)];
+    if (!(distance > frame.gap_y)) continue;
+    const double ratio = std::ldexp(2.0, n) / distance;
+    least = std::min(least, ratio);
+    if (++counted <= 3)
+      line = std::max(line, ratio);
+    else if (distance * frame.unit_m < most_m)
+      growth = std::max(growth, (ratio - line) / distance);
+  }
+  return glm::vec4(glm::dvec4(least, std::max(line, least), growth, 0.0));
+}
+
 }  // namespace
 
 Quadtree::Quadtree(const LodSettings& settings) { apply(settings); }
@@ -71,7 +97,8 @@ void Quadtree::apply(const LodSettings& settings) {
   selection_.patches.reserve(static_cast<std::size_t>(256 * (levels_ + 1)));  // more than is usual; no cap
 }
 
-const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds) {
+const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds, const WaveField* field,
+                                         const WaveTiles* tiles) {
   const glm::dvec3 eye = viewpoint.viewer.position_m;
   if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z) ||
       std::max(std::abs(eye.x), std::abs(eye.z)) > std::ldexp(unit_m_, 50))
@@ -100,43 +127,45 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frame.rise_m = vertical_m * settings_.cull_scale + 0.01;
   frame.shift_m = bounds.horizontal_m * settings_.cull_scale + 0.01;
   frame.gap_y = std::max(std::abs(eye.y) - vertical_m, 0.0) / unit_m_;
-  const double spacing_ratio = spacing_over_distance(settings_);
-  frame.ratio = gpu::patch_quads * spacing_ratio;
-  frame.morphed = settings_.join == LodJoin::morphed;
-  if (frame.morphed) frame.ratio = std::min(frame.ratio, TreeFrame::most_morphed_ratio);
-  frame.visible_reach = vertical_m / unit_m_ / (error_over_spacing * spacing_ratio);
+  glm::dvec2 centre_m(eye.x, eye.z);  // that levels follow
+  if (bounds.below) {
+    centre_m = bounds.below->rest_m;
+    const double over_m = std::abs(eye.y - bounds.below->displacement_m.y);
+    frame.gap_y = std::max(frame.gap_y, (over_m - crest_deviations * bounds.below->motion(over_m).x) / unit_m_);
+  }
+  const glm::i64vec2 centre(std::llround(centre_m.x / unit_m_), std::llround(centre_m.y / unit_m_));
+  const glm::ivec2 to_viewer(static_cast<int>(centre.x - grid_x), static_cast<int>(centre.y - grid_z));
+  set_reaches(frame, viewpoint, bounds, vertical_m);
   const int coarsest = centre_spacing(frame);
   // Vertices of the coarsest leaves may slide too; which of them are odd must not change while the viewer moves.
-  const int last_stride = frame.morphed ? std::min(coarsest, frame.root_size / gpu::patch_quads >> (TreeFrame::least_levels + 1)) : 0;
+  const int last_stride = settings_.join == LodJoin::morphed ? std::min(coarsest, frame.root_size / gpu::patch_quads >> (TreeFrame::least_levels + 1)) : 0;
   const int spacing = std::max(coarsest, 2 * last_stride);
   const auto to_centre = [spacing](std::int64_t grid) {
     const int into = static_cast<int>(((grid % spacing) + spacing) % spacing);
     return into * 2 < spacing ? -into : spacing - into;
   };
   selection_.half_size = frame.root_size / 2;
-  selection_.tree_centre = {to_centre(grid_x), to_centre(grid_z)};
+  selection_.tree_centre = to_viewer + glm::ivec2(to_centre(centre.x), to_centre(centre.y));
   frame.least = selection_.tree_centre - selection_.half_size;
-  frame.viewer_x = -frame.least.x;
-  frame.viewer_z = -frame.least.y;
+  frame.viewer_x = to_viewer.x - frame.least.x;
+  frame.viewer_z = to_viewer.y - frame.least.y;
   frame.viewer_m = glm::dvec2(eye.x, eye.z) - selection_.grid_origin_m;
 
-  // A node that splits has 16 of its quarters' strides a side.
-  constexpr double strides = 2.0 * gpu::patch_quads;
-  selection_.morph = {glm::vec2(frame.viewer_m / unit_m_), static_cast<float>(frame.gap_y),
-                      frame.visible_reach > 0.0 ? static_cast<float>(strides / frame.ratio) : 0.0f,
-                      static_cast<float>(std::min(frame.visible_reach, 1e9)), static_cast<float>(TreeFrame::morph_step * strides),
-                      last_stride, 0.0f};
+  selection_.morph = {glm::vec2((centre_m - selection_.grid_origin_m) / unit_m_), static_cast<float>(frame.gap_y), last_stride, {}, spacing_of(frame)};
+  for (int n = 0; n < levels_; ++n)
+    selection_.morph.reach[n / 4][n % 4] = static_cast<float>(std::min(frame.reach[static_cast<std::size_t>(n)], 1e9));
 
   selection_.horizon_m = std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), settings_.ocean_size_m * 0.75);
   // The tree's centre may be half a spacing away from the viewer, and the grid point half a unit.
-  const double off_centre_m = (static_cast<double>(spacing) + 1.0) * 0.5 * unit_m_;
+  const double off_centre_m = (static_cast<double>(spacing) + 1.0) * 0.5 * unit_m_ + glm::length(glm::dvec2(to_viewer)) * unit_m_;
   lay_skirt(frame, settings_.skirt_multiplier, selection_.horizon_m + off_centre_m, selection_);
 
   selection_.patches.clear();
   selection_.visited_nodes = selection_.culled_nodes = selection_.skirt_strips = 0;
   frusta_.set(viewpoint.eyes, {selection_.grid_origin_m.x, 0.0, selection_.grid_origin_m.y});
   splits_.find(frame);
-  select_tree(frame);
+  select_tree(frame, bounds);
+  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water(*field, *tiles, frusta_, settings_.cull_scale, eye, selection_);
   select_skirt(frame, splits_, frusta_, selection_);
   const int drop = settings_.drop_patch;
   if (drop >= 0 && drop < static_cast<int>(selection_.patches.size())) {
@@ -147,59 +176,116 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   return selection_;
 }
 
-// A node's bounds are its square grown by the displacement times cull_scale. They hold its quarters', so what is culled takes all
-// that is below it along, and what an eye sees wholly is not asked about again. The root is not asked about: it reaches beneath the viewer.
-void Quadtree::select_tree(const TreeFrame& frame) {
-  struct Node {
-    gpu::PatchInstance patch;  // as it is drawn if it is a leaf
-    EyeFrusta::Questions questions;
-    bool splits;
+// The spacing 2^n is left for its double at reach[n]. Masked joins take what the law says; morphed ones need the room that TreeFrame
+// speaks of. If the sea does not move, nothing splits.
+void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const DisplacementBounds& bounds, double vertical_m) const {
+  const double pixels = viewpoint.pixels_per_radian > 0.0 ? viewpoint.pixels_per_radian : reference_pixels_per_radian;
+  const double ratio = spacing_over_distance(settings_);
+  // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
+  // the inverse square: of some million at one pixel, which is what mesh_error speaks of.
+  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 7.0) : 1.0;
+  const auto error_m = [&](double spacing_m) {
+    return bounds.mesh_error.known() ? bounds.mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m);
   };
-  // Depth first: every level leaves at most three siblings behind. One more to write to.
-  std::array<Node, 3 * max_levels + 2> stack;
-  std::size_t count = 0;
-  stack[count++] = {{frame.least, frame.root_size / gpu::patch_quads, 0u}, frusta_.all(), splits_.split(0, 0, 0)};
-  const unsigned edges = frame.morphed ? 0u : gpu::patch_east | gpu::patch_north | gpu::patch_west | gpu::patch_south;
-  int visited = 1, culled = 0;
-  QuarterBoxes boxes{.rise = frame.rise_m, .viewer_x = frame.viewer_m.x, .viewer_z = frame.viewer_m.y,
-                     .curve = frame.curved ? curvature_drop(1.0) : 0.0};
-  std::array<EyeFrusta::Questions, 4> questions;
-  while (count > 0) {
-    const Node& top = stack[--count];
-    if (!top.splits) {
-      selection_.patches.push_back(top.patch);
-      continue;
-    }
-    const glm::ivec2 corner = top.patch.corner;
-    const int stride = top.patch.stride / 2, half = stride * gpu::patch_quads, level = static_cast<int>(gpu::patch_level(top.patch.flags));
-    const EyeFrusta::Questions asked = top.questions;
-    unsigned seen = 15;
-    questions = {};
-    if (asked != EyeFrusta::none) {
-      boxes.step = half * frame.unit_m;
-      boxes.x = corner.x * frame.unit_m + 0.5 * boxes.step;
-      boxes.z = corner.y * frame.unit_m + 0.5 * boxes.step;
-      boxes.half = 0.5 * boxes.step + frame.shift_m;
-      seen = frusta_.may_see(boxes, asked, questions);
-    }
-    visited += 4;
-    culled += 4 - std::popcount(seen);
-    const glm::ivec2 in_tree = corner - frame.least;
-    const int shift = std::countr_zero(static_cast<unsigned>(half)) + 1;
-    const SplitMap::Brood brood = splits_.brood(level, in_tree.x >> shift, in_tree.y >> shift);
+  const bool morphed = settings_.join == LodJoin::morphed;
+  double before = 0.0, most = 0.0;
+  for (int n = 0; n < frame.levels; ++n) {
+    const double stride = std::ldexp(1.0, n), coarser_m = 2.0 * stride * unit_m_;
+    double reach_m;
+    if (settings_.pixel_error > 0.0)
+      reach_m = fewer * error_m(coarser_m) * pixels / settings_.pixel_error;
+    else
+      reach_m = std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
+    most = std::max(most, reach_m / unit_m_);
+    if (reach_m < 0.5 * settings_.ocean_size_m) frame.border_spacing = stride * std::clamp(settings_.ocean_size_m / reach_m, 2.0, 4.0);
+    const double size = 2.0 * gpu::patch_quads * stride;
+    double reach = std::max(reach_m / unit_m_, before);
+    if (morphed) reach = std::max({reach, before + TreeFrame::morph_step * 0.5 * size, TreeFrame::morph_step * size});
+    frame.reach[static_cast<std::size_t>(n)] = before = reach;
+  }
+  if (!(most > 0.0)) frame.reach.fill(0.0);
+  frame.visible_reach = std::max(most, 1.0);
+}
+
+// The leaves of a level are the quarters of the nodes split one level up that do not split themselves: in a row of them two runs, one to
+// either side of the viewer's column. A run is culled as a whole: each plane cuts it where one division says. Finer leaves, which are
+// nearer, come first, rows from the viewer's outwards and each from its column outwards: nearer water hides what follows.
+// A leaf's bounds are its square grown by the displacement times cull_scale.
+void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bounds) {
+  const bool masked = settings_.join == LodJoin::masked;
+  int considered = 0;
+  for (int level = levels_ - 1; level >= 0; --level) {
+    const SplitMap::Interval rows = splits_.rows(level);
+    if (rows.last < rows.first) continue;
+    const int size = frame.size(level + 1), stride = size / gpu::patch_quads, end = (2 << level) - 1;
+    const double size_m = size * frame.unit_m;
+    const double curve = frame.curved ? curvature_drop(1.0) : 0.0;
     const unsigned flags = static_cast<unsigned>(level + 1) << gpu::patch_level_shift;
-    // The quarter nearest the viewer is drawn first, the opposite one last: nearer water hides what follows.
-    const unsigned nearest = (frame.viewer_x >= in_tree.x + half ? 1u : 0u) | (frame.viewer_z >= in_tree.y + half ? 2u : 0u);
-    for (unsigned turn = 4; turn-- > 0;) {
-      const unsigned quarter = nearest ^ turn;
-      // Put there even if no eye sees it, and then overwritten: whether one does cannot be guessed.
-      stack[count] = {{{corner.x + ((quarter & 1u) != 0u ? half : 0), corner.y + ((quarter & 2u) != 0u ? half : 0)}, stride,
-                       flags | (brood.coarser & SplitMap::outer_edges[quarter] & edges)}, questions[quarter], ((brood.splits >> quarter) & 1u) != 0u};
-      count += (seen >> quarter) & 1u;
+    glm::dvec3 low(-frame.shift_m, -frame.rise_m, -frame.shift_m), high = -low;
+    if (bounds.below) {
+      const double around_m = std::max({rows.last + 1 - frame.viewer_z / (2 * size), frame.viewer_z / (2 * size) + 1 - rows.first, 2}) * 2.0 * size_m;
+      const glm::dvec2 off = near_deviations * bounds.below->motion(1.42 * around_m) + 0.01;
+      const glm::dvec3 here = bounds.below->displacement_m, about(off.y, off.x, off.y);
+      low = glm::max(low, glm::min(here - about, high));
+      high = glm::min(high, glm::max(here + about, low));
+    }
+    const glm::dvec3 middle_m = 0.5 * (low + high), half_m = 0.5 * (high - low);
+    const glm::dvec2 first_m = (glm::dvec2(frame.least) + 0.5 * size) * frame.unit_m + glm::dvec2(middle_m.x, middle_m.z);
+    BoxRow row{first_m.x, 0.0, size_m, 0.5 * size_m + half_m.x, 0.5 * size_m + half_m.z, 0.0, 0.0};
+    const int column = frame.viewer_x / size;
+    const auto emit = [&](int z, SplitMap::Interval run) {
+      if (run.last < run.first) return;
+      considered += run.last - run.first + 1;
+      // The sea's fall over the run: from the nearest of it to the farthest.
+      const double x0 = row.x + run.first * size_m - frame.viewer_m.x, x1 = row.x + run.last * size_m - frame.viewer_m.x;
+      row.z = first_m.y + z * size_m;
+      const double away_z = std::abs(row.z - frame.viewer_m.y), near_z = std::max(away_z - row.half_z, 0.0), far_z = away_z + row.half_z;
+      const double near_x = std::max({x0 - row.half_x, -x1 - row.half_x, 0.0}), far_x = std::max(std::abs(x0), std::abs(x1)) + row.half_x;
+      row.high = high.y - curve * (near_x * near_x + near_z * near_z);
+      row.low = low.y - curve * (far_x * far_x + far_z * far_z);
+      const std::size_t ranges = frusta_.may_see(row, {run.first, run.last}, seen_);
+      for (std::size_t n = 0; n < ranges; ++n) {
+        const BoxRange range = seen_[n];
+        const std::size_t first = selection_.patches.size();
+        selection_.patches.resize(first + static_cast<std::size_t>(range.last - range.first + 1));
+        gpu::PatchInstance* to = &selection_.patches[first];
+        const auto put = [&](int x) {
+          *to++ = {frame.least + size * glm::ivec2(x, z), stride, masked ? flags | coarser_sides(level, x, z, end) : flags};
+        };
+        const int from = std::clamp(column, range.first, range.last);
+        for (int x = from; x <= range.last; ++x) put(x);
+        for (int x = from - 1; x >= range.first; --x) put(x);
+      }
+    };
+    const auto emit_row = [&](int z) {
+      const SplitMap::Interval parents = splits_.row(level, z >> 1), split = splits_.row(level + 1, z);
+      if (parents.last < parents.first) return;
+      if (split.last < split.first) {
+        emit(z, {2 * parents.first, 2 * parents.last + 1});
+      } else {
+        emit(z, {2 * parents.first, split.first - 1});
+        emit(z, {split.last + 1, 2 * parents.last + 1});
+      }
+    };
+    const int middle = std::clamp(frame.viewer_z / size, 2 * rows.first, 2 * rows.last + 1);
+    emit_row(middle);
+    for (int off = 1; middle - off >= 2 * rows.first || middle + off <= 2 * rows.last + 1; ++off) {
+      if (middle + off <= 2 * rows.last + 1) emit_row(middle + off);
+      if (middle - off >= 2 * rows.first) emit_row(middle - off);
     }
   }
-  selection_.visited_nodes += visited;
-  selection_.culled_nodes += culled;
+  selection_.visited_nodes += considered;
+  selection_.culled_nodes += considered - static_cast<int>(selection_.patches.size());
+}
+
+// The edge bits of a leaf, a quarter of a node of `level`: the sides beyond which no node of that level splits. Outside the root
+// none is coarser.
+unsigned Quadtree::coarser_sides(int level, int x, int z, int end) const {
+  const auto coarser = [&](int to_x, int to_z) {
+    return to_x >= 0 && to_z >= 0 && to_x <= end && to_z <= end && !splits_.split(level, to_x >> 1, to_z >> 1);
+  };
+  return (coarser(x + 1, z) ? gpu::patch_east : 0u) | (coarser(x, z + 1) ? gpu::patch_north : 0u) |
+         (coarser(x - 1, z) ? gpu::patch_west : 0u) | (coarser(x, z - 1) ? gpu::patch_south : 0u);
 }
 
 void Quadtree::move_frozen(std::int64_t grid_x, std::int64_t grid_z) {

@@ -1,5 +1,5 @@
-// Chooses the patches of the surface for a viewer: a quadtree over a square that follows the viewer, split by size over
-// distance, culled against the union of all eyes. Pure: viewpoint in, list out.
+// Chooses the patches of the surface for a viewer: a quadtree over a square that follows the viewer, split until its mesh misses the
+// sea by no more pixels than are allowed, culled against the union of all eyes. Pure: viewpoint in, list out.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -32,29 +32,33 @@ class Quadtree {
   // drop_patch counts in the list as it is after culling; beyond its end it drops nothing.
   // No allocation once the list has reached its size. Throws Error when the viewpoint or the bounds are not finite, the
   // viewer is more than 2^50 units from the world's origin, or more than 2^30 from where the selection was frozen.
-  const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds);
+  // `field` and `tiles`, where the processor has the picture's waves: patches that no eye sees as the water stands are left out.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds, const WaveField* field = nullptr,
+                                 const WaveTiles* tiles = nullptr);
 
   int levels() const { return levels_; }  // of patches: the leaves', 0 is the root alone
   const LodSettings& settings() const { return settings_; }
 
-  // A square of LodSettings::patch_quads quads splits while size / distance exceeds split_ratio * threshold, and a patch,
-  // which is drawn with fewer quads, while its own does in proportion: the vertices of both are then at most
-  // split_ratio * threshold / patch_quads of their distance apart. Distance in three dimensions, from the viewer to the
-  // square raised to the water's upper bound.
-  // A mesh of a sea misses at most a tenth of its vertices' spacing (measured: 0.07 to 0.11 for the largest of 4,000 points
-  // at any spacing of a fresh breeze or a storm). Where that is more than the water moves at all, nothing is gained by
-  // splitting: beyond the distance at which all of its motion is below the error allowed, no patch splits.
-  static constexpr double split_ratio = 2.4;
-  static constexpr double error_over_spacing = 0.1;
+  // How far vertices may be apart at a distance. With settings.pixel_error: as far as a mesh of the sea misses it by no more than
+  // that many pixels there (DisplacementBounds::mesh_error, Viewpoint::pixels_per_radian). With settings.threshold: split_ratio *
+  // threshold / patch_quads of the distance, which is a square of patch_quads quads that splits while size / distance exceeds
+  // split_ratio * threshold. Distance in three dimensions, from the viewer to the square raised to the water's upper bound.
+  // Where a mesh that coarse misses more than the water moves at all, nothing is gained by splitting: beyond the distance at which
+  // all of its motion is below the error allowed, no patch splits.
+  static constexpr double split_ratio = 0.72;
+  // What a mesh misses at most over its vertices' spacing, where the sea does not say (measured: 0.07 to 0.12 in a fresh breeze or a storm).
+  static constexpr double error_over_spacing = 0.12;
   static constexpr int max_square_levels = 12;
-  static constexpr int max_levels = SplitMap::max_levels;  // of patches, with three levels of them in a square of 64 quads
+  static constexpr int max_levels = TreeFrame::max_levels;  // of patches, with three levels of them in a square of 64 quads
   static constexpr int least_levels = TreeFrame::least_levels;
 
-  // The vertices' spacing over their distance, at most; the finest level's spacing apart.
+  // By the threshold: the vertices' spacing over their distance, at most; the finest level's spacing apart.
   static double spacing_over_distance(const LodSettings& settings) { return split_ratio * settings.threshold / settings.patch_quads; }
 
  private:
-  void select_tree(const TreeFrame& frame);
+  void set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const DisplacementBounds& bounds, double vertical_m) const;
+  void select_tree(const TreeFrame& frame, const DisplacementBounds& bounds);
+  unsigned coarser_sides(int level, int x, int z, int end) const;
   void move_frozen(std::int64_t grid_x, std::int64_t grid_z);
 
   LodSettings settings_;
@@ -64,6 +68,7 @@ class Quadtree {
   std::int64_t grid_x_ = 0, grid_z_ = 0;  // of the last selection: its grid origin in units
   SplitMap splits_;
   EyeFrusta frusta_;
+  std::vector<BoxRange> seen_;  // of one row
   SurfaceSelection selection_;
 };
 

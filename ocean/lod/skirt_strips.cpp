@@ -8,7 +8,7 @@
 namespace seascape {
 namespace {
 
-constexpr int most_bands = 31;
+constexpr int most_bands = 63;
 
 // What one call shares. A strip's bounds are the trapezoid that it covers, grown by the displacement times cull_scale.
 struct Skirt {
@@ -57,13 +57,14 @@ struct Skirt {
 
 }  // namespace
 
-// Dense as the patches only as far as the water's motion can be seen, then sparser by skirt_growth. Both parts end at whole rows of their
-// own spacing: from higher up more bands are laid outside of those that lie already, and none of these moves.
+// Dense as the patches only as far as the water's motion can be seen, rows as far apart as vertices may be at the border, of their distance;
+// then sparser by skirt_growth. Both parts end at whole rows of their own spacing: from higher up more bands are laid outside of
+// those that lie already, and none of these moves.
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection) {
   constexpr double growth = static_cast<double>(gpu::skirt_growth);
   const double half_m = 0.5 * frame.root_size * frame.unit_m;
   const double dense = std::clamp(frame.visible_reach * frame.unit_m / half_m, 1.0, multiplier);
-  const double near_growth = 1.0 + std::min(frame.ratio / gpu::patch_quads, growth - 1.0);
+  const double near_growth = 1.0 + std::min(frame.border_spacing / (0.5 * frame.root_size), growth - 1.0);
   const int near_rows = static_cast<int>(std::ceil(std::log(dense) / std::log(near_growth)));
   const int far_rows = static_cast<int>(std::ceil(std::max(std::log(reach_m / half_m / dense) / std::log(growth), 0.0)));
   const int bands = std::clamp((near_rows + far_rows + gpu::patch_quads - 1) / gpu::patch_quads, 1, most_bands);

@@ -1,16 +1,28 @@
 // What is drawn of the surface for a viewer: the patches, and the numbers that place their vertices.
 #pragma once
+#include <optional>
 #include <vector>
 
+#include "ocean/waves/wave_field.h"
 #include "shaders/shared/patch_instance.h"
 #include "shaders/shared/vertex_morph.h"
 
 namespace seascape {
 
-// What the surface may be displaced by, in metres, anywhere: bounds for culling.
+// What the surface may be displaced by, in metres, anywhere: bounds for culling; and what meshes of it miss.
 struct DisplacementBounds {
   double vertical_m = 1.0;
   double horizontal_m = 1.0;
+  MeshError mesh_error;
+  // Of the water beneath the viewer, where it is known: its rest place in the world and how it is displaced from there, smoothed over
+  // NearMotion::footprint_m; and how far the water about it moves otherwise. Levels then follow the distance from that water,
+  // and culling grows bounds by what water that near may be off it.
+  struct Below {
+    glm::dvec2 rest_m{0.0};
+    glm::dvec3 displacement_m{0.0};
+    NearMotion motion;
+  };
+  std::optional<Below> below;
 };
 
 struct SurfaceSelection {
@@ -21,10 +33,10 @@ struct SurfaceSelection {
   int half_size = 0;               // half the root's side in the same coordinates
   double horizon_m = 0.0;          // how far the skirt reaches from the viewer, past the true horizon
   float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
-  int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, 31 times as many at most
+  int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, 63 times as many at most
   gpu::VertexMorph morph{};         // how vertices slide; with lod.join = masked none does
-  int visited_nodes = 0;  // nodes of the tree and skirt strips that were considered
-  int culled_nodes = 0;   // those of them that no eye can see (with all that is below them)
+  int visited_nodes = 0;  // leaves of the tree and strips of the skirt that were considered
+  int culled_nodes = 0;   // those of them that no eye can see
   int skirt_strips = 0;   // how many of the patches are strips of the skirt
 };
 

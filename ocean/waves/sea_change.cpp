@@ -91,6 +91,12 @@ SeaStatistics SeaBlend::statistics(std::int64_t ticks) const {
   const Weights w = weights(ticks);
   result.largest_height_m = w.from * a.largest_height_m + w.to * b.largest_height_m;
   result.largest_shift_m = w.from * a.largest_shift_m + w.to * b.largest_shift_m;
+  for (std::size_t n = 0; n < result.mesh_error.octave_m.size(); ++n)
+    result.mesh_error.octave_m[n] = w.from * a.mesh_error.octave_m[n] + w.to * b.mesh_error.octave_m[n];
+  for (std::size_t n = 0; n < result.near_motion.vertical_m.size(); ++n) {
+    result.near_motion.vertical_m[n] = w.from * a.near_motion.vertical_m[n] + w.to * b.near_motion.vertical_m[n];
+    result.near_motion.horizontal_m[n] = w.from * a.near_motion.horizontal_m[n] + w.to * b.near_motion.horizontal_m[n];
+  }
   const auto unchopped = [](const MadeSea& sea) { return sea.state.chop > 0.0 ? sea.statistics.largest_shift_m / sea.state.chop : 0.0; };
   if (from_.state.chop > 0.0 && to_.state.chop > 0.0) result.largest_shift_m = chop(ticks) * (w.from * unchopped(from_) + w.to * unchopped(to_));
   return result;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ocean/waves/dispersion.h"
+#include "ocean/waves/mesh_error.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/wave_field.h"
 
@@ -18,6 +19,7 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
   validate(sea);
   SeaStatistics result;
   double sum_of_amplitudes = 0.0, shift_variance = 0.0, sum_of_shifts = 0.0;  // shifts of chop 1
+  VarianceByLength by_length;
   for (int index = 0; index < bins.cascades; ++index) {
     const Cascade& cascade = bins.ladder[index];
     const double step = 2.0 * std::numbers::pi / cascade.side_m;
@@ -33,9 +35,13 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins) {
         sum_of_amplitudes += glm::length(a);
         const double width = variance > 0.0 ? orbit_width(glm::length(k), sea.depth_m) : 0.0;
         shift_variance += variance * width * width;
+        by_length.add(glm::length(k), variance, variance * width * width);
         sum_of_shifts += glm::length(a) * width;
       }
   }
+
+  result.mesh_error = by_length.mesh_error();
+  result.near_motion = by_length.near_motion(sea.chop);
 
   const glm::dvec2 along = direction_xz(sea.wind_to_deg), across{-along.y, along.x};
   const auto towards = [](const glm::dvec3& s, glm::dvec2 d) {

@@ -55,6 +55,23 @@ std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks);
 
 std::int64_t ticks_from_seconds(double time_s);
 
+// The largest distance in metres at which a mesh of square cells, vertices on the sea and its triangles flat, passes the sea
+// itself, of some million points, by its vertices' spacing: rises with it. All zero: unknown.
+struct MeshError {
+  static constexpr double least_spacing_m = 1.0 / 128.0;
+  std::array<double, 20> octave_m{};  // of spacings of 1, 2, 4, ... times the least
+  double operator()(double spacing_m) const;
+  bool known() const { return octave_m.back() > 0.0; }
+};
+
+// How far the water moves against what the sea, smoothed over `footprint_m`, does at one place: standard deviations in metres of the
+// height and of the shift, of all water up to some distance from there.
+struct NearMotion {
+  static constexpr double footprint_m = 8.0, least_distance_m = 0.25;
+  std::array<double, 16> vertical_m{}, horizontal_m{};  // for distances of 1, 2, 4, ... times the least
+  glm::dvec2 operator()(double distance_m) const;       // the height's, the shift's
+};
+
 // Sums over the drawn bins: what the surface's statistics must come to. Variances in m^2 and (dimensionless) slope^2.
 struct SeaStatistics {
   double height_variance = 0.0;        // Hs = 4 sqrt of it
@@ -62,6 +79,8 @@ struct SeaStatistics {
   glm::dvec3 tail_slope_moments{0.0};  // of the waves too short to be drawn: the rest of the spectrum's
   double largest_height_m = 0.0;       // a bound for culling: 99.9999 % of crests, chop included
   double largest_shift_m = 0.0;        // the same for horizontal displacement
+  MeshError mesh_error;                // what meshes of this sea miss
+  NearMotion near_motion;              // its horizontal part with the sea's chop
 };
 SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins);
 

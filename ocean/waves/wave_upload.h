@@ -26,6 +26,10 @@ class WaveUpload {
   // Other amplitudes and chop from the next update on (WaveField::take).
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
+  const WaveField& field() const { return field_; }
+  // Of the last update; null before the first.
+  const WaveTiles* tiles() const { return uploaded_ ? &tiles_ : nullptr; }
+
  private:
   static constexpr int planes = 3;  // shift, slope, moments: the three images
   struct Copy {

@@ -1,11 +1,11 @@
-// One patch of the surface, 8 by 8 quads, as the quadtree selects it and surface.vert draws it.
+// One patch of the surface, 4 by 4 quads, as the quadtree selects it and surface.vert draws it.
 #ifndef SEASCAPE_PATCH_INSTANCE_H
 #define SEASCAPE_PATCH_INSTANCE_H
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 
 // Quads along a patch's side. Small patches follow distance closely, and little of what is drawn lies out of sight.
-SEASCAPE_CONST int patch_quads = 8;
+SEASCAPE_CONST int patch_quads = 4;
 
 // Bits of PatchInstance::flags. An edge bit: the neighbour on that side is one level coarser, so this patch's odd
 // vertices of that edge snap to its even ones. East is +x, north is +z, as in the 16 variants of the design.
@@ -14,15 +14,15 @@ SEASCAPE_CONST uint patch_north = 2u;
 SEASCAPE_CONST uint patch_west = 4u;
 SEASCAPE_CONST uint patch_south = 8u;
 // A strip of the horizon skirt: row 0 is the outer edge of a patch on the root's border, the rows after it go outwards
-// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The five at
+// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The six at
 // patch_skirt_band say which of the skirt's rows, patch_quads at a time, the strip has.
 SEASCAPE_CONST uint patch_skirt = 16u;
 SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
-SEASCAPE_CONST uint patch_level_shift = 8u;  // four bits: the level (0 the root)
-SEASCAPE_CONST uint patch_skirt_band_shift = 12u;
+SEASCAPE_CONST uint patch_level_shift = 8u;  // five bits: the level (0 the root)
+SEASCAPE_CONST uint patch_skirt_band_shift = 13u;
 
 // The level of a patch from its flags.
-SEASCAPE_FUNCTION uint patch_level(uint flags) { return (flags >> patch_level_shift) & 15u; }
+SEASCAPE_FUNCTION uint patch_level(uint flags) { return (flags >> patch_level_shift) & 31u; }
 
 // Coordinates are whole numbers of the tree's finest vertex spacing, relative to the viewer's grid point, so that two
 // patches that share a vertex compute it from the same numbers.

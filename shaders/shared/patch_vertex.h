@@ -31,7 +31,7 @@ SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j) {
 // How many of the skirt's rows lie between a vertex and the tree's border: 0 for every vertex of the tree.
 SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
   if ((p.flags & patch_skirt) == 0u) return 0;
-  return int((p.flags >> patch_skirt_band_shift) & 31u) * patch_quads + j;
+  return int((p.flags >> patch_skirt_band_shift) & 63u) * patch_quads + j;
 }
 
 // Where the vertex stands, in units of unit_m relative to the grid origin: slid to its coarser neighbour as far as `morph` says,

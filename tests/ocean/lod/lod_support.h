@@ -16,18 +16,29 @@ struct Preset {
   const char* name;
   int patch_quads;
   double threshold, cull_scale;
+  double pixel_error;  // coarser than the preset's, so that thousands of whole meshes are quickly looked through
 };
 inline constexpr std::array<Preset, 4> presets{
-    {{"low", 16, 2.0, 1.2}, {"medium", 32, 1.5, 1.5}, {"high", 64, 1.2, 1.8}, {"ultra", 64, 1.0, 2.0}}};
+    {{"low", 16, 2.0, 1.2, 26.0}, {"medium", 32, 1.5, 1.5, 10.0}, {"high", 64, 1.2, 1.8, 4.0}, {"ultra", 64, 1.0, 2.0, 3.3}}};
 
 inline LodSettings settings_of(const Preset& preset, double ocean_size_m, LodJoin join = LodJoin::masked) {
   LodSettings s;
   s.join = join;
   s.patch_quads = preset.patch_quads;
+  s.pixel_error = preset.pixel_error;
   s.threshold = preset.threshold;
   s.cull_scale = preset.cull_scale;
   s.ocean_size_m = ocean_size_m;
   return s;
+}
+
+inline LodSettings by_threshold(LodSettings s) {
+  s.pixel_error = 0.0;
+  return s;
+}
+// The spacing of vertices over their distance, at most, of a sea of which the tree knows no mesh_error.
+inline double spacing_over_distance(const LodSettings& s) {
+  return s.pixel_error > 0.0 ? s.pixel_error / (Quadtree::error_over_spacing * reference_pixels_per_radian) : Quadtree::spacing_over_distance(s);
 }
 
 // A viewer without eyes: the whole selection, nothing culled.

@@ -22,7 +22,7 @@ glm::dvec3 anywhere(std::mt19937& random, const Quadtree& tree, int n) {
 
 // Every edge of the mesh, vertices identified by the bits of their places, belongs to two triangles that run along it in opposite
 // directions, or to the skirt's outer border; no triangle is turned over and together they cover the root once. Calm and storm,
-// and a threshold coarser than any preset's. Controls seen, each fails here: vertices that arrive 10 % beyond the reach, distance
+// and an error larger than any preset's. Controls seen, each fails here: vertices that arrive 10 % beyond the reach, distance
 // by the vertex itself instead of the one it slides to, the skirt's strips not sliding, a twelfth of the room between levels
 // beyond the visible reach.
 TEST(MorphHard, TheWholeMeshIsWatertight) {
@@ -30,7 +30,7 @@ TEST(MorphHard, TheWholeMeshIsWatertight) {
   for (std::size_t k = 0; k < 5; ++k)
     for (const double size : {256.0, 777.7, 1024.0, 4096.0, 8192.0}) {
       LodSettings settings = settings_of(presets[std::min<std::size_t>(k, 3)], size, LodJoin::morphed);
-      if (k == 4) settings.threshold = 4.0, settings.patch_quads = 16;
+      if (k == 4) settings.pixel_error = 64.0, settings.patch_quads = 16;
       Quadtree tree(settings);
       for (int n = 0; n < 24; ++n) {
         const glm::dvec3 eye = anywhere(random, tree, n);
@@ -63,9 +63,9 @@ TEST(MorphHard, VerticesStayInTheirPatch) {
   std::mt19937 random(4);
   int slid = 0, arrived = 0;
   for (const Preset& preset : presets)
-    for (const double threshold : {0.0, 4.0}) {
+    for (const double pixels : {0.0, 64.0}) {
       LodSettings settings = settings_of(preset, 4096.0, LodJoin::morphed);
-      if (threshold > 0.0) settings.threshold = threshold;
+      if (pixels > 0.0) settings.pixel_error = pixels;
       Quadtree tree(settings);
       for (int n = 0; n < 40; ++n) {
         const SurfaceSelection& s = tree.select(everything_from(anywhere(random, tree, n)), {n % 3 * 1.5 + 0.1, 1.0});
@@ -124,7 +124,7 @@ double greatest_step(LodJoin join, const Preset& preset) {
   // Each with a swell that a mesh at that distance just resolves, where missing it shows most.
   for (int n = 0; n < 40; ++n) {
     const glm::dvec2 off = glm::dvec2(unit(random), unit(random)) * std::pow(10.0, 1.2 + 0.8 * unit(random));
-    places.push_back({off, std::max(8.0 * Quadtree::spacing_over_distance(tree.settings()) * glm::length(off), 2.0)});
+    places.push_back({off, std::max(8.0 * spacing_over_distance(tree.settings()) * glm::length(off), 2.0)});
   }
   std::vector<double> before(places.size(), std::nan(""));
   double most = 0.0;

@@ -55,6 +55,9 @@ TEST(QuadtreeSettings, NamesTheKeyTheValueAndTheRange) {
       {with(&LodSettings::ocean_size_m, 8193.0), "ocean_size_m", "8193", "256 to 8192"},
       {with(&LodSettings::ocean_size_m, nan), "ocean_size_m", "nan", "256 to 8192"},
       {with(&LodSettings::patch_quads, 24), "patch_quads", "24", "16, 32 or 64"},
+      {with(&LodSettings::pixel_error, 0.2), "pixel_error", "0.2", "0.25 to 64"},
+      {with(&LodSettings::pixel_error, 65.0), "pixel_error", "65", "0.25 to 64"},
+      {with(&LodSettings::pixel_error, -1.0), "pixel_error", "-1", "0.25 to 64"},
       {with(&LodSettings::threshold, 0.4), "threshold", "0.4", "0.5 to 4"},
       {with(&LodSettings::threshold, 4.5), "threshold", "4.5", "0.5 to 4"},
       {with(&LodSettings::cull_scale, 0.9), "cull_scale", "0.9", "1 to 4"},
@@ -103,7 +106,7 @@ TEST(Quadtree, DetailFollowsThresholdAndHeight) {
   };
   EXPECT_GT(deepest(0.8, 100.0), deepest(1.6, 100.0));
   EXPECT_GT(deepest(1.2, 10.0), deepest(1.2, 1000.0));
-  EXPECT_EQ(deepest(1.2, 1.0), 13);  // 10 of squares of 64 quads, and three of patches in each
+  EXPECT_EQ(deepest(1.2, 1.0), 14);  // 10 of squares of 64 quads, and four of patches in each
   EXPECT_EQ(deepest(1.2, 20000.0), Quadtree::least_levels);
   EXPECT_EQ(deepest(1.2, -500.0), deepest(1.2, 500.0));
 }
@@ -113,12 +116,12 @@ TEST(Quadtree, DetailFollowsThresholdAndHeight) {
 // no farther than that distance and the ring that balancing adds. Control seen: visible_reach infinite.
 TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
   for (const Preset& preset : presets) {
-    Quadtree tree(settings_of(preset, 4096.0));
+    Quadtree tree(by_threshold(settings_of(preset, 4096.0)));
     const SurfaceSelection& still = tree.select(everything_from({3.0, 1.7, 5.0}), {0.0, 0.0});
     EXPECT_EQ(still.patches.size() - static_cast<std::size_t>(still.skirt_strips), 16u) << preset.name;
     for (const double height : {0.01, 0.1, 0.5}) {
       const SurfaceSelection& s = tree.select(everything_from({3.0, 1.7, 5.0}), {height, 0.0});
-      const double reach = height / (Quadtree::error_over_spacing * Quadtree::spacing_over_distance(tree.settings()));
+      const double reach = height / (Quadtree::error_over_spacing * spacing_over_distance(tree.settings()));
       int finer = 0;
       for (const auto& p : s.patches) {
         if (is_skirt(p) || level_of(p) <= Quadtree::least_levels) continue;
@@ -126,7 +129,7 @@ TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
         const double side = p.stride * gpu::patch_quads * s.unit_m;
         const glm::dvec2 gap = glm::max(glm::max(glm::dvec2(p.corner) * s.unit_m, -glm::dvec2(p.corner) * s.unit_m - side), glm::dvec2(0.0));
         // Its parent holds it and is split: within reach, or beside a node that is, or beside one that is split for that.
-        ASSERT_LE(glm::length(gap), reach + 4.0 * side) << preset.name << ' ' << height << " m of water, patch of " << side << " m";
+        ASSERT_LE(glm::length(gap), reach + 7.0 * side) << preset.name << ' ' << height << " m of water, patch of " << side << " m";
       }
       if (reach > 4.0) {
         EXPECT_GT(finer, 0);
@@ -135,22 +138,23 @@ TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
   }
 }
 
-// The vertex budget of the presets at deck height (60 degrees, 16:9, 4096 m). Mean patches of 8 by 8 quads in view: low 85, medium
-// 105, high 295, ultra 453. Control seen: ultra's threshold at high.
+// The vertex budget of the presets at deck height (60 degrees, 16:9, 720 lines, 4096 m) over a sea of which the tree knows no more than
+// its bounds. Mean patches of 4 by 4 quads in view: see `most`, a tenth more. Control seen: ultra's error at high.
 TEST(Quadtree, PresetsStayInTheirVertexBudget) {
-  const std::array<double, 4> most{95.0, 115.0, 325.0, 490.0};
+  const std::array<double, 4> most{275.0, 790.0, 3200.0, 14100.0}, pixels{8.0, 4.0, 2.0, 1.0};
   for (std::size_t n = 0; n < presets.size(); ++n) {
-    Quadtree tree(settings_of(presets[n], 4096.0));
+    LodSettings settings = settings_of(presets[n], 4096.0, LodJoin::morphed);
+    settings.pixel_error = pixels[n];
+    Quadtree tree(settings);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     double sum = 0.0;
-    for (int view = 0; view < 300; ++view) {
+    for (int view = 0; view < 100; ++view) {
       const Pose head{{unit(random) * 1000.0, 1.7, unit(random) * 1000.0}, glm::angleAxis(unit(random) * 6.2832, glm::dvec3(0.0, 1.0, 0.0))};
-      sum += static_cast<double>(tree.select({head, {{head, symmetric_fov(60.0, 16.0 / 9.0)}}}, {0.8, 0.6}).patches.size());
+      sum += static_cast<double>(tree.select({head, {{head, symmetric_fov(60.0, 16.0 / 9.0)}}, 623.5}, {0.8, 0.6}).patches.size());
     }
-    EXPECT_LT(sum / 300.0, most[n]) << presets[n].name;
-    EXPECT_GT(sum / 300.0, 20.0) << presets[n].name;
-    EXPECT_LT(tree.select(everything_from({0, 1.7, 0}), {0.8, 0.6}).unit_m * 60.0, presets[n].patch_quads == 64 ? 8.0 : 33.0);
+    EXPECT_LT(sum / 100.0, most[n]) << presets[n].name;
+    EXPECT_GT(sum / 100.0, 20.0) << presets[n].name;
   }
 }
 
@@ -234,18 +238,26 @@ TEST(Quadtree, DoesNotAllocateOnceTheListHasItsSize) {
     ASSERT_EQ(tree.select(everything_from({n * 3.7, 1.7 + n % 50, n * 1.3}), {}).patches.data(), first);
 }
 
-// Nearer water is drawn first (what it hides costs nothing), the skirt last. Control seen: find_splits turned round.
+// Nearer water is drawn first (what it hides costs nothing): finer patches before coarser ones, of each the rows from the viewer's
+// outwards; the skirt last. Control seen: levels in the other order.
 TEST(Quadtree, ListsTreePatchesBeforeTheSkirt) {
   const SurfaceSelection s = Quadtree{LodSettings{}}.select(everything_from({0.0, 1.7, 0.0}), {});
-  int strips = 0;
+  int strips = 0, stride = 0, row = 0;
   for (const auto& p : s.patches) {
     EXPECT_FALSE(strips > 0 && !is_skirt(p));
     strips += is_skirt(p) ? 1 : 0;
+    if (is_skirt(p)) continue;
+    EXPECT_GE(p.stride, stride);
+    const int side = p.stride * gpu::patch_quads, off = std::max({p.corner.y, -p.corner.y - side, 0});
+    if (p.stride == stride) {
+      EXPECT_GE(off + side, row) << p.stride;
+    }
+    stride = p.stride;
+    row = off;
   }
   EXPECT_EQ(strips, s.skirt_strips);
   EXPECT_GE(strips, 8);
   EXPECT_FALSE(is_skirt(s.patches.front()));
-  EXPECT_LE(std::abs(s.patches.front().corner.x), s.patches.front().stride * gpu::patch_quads);
 }
 
 // Facts: sqrt(2 R h + h^2): 1.7 m -> 4,654 m.
