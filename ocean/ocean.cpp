@@ -32,6 +32,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     long_waves_ = std::make_unique<WaveField>(settings.sea, longest);
   } else {
     upload_ = std::make_unique<WaveUpload>(device, settings.sea, settings.waves, bins_, waves_);
+  }
   for (const auto& source : settings.sources) {
     if (source->still()) continue;
     sources_.push_back(std::make_unique<DrawnSource>(device, source, waves_.half_storage()));

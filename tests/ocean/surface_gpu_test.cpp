@@ -87,7 +87,7 @@ TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
     for (const char* scene : {"open_sea", "calm", "storm", "swell", "rain_pool"}) {
       const Errors e = errors(GetParam(), scene, preset, {}, near_water, 33.3, 1000);
       EXPECT_EQ(e.points, 1000);
-      EXPECT_GT(e.resolved, std::string(scene) == "rain_pool" ? 150 : 300) << "too few of the points are moved by waves";
+      EXPECT_GT(e.resolved, std::string(scene) == "rain_pool" ? 50 : 300) << "too few of the points are moved by waves";
       EXPECT_LE(e.worst_m, 1e-3 * e.hs_m) << e.where;
       EXPECT_LE(e.worst_m, 5e-3) << e.where;
       RecordProperty(std::string(preset) + "_" + scene, std::to_string(e.worst_m) + " m of Hs " + std::to_string(e.hs_m));
