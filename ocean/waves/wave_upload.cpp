@@ -71,8 +71,9 @@ QueryAnswer WaveUpload::query(glm::dvec2 place_m) const {
 }
 
 void WaveUpload::update(Frame& frame, std::int64_t ticks) {
+  // Not an older copy either: selection asks the tiles, which are of the last time that was evaluated.
   const auto held = std::find(held_.begin(), held_.end(), ticks);
-  if (held != held_.end()) return images_.show(std::size_t(held - held_.begin()));
+  if (held != held_.end() && tiles_.ticks() == ticks) return images_.show(std::size_t(held - held_.begin()));
   if (images_.filled() == WaveImages::Filled::copied) {
     copy(frame, ticks);
     held_[0] = ticks;

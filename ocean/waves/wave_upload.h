@@ -28,7 +28,7 @@ class WaveUpload {
 
   const WaveField& field() const { return field_; }
   // Of the last update; null before the first.
-  const WaveTiles* tiles() const { return uploaded_ ? &tiles_ : nullptr; }
+  const WaveTiles* tiles() const { return tiles_.cascades() > 0 ? &tiles_ : nullptr; }
 
  private:
   static constexpr int planes = 3;  // shift, slope, moments: the three images
