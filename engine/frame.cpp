@@ -13,13 +13,14 @@ void Commands::note(std::uint64_t what) {
   counts_->hash = (counts_->hash ^ what) * 1099511628211ull;
 }
 
-void Commands::bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets) {
+void Commands::bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets, bool facing) {
   pipeline_ = &pipeline;
-  vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.get());
-  note(pipeline.hash());
+  const VkPipeline variant = facing ? pipeline.facing() : pipeline.get();
+  vkCmdBindPipeline(commands_, pipeline.bind_point(), variant);
+  note(pipeline.hash() + (facing ? 1u : 0u));
   PipelineWork& last = work_->back();
-  if (!last.pipeline) last.pipeline = pipeline.get();
-  else if (last.pipeline != pipeline.get()) work_->push_back({last.pass, last.pass_number, pipeline.get()});
+  if (!last.pipeline) last.pipeline = variant;
+  else if (last.pipeline != variant) work_->push_back({last.pass, last.pass_number, variant});
   if (VkDescriptorSet set = bindings.get()) {
     assert(uniform_offsets.size() >= pipeline.dynamic_uniforms());
     vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, pipeline.dynamic_uniforms(),

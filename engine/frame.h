@@ -66,7 +66,8 @@ struct Upload {
 // The one place where commands are recorded.
 class Commands {
  public:
-  void bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets = {});
+  // `facing`: the variant that draws only what faces the eye, where the pipeline has it.
+  void bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets = {}, bool facing = false);
   template <typename T>
   void push(const T& constants) {
     static_assert(sizeof(T) <= 128);

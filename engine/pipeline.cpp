@@ -106,7 +106,7 @@ class GraphicsBuilder {
     viewport.viewportCount = viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.polygonMode = spec.wireframe ? VK_POLYGON_MODE_LINE : VK_POLYGON_MODE_FILL;
-    raster.cullMode = spec.cull;
+    raster.cullMode = VK_CULL_MODE_NONE;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1.0f;
     VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
@@ -146,6 +146,11 @@ class GraphicsBuilder {
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
     p.pipeline_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment);
+    if (spec.facing) {
+      raster.cullMode = VK_CULL_MODE_BACK_BIT;
+      check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
+      p.facing_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment + ", facing");
+    }
     return p;
   }
 };

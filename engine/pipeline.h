@@ -17,6 +17,8 @@ class Pipeline {
  public:
   Pipeline() = default;
   VkPipeline get() const { return pipeline_.get(); }
+  // The variant that draws only triangles that face the eye (GraphicsSpec::facing), or else the pipeline itself.
+  VkPipeline facing() const { return facing_ ? facing_.get() : pipeline_.get(); }
   VkPipelineLayout layout() const { return layout_.get(); }
   VkDescriptorSetLayout set_layout() const { return set_layout_.get(); }
   const std::vector<ShaderBinding>& bindings() const { return bindings_; }
@@ -41,7 +43,7 @@ class Pipeline {
   std::uint64_t hash_ = 0;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkPipelineLayout> layout_;
-  Owned<VkPipeline> pipeline_;
+  Owned<VkPipeline> pipeline_, facing_;
 };
 
 Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std::string& name,
@@ -53,7 +55,7 @@ struct GraphicsSpec {
   std::vector<VkVertexInputBindingDescription> buffers;
   std::vector<VkVertexInputAttributeDescription> attributes;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  VkCullModeFlags cull = VK_CULL_MODE_NONE;
+  bool facing = false;  // a variant besides, of the same shaders, that draws only what faces the eye
   bool depth_test = true, depth_write = true;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed depth
   bool wireframe = false;

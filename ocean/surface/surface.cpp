@@ -51,6 +51,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture);
+  // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above first.
+  spec.facing = !spec.wireframe;
   pipeline_ = make_graphics_pipeline(device, shaders, target(picture), spec);
   entries_ = {
       {.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
@@ -71,9 +73,6 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   }
   for (std::size_t copy = 0; copy < waves.copies().size(); ++copy) bindings_.emplace_back(device, pipeline_, entries(copy), "surface");
   if (!look.deferred) return;
-  // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above first.
-  spec.cull = VK_CULL_MODE_BACK_BIT;
-  air_pipeline_ = make_graphics_pipeline(device, shaders, points_, spec);
   GraphicsSpec once;
   once.vertex = "sky.vert";
   once.fragment = "surface_light.frag";
@@ -128,7 +127,7 @@ void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& sel
   if (selection.patches.empty()) return;
   const Upload instances =
       frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
-  commands.bind(from_air && air_pipeline_ ? air_pipeline_ : pipeline_, bindings_[waves_.shown()], {frame_uniform, 0u});
+  commands.bind(pipeline_, bindings_[waves_.shown()], {frame_uniform, 0u}, from_air);
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(instances);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);

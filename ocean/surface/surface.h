@@ -67,7 +67,7 @@ class Surface {
   std::uint32_t index_count_ = 0;
   std::vector<Bound> entries_;  // without the waves
   RenderTarget points_;
-  Pipeline pipeline_, air_pipeline_, light_pipeline_;
+  Pipeline pipeline_, light_pipeline_;
   Owned<VkSampler> points_sampler_;
   std::vector<Bindings> bindings_, light_bindings_;  // one for each copy of the waves' images
 };
