@@ -189,38 +189,39 @@ TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
 
 // On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A toggle builds the scene
 // anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
-TEST_F(EffectProof, TogglingLeavesNothingBehind) {
-  for (const EffectUnderProof& effect : table) {
-    SCOPED_TRACE(effect.name);
-    SeaShot shot(options(effect, effect.without));
-    const auto held = [&] {
-      test::device().wait_idle();
-      return std::pair(test::device().objects().size(), test::device().memory().used_bytes());
-    };
-    shot.draw(head, 0.0);
-    const auto before = held();
-    const Image8 without = shot.picture(head, 2.0);
-    shot.experience().apply_effects(effect.with);
-    const Image8 with = shot.picture(head, 2.0);
-    const auto then = held();
-    EXPECT_EQ(then != before, effect.objects);
-    EXPECT_GT(test::differing_pixels(with, without), 0);
-    const int times = std::getenv("SEASCAPE_LONG") ? 500 : 20;
-    for (int i = 0; i < times; ++i) {
-      shot.experience().apply_effects(effect.without);
-      if (i % 13 == 0) {
-        EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), without), 0);
-        EXPECT_EQ(held(), before);
-      }
-      shot.experience().apply_effects(effect.with);
-      if (i % 11 == 0) {
-        EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), with), 0);
-      }
-    }
-    EXPECT_EQ(held(), then);
+class EffectToggled : public EffectProof, public testing::WithParamInterface<EffectUnderProof> {};
+INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(table), [](const auto& effect) { return effect.param.name; });
+
+TEST_P(EffectToggled, LeavesNothingBehind) {
+  const EffectUnderProof& effect = GetParam();
+  SeaShot shot(options(effect, effect.without));
+  const auto held = [&] {
+    test::device().wait_idle();
+    return std::pair(test::device().objects().size(), test::device().memory().used_bytes());
+  };
+  shot.draw(head, 0.0);
+  const auto before = held();
+  const Image8 without = shot.picture(head, 2.0);
+  shot.experience().apply_effects(effect.with);
+  const Image8 with = shot.picture(head, 2.0);
+  const auto then = held();
+  EXPECT_EQ(then != before, effect.objects);
+  EXPECT_GT(test::differing_pixels(with, without), 0);
+  const int times = std::getenv("SEASCAPE_LONG") ? 500 : 20;
+  for (int i = 0; i < times; ++i) {
     shot.experience().apply_effects(effect.without);
-    EXPECT_EQ(held(), before);
+    if (i % 13 == 0) {
+      EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), without), 0);
+      EXPECT_EQ(held(), before);
+    }
+    shot.experience().apply_effects(effect.with);
+    if (i % 11 == 0) {
+      EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), with), 0);
+    }
   }
+  EXPECT_EQ(held(), then);
+  shot.experience().apply_effects(effect.without);
+  EXPECT_EQ(held(), before);
 }
 
 // Declared but not needed: while the clock stands an effect's pass is not recorded from the second frame on, and back in the first frame that it runs in;

@@ -1,4 +1,4 @@
-// The four shipped scenes against reference pictures (tests/golden/README.md says why each is there).
+// The shipped scenes against reference pictures (tests/golden/README.md says why each is there).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -54,10 +54,12 @@ TEST_F(Golden, OpenSea) { expect_golden("open_sea", "gpu"); }
 TEST_F(Golden, Calm) { expect_golden("calm", "gpu"); }
 TEST_F(Golden, Storm) { expect_golden("storm", "gpu"); }
 TEST_F(Golden, Swell) { expect_golden("swell", "gpu"); }
+TEST_F(Golden, RainPool) { expect_golden("rain_pool", "gpu"); }
 TEST_F(Golden, OpenSeaUploaded) { expect_golden("open_sea", "cpu"); }
 TEST_F(Golden, CalmUploaded) { expect_golden("calm", "cpu"); }
 TEST_F(Golden, StormUploaded) { expect_golden("storm", "cpu"); }
 TEST_F(Golden, SwellUploaded) { expect_golden("swell", "cpu"); }
+TEST_F(Golden, RainPoolUploaded) { expect_golden("rain_pool", "cpu"); }
 
 // The control: changes of light, water and waves that an eye would see are outside the tolerance.
 TEST_F(Golden, WhatAnEyeWouldSeeIsOutsideTheTolerance) {

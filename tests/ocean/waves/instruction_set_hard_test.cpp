@@ -7,6 +7,7 @@
 
 #include "ocean/waves/fft.h"
 #include "ocean/waves/query.h"
+#include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -15,31 +16,34 @@ namespace {
 TEST(WaveFieldHard, bits_do_not_depend_on_the_instruction_set) {
   // The tiles of every vector instruction set that this processor has are the same to the bit, so that the
   // same table of waves is the same sea on every machine. Control: one multiply-add in place of a product and a sum differs in the last bit
-  // (seen between SSE4 and AVX2), columns of a mip level summed before rows on SSE4 alone in its levels from 1 on (seen).
-  const SeaState sea{.swell_height_m = 1};
-  const WaveField field(sea, {.resolution = 128, .cascades = 2});
-  WaveTiles best(true);
-  field.evaluate(987654321, best);
-  int sets = 0;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().DeInit();
-    WaveTiles tiles(true);
-    field.evaluate(987654321, tiles);
-    for (int c = 0; c < 2; ++c)
-      for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity}) {
-        for (int level = 0; level < best.levels(c); ++level) {
-          const std::size_t bytes = sizeof(glm::vec4) * std::size_t(best.stride(c, level)) * std::size_t(best.samples(c) >> level);
-          EXPECT_EQ(std::memcmp(tiles.texels(c, plane, level), best.texels(c, plane, level), bytes), 0)
-              << hwy::TargetName(left & -left) << " cascade " << c << " plane " << int(plane) << " level " << level;
+  // (seen between SSE4 and AVX2), columns of a mip level summed before rows on SSE4 alone in its levels from 1 on (seen); one in either sum of particles (seen).
+  // Tile 2 is that of wave particles, summed in either way.
+  for (const int particles : {800, 5000}) {
+    const SeaState sea{.swell_height_m = 1};
+    const WaveField field(sea, {.resolution = 128, .cascades = 2}, {std::make_shared<WaveParticles>(WaveParticleSettings{.count = particles})});
+    WaveTiles best(true);
+    field.evaluate(987654321, best);
+    int sets = 0;
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+      hwy::SetSupportedTargetsForTest(left & -left);
+      hwy::GetChosenTarget().DeInit();
+      WaveTiles tiles(true);
+      field.evaluate(987654321, tiles);
+      for (int c = 0; c < 3; ++c)
+        for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity}) {
+          for (int level = 0; level < best.levels(c); ++level) {
+            const std::size_t bytes = sizeof(glm::vec4) * std::size_t(best.stride(c, level)) * std::size_t(best.samples(c) >> level);
+            EXPECT_EQ(std::memcmp(tiles.texels(c, plane, level), best.texels(c, plane, level), bytes), 0)
+                << hwy::TargetName(left & -left) << " cascade " << c << " plane " << int(plane) << " level " << level;
+          }
         }
-      }
-    ++sets;
+      ++sets;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+    EXPECT_GE(sets, 1);
+    RecordProperty("instruction_sets", sets);
   }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
-  EXPECT_GE(sets, 1);
-  RecordProperty("instruction_sets", sets);
 }
 
 TEST(FftHard, bits_do_not_depend_on_the_instruction_set) {
@@ -69,7 +73,7 @@ TEST(FftHard, bits_do_not_depend_on_the_instruction_set) {
 TEST(WaveFieldHard, answers_do_not_depend_on_the_instruction_set) {
   // Nor on how many points a vector holds. Control: a multiply-add in the tile coordinates or in the blend of texels.
   const SeaState sea{.swell_height_m = 1};
-  const WaveField field(sea, {.resolution = 128, .cascades = 4});
+  const WaveField field(sea, {.resolution = 128, .cascades = 4}, {std::make_shared<WaveParticles>(WaveParticleSettings{})});
   WaveTiles tiles(true);
   field.evaluate(987654321, tiles);
   std::vector<glm::dvec2> places;
