@@ -215,7 +215,7 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
     BarrierBatch barriers;
     if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
     if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
-    if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
+    if (target.depth() && !spec.keep_depth) barriers.add(*target.depth(), Access::depth_target, true);
     counts_.barriers += std::uint64_t(barriers.record(commands_.commands_));
   }
   VkClearValue clears[3]{};

@@ -30,7 +30,8 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   const VkImageLayout colour_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   // With several samples only the resolved picture is stored; the samples never leave the tile.
   VkAttachmentReference colours[2];
-  colours[0] = add(spec.colour, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
+  const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+  colours[0] = add(spec.colour, samples, begin,
                    multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
   VkAttachmentReference depth{}, resolve{};
   VkSubpassDescription subpass{};
@@ -38,13 +39,14 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = colours;
   if (spec.depth) {
-    depth = add(device.facts().depth_format, samples, VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_DONT_CARE,
+    depth = add(device.facts().depth_format, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                spec.keep_depth ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE,
                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
     subpass.pDepthStencilAttachment = &depth;
   }
   if (spec.second != VK_FORMAT_UNDEFINED) {
     assert(!multi);
-    colours[1] = add(spec.second, samples, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
+    colours[1] = add(spec.second, samples, begin, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
     subpass.colorAttachmentCount = 2;
   }
   if (multi) {
@@ -63,7 +65,7 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   info.pAttachments = attachments.data();
   info.subpassCount = 1;
   info.pSubpasses = &subpass;
-  const std::string key = fmt::format("pass colour {} {} samples {} depth {} views {} {}", int(spec.colour), int(spec.second), spec.samples, spec.depth,
+  const std::string key = fmt::format("pass colour {} {} cleared {} samples {} depth {} {} views {} {}", int(spec.colour), int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.keep_depth,
                                       spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
   return device.cached_render_pass(key, info);
 }
@@ -98,6 +100,11 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
   if (spec.samples > 1) multisampled_ = Image(device, fmt::format("{} samples", name), image);
   image.format = device.facts().depth_format;
   image.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  if (spec.keep_depth) {
+    image.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
+    image.transient = false;
+    image.layers = std::uint32_t(spec.views);
+  }
   if (spec.depth) depth_ = Image(device, fmt::format("{} depth", name), image);
 
   const std::uint32_t passes = spec.per_eye ? std::uint32_t(spec.views) : 1u;

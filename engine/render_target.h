@@ -16,6 +16,8 @@ struct TargetSpec {
   VkFormat second = VK_FORMAT_UNDEFINED;  // of a second colour image that is drawn at once, with one sample
   int samples = 1;
   bool depth = true;
+  bool keep_depth = false;       // a pass after may read it: stored, a layer a view
+  bool clear_colour = true;      // or else whoever reads it knows from the depth where nothing was drawn
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 1.0f};
 };
 

@@ -15,7 +15,7 @@ layout(constant_id = 4) const bool debug = false;
 layout(constant_id = 10) const bool deferred = false;  // pixels have their place from their depth
 layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 
-layout(location = 0) in ivec4 patch_data;  // PatchInstance: corner, stride, flags
+layout(location = 0) in ivec4 patch_data[patches_an_instance];  // PatchInstance: corner, stride, flags
 
 layout(location = 0) out vec3 place;       // metres from the viewer, world axes
 layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
@@ -34,8 +34,16 @@ vec3 curved(vec2 flat_xz, float y, float c) {
 }
 
 void main() {
-  const int i = gl_VertexIndex % (patch_quads + 1), j = gl_VertexIndex / (patch_quads + 1);
-  const PatchInstance p = PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w));
+  const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
+  const int i = vertex % side, j = vertex / side;
+  ivec4 data = patch_data[0];  // written out: an input that each lane indexes by itself is slow
+  for (int n = 1; n < patches_an_instance; ++n)
+    if (n == number) data = patch_data[n];
+  const PatchInstance p = PatchInstance(data.xy, data.z, uint(data.w));
+  if ((p.flags & patch_nothing) != 0u) {
+    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // before the near plane
+    return;
+  }
   const vec2 stands = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y, frame.morph);
   rest = stands * frame.skirt.z;
   const vec2 from_viewer = rest - frame.viewer.xy;
@@ -50,8 +58,7 @@ void main() {
   derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;
   if (probe) {
-    const int n = (patch_quads + 1) * (patch_quads + 1);
-    const int at = 2 * (gl_InstanceIndex * n + gl_VertexIndex);
+    const int at = 2 * ((gl_InstanceIndex * patches_an_instance + number) * side * side + vertex);
     probed[at] = vec4(rest, displaced, 0.0);
     probed[at + 1] = vec4(from_viewer + d.xz, d.y, 0.0);
   }

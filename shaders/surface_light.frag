@@ -10,6 +10,7 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 
 layout(binding = 16) uniform usampler2DArray places;
 layout(binding = 17) uniform usampler2DArray changes;
+layout(binding = 18) uniform sampler2DArray depths;
 
 layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here
 layout(constant_id = 4) const bool debug = false;
@@ -20,25 +21,25 @@ layout(location = 0) out vec4 colour;
 void main() {
   const ivec3 at = ivec3(gl_FragCoord.xy, eye_index());
   const ViewData view = frame.view[eye_index()];
-  const uvec4 place = texelFetch(places, at, 0);
+  const float depth = texelFetch(depths, at, 0).r;
   vec3 lit;
-  if (place.z == 0u) {
+  if (depth == 0.0) {
     lit = sky_light(normalize(pixel_ray), view.eye.w);
   } else {
-    const uvec4 change = texelFetch(changes, at, 0);
+    const uvec4 place = texelFetch(places, at, 0), change = texelFetch(changes, at, 0);
     SurfacePoint p;
     // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own measure.
-    p.relative = view.eye.xyz + pixel_ray * (frame.air.z / uintBitsToFloat(place.z));
+    p.relative = view.eye.xyz + pixel_ray * (frame.air.z / depth);
     p.rest = uintBitsToFloat(place.xy);
-    p.height_shear = unpackHalf2x16(place.w);
+    p.height_shear = unpackHalf2x16(place.z);
     p.derivatives = vec4(unpackHalf2x16(change.x), unpackHalf2x16(change.y));
-    p.along = unpackHalf2x16(change.z);
-    p.across = unpackHalf2x16(change.w);
+    p.along = unpackHalf2x16(place.w);
+    p.across = unpackHalf2x16(change.z);
     vec3 normal;
     lit = sea_light(p, view, normal);
   }
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.grid.w == debug_holes && place.z == 0u && is_hole(normalize(pixel_ray), view)) colour = hole_colour(tile_shape);
+  if (debug && frame.grid.w == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view)) colour = hole_colour(tile_shape);
 }

@@ -1,5 +1,6 @@
 #include "ocean/surface/surface.h"
 
+#include <array>
 #include <bit>
 
 #include "ocean/lod/patch_mesh.h"
@@ -23,7 +24,8 @@ RenderTarget make_points(Device& device, const RenderTarget& picture) {
   spec.views = picture.spec().views;
   spec.per_eye = picture.spec().per_eye;
   spec.colour = spec.second = VK_FORMAT_R32G32B32A32_UINT;
-  spec.clear = {};
+  spec.keep_depth = true;
+  spec.clear_colour = false;
   return RenderTarget(device, "surface points", spec);
 }
 
@@ -33,7 +35,12 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
                  std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
     : device_(device), waves_(waves), look_(look) {
   const EffectScope scope(device, "surface");
-  const auto indices = patch_indices(gpu::patch_quads);
+  const auto of_one = patch_indices(gpu::patch_quads);
+  constexpr int vertices_a_patch = (gpu::patch_quads + 1) * (gpu::patch_quads + 1);
+  static_assert(gpu::patches_an_instance * vertices_a_patch <= 65536, "indices have 16 bits");
+  std::vector<std::uint16_t> indices;
+  for (int patch = 0; patch < gpu::patches_an_instance; ++patch)
+    for (const std::uint16_t index : of_one) indices.push_back(std::uint16_t(patch * vertices_a_patch + index));
   index_count_ = std::uint32_t(indices.size());
   indices_ = make_filled_buffer(device, "patch indices", indices.data(), indices.size() * 2, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   GraphicsSpec spec;
@@ -47,8 +54,9 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
     for (std::size_t i = 0; i < std::size(slots); ++i)
       if (slots[i].name == source->source().name())
         spec.values[spec.values.size() - std::size(slots) + i].value = std::uint32_t(source->source().layings().size());
-  spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
-  spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
+  spec.buffers = {{0, gpu::patches_an_instance * sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  for (std::uint32_t patch = 0; patch < std::uint32_t(gpu::patches_an_instance); ++patch)
+    spec.attributes.push_back({patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture);
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above first.
@@ -101,6 +109,7 @@ void Surface::bind_light() {
     std::vector<Bound> list = entries(copy);
     list.push_back({.binding = 16, .view = points_.colour().view(), .sampler = points_sampler_.get()});
     list.push_back({.binding = 17, .view = points_.second()->view(), .sampler = points_sampler_.get()});
+    list.push_back({.binding = 18, .view = points_.depth()->view(), .sampler = points_sampler_.get()});
     light_bindings_.emplace_back(device_, light_pipeline_, list, "surface light");
   }
 }
@@ -115,6 +124,7 @@ void Surface::resize(const RenderTarget& picture) {
 void Surface::add_points(Uses& uses) const {
   uses.add(use(points_.colour(), Access::fragment_sample));
   uses.add(use(*points_.second(), Access::fragment_sample));
+  uses.add(use(*points_.depth(), Access::fragment_sample));
 }
 
 void Surface::light(Commands& commands, std::uint32_t frame_uniform) const {
@@ -125,13 +135,19 @@ void Surface::light(Commands& commands, std::uint32_t frame_uniform) const {
 
 void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform, bool from_air) const {
   if (selection.patches.empty()) return;
-  const Upload instances =
-      frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
+  constexpr std::size_t group = gpu::patches_an_instance;
+  const std::size_t instances = (selection.patches.size() + group - 1) / group;
+  const Upload list = frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
+  // The ring grows without gaps between pieces of whole 16 bytes: what fills the last instance follows the list.
+  std::array<gpu::PatchInstance, group> rest;
+  rest.fill({selection.patches.back().corner, 1, gpu::patch_nothing});
+  const std::size_t missing = instances * group - selection.patches.size();
+  if (missing > 0) frame.upload(rest.data(), std::uint32_t(missing * sizeof(gpu::PatchInstance)), 16);
   commands.bind(pipeline_, bindings_[waves_.shown()], {frame_uniform, 0u}, from_air);
   commands.push(gpu::DrawPush{commands.eye()});
-  commands.bind_vertices(instances);
+  commands.bind_vertices(list);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);
-  commands.draw_indexed(index_count_, std::uint32_t(selection.patches.size()));
+  commands.draw_indexed(index_count_, std::uint32_t(instances));
 }
 
 }  // namespace seascape

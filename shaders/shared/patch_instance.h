@@ -21,6 +21,11 @@ SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
 SEASCAPE_CONST uint patch_level_shift = 8u;  // five bits: the level (0 the root)
 SEASCAPE_CONST uint patch_skirt_band_shift = 13u;
 
+// So many patches are one instance of the draw, because an instance of a few triangles costs drivers more than the triangles do.
+// Where a list ends within an instance the rest of it is nothing.
+SEASCAPE_CONST int patches_an_instance = 8;
+SEASCAPE_CONST uint patch_nothing = 0x80000000u;
+
 // The level of a patch from its flags.
 SEASCAPE_FUNCTION uint patch_level(uint flags) { return (flags >> patch_level_shift) & 31u; }
 
