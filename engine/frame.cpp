@@ -62,10 +62,10 @@ void Commands::draw(std::uint32_t vertices, std::uint32_t instances) {
   count_draw(std::uint64_t(vertices / 3) * instances);
 }
 
-void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances) {
+void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances, std::uint64_t nothing) {
   vkCmdDrawIndexed(commands_, indices, instances, 0, 0, 0);
   note(8 + (std::uint64_t(indices) << 8) + (std::uint64_t(instances) << 32));
-  count_draw(std::uint64_t(indices / 3) * instances);
+  count_draw(std::uint64_t(indices / 3) * instances - nothing);
 }
 
 void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions) {

@@ -77,7 +77,8 @@ class Commands {
   void bind_vertices(const Upload& upload);
   void bind_indices(const Buffer& buffer, VkIndexType type);
   void draw(std::uint32_t vertices, std::uint32_t instances = 1);
-  void draw_indexed(std::uint32_t indices, std::uint32_t instances);
+  // `nothing`: so many of the triangles are not there (shaders/shared/patch_instance.h), and are not counted.
+  void draw_indexed(std::uint32_t indices, std::uint32_t instances, std::uint64_t nothing = 0);
   // Copies texels of a buffer (Access::transfer_read) into an image (Access::transfer_write).
   void copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions);
   // Copies all of a buffer (Access::transfer_read) into another of its size (Access::transfer_write).

@@ -147,7 +147,7 @@ void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& sel
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(list);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);
-  commands.draw_indexed(index_count_, std::uint32_t(instances));
+  commands.draw_indexed(index_count_, std::uint32_t(instances), missing * 2u * gpu::patch_quads * gpu::patch_quads);
 }
 
 }  // namespace seascape

@@ -53,6 +53,7 @@ TEST_F(DebugViews, WireframeDrawsTheMeshsEdges) {
   if (!test::device().facts().wireframe) GTEST_SKIP() << "this device draws no lines of polygons";
   for (const char* preset : {"low", "high"}) {
     SeaShot shot = shot_of("calm", preset, "wireframe");
+    shot.set("lod.pixel_error", "8");  // triangles that have a middle
     const Viewpoint view = looking(pose({3.0, std::string(preset) == "low" ? 6.0 : 1.2, 5.0}, 20.0, -60.0));
     const Image8 picture = shot.picture(view, time_s);
     const DrawnMesh mesh(shot, view);

@@ -117,8 +117,7 @@ void expect_what_a_frame_records(const std::string& place) {
   ASSERT_EQ(named(plan, "surface").passes.size(), 1u);
   const PlanPass& surface = named(plan, "surface").passes[0];
   EXPECT_EQ(surface.draws, 1u) << "all patches and both eyes";
-  constexpr std::size_t group = gpu::patches_an_instance;  // of which the last may be in part nothing
-  EXPECT_EQ(surface.triangles, (shot.experience().ocean().selection()->patches.size() + group - 1) / group * group * gpu::patch_quads * gpu::patch_quads * 2);
+  EXPECT_EQ(surface.triangles, shot.experience().ocean().selection()->patches.size() * gpu::patch_quads * gpu::patch_quads * 2);
   const PlanEffect& waves = named(plan, "waves");
   if (place == "gpu") {
     EXPECT_EQ(waves.passes.size(), 3u);

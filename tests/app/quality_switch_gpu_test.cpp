@@ -45,7 +45,7 @@ TEST_F(QualitySwitch, hard_41_in_mid_frame_gives_the_old_picture_or_the_new) {
     fresh.push_back(shot.picture(head, time_s));
   }
   for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b < a; ++b) EXPECT_GT(test::differing_pixels(fresh[a], fresh[b]), 50);
+    for (std::size_t b = 0; b < a; ++b) EXPECT_GT(test::differing_pixels(fresh[a], fresh[b]), 20);
   shot.experience().apply(at(shot, "low"), true);
   (void)shot.picture(head, time_s);
   test::device().wait_idle();
