@@ -84,7 +84,8 @@ Triangles of_one_view(const SurfaceSelection& s, const Sight& sight, int levels,
   return result;
 }
 
-// Prints the table of docs/performance.md. Control seen: a tree of two thirds of the spacing has more triangles than the rings.
+// Prints the table of docs/performance.md. Control seen: nodes that split half as far again as their reach (rings
+// then have fewer).
 TEST(MeshRivalsHard, TheTreeHasFewerTrianglesThanRingsAndAGrid) {
   std::printf("| preset, scene | tree: vertices, triangles | rings | grid |\n");
   for (const Preset& preset : presets)

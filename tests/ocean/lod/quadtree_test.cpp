@@ -139,7 +139,7 @@ TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
 }
 
 // The vertex budget of the presets at deck height (60 degrees, 16:9, 720 lines, 4096 m) over a sea of which the tree knows no more than
-// its bounds. Mean patches of 4 by 4 quads in view: see `most`, a tenth more. Control seen: ultra's error at high.
+// its bounds. Mean patches of 4 by 4 quads in view: see `most`, a tenth more. Control seen: ultra's error at high (12,357).
 TEST(Quadtree, PresetsStayInTheirVertexBudget) {
   const std::array<double, 4> most{275.0, 790.0, 3200.0, 14100.0}, pixels{8.0, 4.0, 2.0, 1.0};
   for (std::size_t n = 0; n < presets.size(); ++n) {
@@ -269,8 +269,8 @@ TEST(Horizon, IsTheTangentsLengthWithRoomToSpare) {
 }
 
 // Rows grow, dense to the multiplier and then by skirt_growth to the horizon; and what lies there stays there while the viewer rises.
-// Controls seen: rows shared out anew by how far the horizon is, as once they were (all of the skirt moves at once when a band
-// comes to it: by 4 pixels on a tree of 256 m); a row less beyond the multiplier.
+// Control seen, as pops in the glides (tests/ocean/glide_gpu_test.cpp): rows shared out anew by how far the horizon is, as once they
+// were (all of the skirt moves at once when a band comes to it: by 4 pixels on a tree of 256 m).
 TEST(Skirt, RowsGrowToTheReachAndStayWhereTheyAre) {
   for (const Preset& preset : presets)
     for (const double size : {256.0, 4096.0})
