@@ -48,7 +48,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
-  const bool from_air = e.ocean_->eyes_in_air(viewpoint);
+  const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture. Deferred: what
   // the sea is in each pixel first, then the light of all pixels.

@@ -15,6 +15,7 @@ struct RenderSettings {
   int msaa = 4;  // samples a pixel: 1, 2, 4 or 8
   FrameShape shape = FrameShape::automatic;
   Lighting lighting = Lighting::automatic;
+  bool facing_only = false;
   StereoMode stereo = StereoMode::automatic;
   DebugView debug = DebugView::none;
   double eye_distance_m = 0.064;

@@ -16,7 +16,7 @@ using test::SeaShot;
 class DeferredLight : public test::GpuTest {};
 
 test::ShotOptions options(const std::string& scene, const std::string& lighting) {
-  return {.scene = scene, .preset = "high", .width = 192, .height = 108, .views = 2, .set = {{"msaa", "1"}, {"frame.lighting", lighting}}};
+  return {.scene = scene, .preset = "high", .width = 192, .height = 108, .views = 2, .set = {{"msaa", "1"}, {"frame.lighting", lighting}, {"frame.facing_only", lighting == "deferred" ? "true" : "false"}}};
 }
 
 // Level and tilted, near and far, straight down, from 20 km; close above the water, where nothing may be culled by its facing,
