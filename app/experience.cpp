@@ -79,6 +79,8 @@ void Experience::build() {
     spdlog::warn("msaa {}: {} has not that many; using {}", render.msaa, device_.facts().name, samples);
     render.msaa = samples;
   }
+  if (render.lighting == Lighting::deferred && !deferred())
+    spdlog::warn("frame.lighting deferred: takes msaa 1 and no debug.view but holes; the sea is lit forward");
   const Settings& s = scene_.settings;
   TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
   ocean_.reset();
