@@ -7,7 +7,7 @@ namespace seascape {
 
 void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
   planes_.resize(eyes.size() * planes_per_eye);
-  row_planes_.resize(eyes.size());
+  for (std::vector<Across>& axis : across_) axis.resize(eyes.size());
   all_ = none;
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const Fov& fov = eyes[e].fov;
@@ -40,61 +40,108 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
       add(normal, all_up[axis] ? -position[axis] : position[axis]);
     }
     if (e < most_eyes) all_ |= ((Questions{1} << count) - 1) << (8 * e);
-    RowPlanes& rows = row_planes_[e];
-    rows.end = 0;
-    const auto sort_in = [&](const auto& belongs) {
-      for (std::size_t p = 0; p < count; ++p)
-        if (belongs(planes[p].x)) {
-          rows.planes[rows.end] = planes[p];
-          rows.inverse_x[rows.end++] = planes[p].x == 0.0 ? 0.0 : 1.0 / planes[p].x;
-        }
-    };
-    constexpr double level = 1e-9;  // below, a plane is as good as along x
-    sort_in([](double x) { return x > level; });
-    rows.turn = rows.end;
-    sort_in([](double x) { return x < -level; });
-    rows.level = rows.end;
-    sort_in([](double x) { return std::abs(x) <= level; });
+    for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes, count, axis == 1);
     for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   }
 }
 
-// A box is beyond a plane where x * centre_x + rest < 0, so the plane keeps all boxes to one side of -rest / x. A thousandth of a
-// box more, for what doubles lose.
-std::size_t EyeFrusta::may_see(const BoxRow& row, BoxRange range, std::vector<BoxRange>& seen) const {
-  seen.resize(std::max<std::size_t>(row_planes_.size(), 1));
-  if (row_planes_.empty()) {
-    seen[0] = range;
-    return range.first <= range.last ? 1 : 0;
+EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t count, bool along_z) {
+  constexpr double level = 1e-9;  // below, a plane is as good as along the axis
+  Across result;
+  result.end = 0;
+  const auto sort_in = [&](const auto& belongs) {
+    for (std::size_t p = 0; p < count; ++p) {
+      const double along = along_z ? planes[p].z : planes[p].x, other = along_z ? planes[p].x : planes[p].z;
+      if (!belongs(along)) continue;
+      const double inverse = std::abs(along) > level ? -1.0 / along : 0.0;
+      result.planes[result.end++] = {along, other, planes[p].offset, planes[p].up, planes[p].down, inverse, other * inverse};
+    }
+  };
+  sort_in([](double along) { return along > level; });
+  result.turn = result.end;
+  sort_in([](double along) { return along < -level; });
+  result.level = result.end;
+  sort_in([](double along) { return std::abs(along) <= level; });
+  return result;
+}
+
+namespace {
+constexpr double far_m = 1e7;  // farther than any box: what a plane as good as along an axis may rise on the way
+constexpr double spare = 1e-3;  // of a box, for what doubles lose
+}  // namespace
+
+// A box is beyond a plane where along * its centre's x + rest < 0, so the plane keeps all boxes to one side of -rest / along, and rest is
+// linear in the row.
+void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const {
+  const std::size_t eyes = lists();
+  seen.assign(eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0)), {0, -1});
+  if (across_[0].empty()) {
+    std::fill(seen.begin(), seen.end(), columns);
+    return;
   }
-  const double inverse_step = 1.0 / row.step;
-  std::size_t count = 0;
-  for (const RowPlanes& eye : row_planes_) {
-    const auto rest = [&](const FrustumPlane& p) { return p.z * row.z + p.offset + p.up * row.high + p.down * row.low + std::abs(p.x) * row.half_x + std::abs(p.z) * row.half_z; };
-    bool beyond = false;
-    for (std::size_t p = eye.level; p < eye.end; ++p) beyond |= rest(eye.planes[p]) + std::abs(eye.planes[p].x) * 1e7 < 0.0;
-    if (beyond) continue;
-    double least = -1e9, most = 1e9;
-    for (std::size_t p = 0; p < eye.turn; ++p) least = std::max(least, -rest(eye.planes[p]) * eye.inverse_x[p]);
-    for (std::size_t p = eye.turn; p < eye.level; ++p) most = std::min(most, -rest(eye.planes[p]) * eye.inverse_x[p]);
-    least = std::max((least - row.x) * inverse_step - 1e-3, static_cast<double>(range.first));
-    most = std::min((most - row.x) * inverse_step + 1e-3, static_cast<double>(range.last));
-    if (!(least <= most)) continue;
-    const BoxRange here{static_cast<int>(std::ceil(least)), static_cast<int>(std::floor(most))};
-    if (here.last >= here.first) seen[count++] = here;
+  const double inverse_step = 1.0 / grid.step;
+  for (std::size_t e = 0; e < eyes; ++e) {
+    const Across& eye = across_[0][e];
+    const auto rest = [&](const Across::Plane& p) {
+      return p.across * grid.z + p.offset + p.up * grid.high + p.down * grid.low + std::abs(p.along) * grid.half_x + std::abs(p.across) * grid.half_z;
+    };
+    double least_row = rows.first, most_row = rows.last;
+    for (std::size_t p = eye.level; p < eye.end; ++p) {
+      const Across::Plane& plane = eye.planes[p];
+      const double most = rest(plane) + std::abs(plane.along) * far_m, cut = -most / plane.across * inverse_step;
+      if (plane.across > 1e-9)
+        least_row = std::max(least_row, cut - spare);
+      else if (plane.across < -1e-9)
+        most_row = std::min(most_row, cut + spare);
+      else if (most + std::abs(plane.across) * far_m < 0.0)
+        most_row = least_row - 1.0;
+    }
+    if (!(least_row <= most_row)) continue;
+    std::array<double, planes_per_eye> cut, slope;
+    for (std::size_t p = 0; p < eye.level; ++p) {
+      cut[p] = (rest(eye.planes[p]) * eye.planes[p].inverse - grid.x) * inverse_step + (p < eye.turn ? -spare : spare);
+      slope[p] = eye.planes[p].slope;
+    }
+    const int end = static_cast<int>(std::floor(most_row));
+    for (int row = static_cast<int>(std::ceil(least_row)); row <= end; ++row) {
+      double least = columns.first, most = columns.last;
+      for (std::size_t p = 0; p < eye.turn; ++p) least = std::max(least, cut[p] + slope[p] * row);
+      for (std::size_t p = eye.turn; p < eye.level; ++p) most = std::min(most, cut[p] + slope[p] * row);
+      if (least <= most)
+        seen[static_cast<std::size_t>(row - rows.first) * eyes + e] = {static_cast<int>(std::ceil(least)), static_cast<int>(std::floor(most))};
+    }
   }
-  if (count < 2) return count;
-  // Eyes that see the same boxes see them once.
-  std::sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(count), [](const BoxRange& a, const BoxRange& b) { return a.first < b.first; });
-  std::size_t apart = 1;
-  for (std::size_t n = 1; n < count; ++n) {
-    BoxRange& before = seen[apart - 1];
-    if (seen[n].first <= before.last + 1)
-      before.last = std::max(before.last, seen[n].last);
-    else
-      seen[apart++] = seen[n];
+}
+
+// Of a plane the farthest corner of a trapezoid counts, which lies at one of its ends, t, on the inner or the outer line: along * t * scale +
+// across * border * scale + rest, which is not below 0 where along * t >= -(rest / scale + across * border).
+void EyeFrusta::may_see(const Border& border, std::span<const BorderBand> bands, std::span<BorderRange> seen) const {
+  const std::size_t count = lists();
+  std::fill(seen.begin(), seen.end(), BorderRange{-border.half, border.half});
+  const double centre_along = border.centre[border.axis], centre_across = border.centre[1 - border.axis];
+  const std::vector<Across>& eyes = across_[static_cast<std::size_t>(border.axis)];
+  for (std::size_t e = 0; e < eyes.size(); ++e)
+    for (std::size_t p = 0; p < eyes[e].end; ++p) {
+      const Across::Plane& plane = eyes[e].planes[p];
+      const double everywhere = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
+      const double across = plane.across * border.border;
+      for (std::size_t b = 0; b < bands.size(); ++b) {
+        const BorderBand& band = bands[b];
+        BorderRange& range = seen[b * count + e];
+        const double rest = everywhere + plane.up * band.high + plane.down * band.low;
+        const double most = (rest > 0.0 ? rest * band.per_inner : rest * band.per_outer) + across;
+        if (p < eyes[e].turn)
+          range.least = std::max(range.least, most * plane.inverse);
+        else if (p < eyes[e].level)
+          range.most = std::min(range.most, most * plane.inverse);
+        else if (most + std::abs(plane.along) * border.half < 0.0)
+          range.most = -2.0 * border.half;
+      }
+    }
+  for (BorderRange& range : seen) {
+    const double lost = 1e-12 * (border.half + std::abs(range.least) + std::abs(range.most));
+    range = {range.least - lost, range.most + lost};
   }
-  return apart;
 }
 
 }  // namespace seascape

@@ -1,25 +1,76 @@
 // Decides what at least one of several eyes may see: bounds against the union of their frusta, without a far plane.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/view.h"
 
 namespace seascape {
 
-// A row of equal upright boxes side by side along x, all in metres relative to EyeFrusta's origin: box n, whatever whole number it
-// is, has its centre at (x + n * step, z).
-struct BoxRow {
+// A grid of equal upright boxes, all in metres relative to EyeFrusta's origin: box (i, j), whatever whole numbers these are, has its
+// centre at (x + i * step, z + j * step).
+struct BoxGrid {
   double x, z, step;
   double half_x, half_z;  // half their sides
   double low, high;       // their heights
 };
 
-// Boxes of a row from `first` to `last`; none where last < first.
+// Boxes of a row, or rows, from `first` to `last`; none where last < first.
 struct BoxRange {
   int first, last;
+};
+
+// Puts ranges in order and those that meet together, in place, without empty ones: returns how many are left, apart from each other.
+inline std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
+  if (count == 1) return ranges[0].last < ranges[0].first ? 0 : 1;
+  if (count == 2 && std::max(ranges[0].first, ranges[1].first) <= std::min(ranges[0].last, ranges[1].last)) {  // as two eyes of a head nearly always do
+    ranges[0] = {std::min(ranges[0].first, ranges[1].first), std::max(ranges[0].last, ranges[1].last)};
+    return 1;
+  }
+  std::size_t joined = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    BoxRange next = ranges[n];
+    if (next.last < next.first) continue;
+    std::size_t at = joined;  // those from here on lie wholly beyond it
+    for (; at > 0 && ranges[at - 1].first > next.last + 1; --at) {
+    }
+    std::size_t from = at;
+    for (; from > 0 && ranges[from - 1].last + 1 >= next.first; --from)
+      next = {std::min(next.first, ranges[from - 1].first), std::max(next.last, ranges[from - 1].last)};
+    if (from == at) {
+      std::move_backward(ranges + at, ranges + joined, ranges + joined + 1);
+      ++joined;
+    } else {
+      std::move(ranges + at, ranges + joined, ranges + from + 1);
+      joined -= at - from - 1;
+    }
+    ranges[from] = next;
+  }
+  return joined;
+}
+
+// A straight border about a centre, outside of which trapezoids lie side by side. In metres relative to EyeFrusta's origin.
+struct Border {
+  glm::dvec2 centre;
+  int axis;              // that it runs along: 0 x, 1 z
+  double border;         // where it lies along the other axis, from the centre
+  double half;           // its ends: t, the distance along it, from -half to half
+  double grow;           // what trapezoids are grown by to every side
+};
+
+// A band of such trapezoids: of a point t of the border they hold what lies from an inner to an outer multiple of its distance from the centre.
+struct BorderBand {
+  double per_inner, per_outer;  // 1 over either
+  double low, high;
+};
+
+// Of a border: what lies between two t.
+struct BorderRange {
+  double least, most;
 };
 
 // An upright prism over the convex hull of four points (x, z), grown by `grow` to every side.
@@ -71,10 +122,16 @@ class EyeFrusta {
     });
   }
 
-  // The same for a row of boxes, of those that `range` holds: writes the ranges that may be seen, apart and from the least on,
-  // as many as there are eyes at most, and returns how many. Without eyes all of it is. The planes cut a row where one division
-  // says, so that a row costs as much as two boxes.
-  std::size_t may_see(const BoxRow& row, BoxRange range, std::vector<BoxRange>& seen) const;
+  // Lists of one range for every eye: one eye that sees everything where there are none.
+  std::size_t lists() const { return std::max<std::size_t>(across_[0].size(), 1); }
+
+  // The same for boxes of a grid: writes for each of `rows` and for each eye (lists() of them, side by side) which of its `columns` may be
+  // seen. The planes cut a row where one sum says, so that a row costs as little as one box.
+  void may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const;
+
+  // The same for bands of trapezoids: writes for each band and each eye between which t the eye sees any of it. A trapezoid from t0 to t1 may be
+  // seen only if t1 >= least and t0 <= most; least > most: nothing is.
+  void may_see(const Border& border, std::span<const BorderBand> bands, std::span<BorderRange> seen) const;
 
  private:
   struct Span {
@@ -119,16 +176,20 @@ class EyeFrusta {
     return false;
   }
 
-  // An eye's planes for rows along x: first those whose seen side is towards +x, from `turn` on towards -x, from `level` to the
-  // end those along x.
-  struct RowPlanes {
-    std::array<FrustumPlane, planes_per_eye> planes;
-    std::array<double, planes_per_eye> inverse_x;
+  // An eye's planes as they cut lines along an axis: first those whose seen side is towards more of it, from `turn` on towards less, from
+  // `level` to the end those that lie along it. Where a plane cuts, its offset counts `inverse` times and the other axis `slope` times.
+  struct Across {
+    struct Plane {
+      double along, across, offset, up, down;
+      double inverse, slope;  // -1 / along, -across / along
+    };
+    std::array<Plane, planes_per_eye> planes;
     std::size_t turn, level, end;
   };
+  static Across across(const FrustumPlane* planes, std::size_t count, bool along_z);
 
   std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
-  std::vector<RowPlanes> row_planes_;
+  std::array<std::vector<Across>, 2> across_;  // lines along x, along z
   Questions all_ = none;
 };
 

@@ -1,8 +1,10 @@
 #include "ocean/lod/quadtree.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <fmt/format.h>
 
 #include "engine/error.h"
@@ -70,7 +72,7 @@ glm::vec4 spacing_of(const TreeFrame& frame) {
   for (int n = 0; n < frame.levels; ++n) {
     const double distance = frame.reach[static_cast<std::size_t>(n)];
     if (!(distance > frame.gap_y)) continue;
-    const double ratio = std::ldexp(2.0, n) / distance;
+    const double ratio = (2 << n) / distance;
     least = std::min(least, ratio);
     if (++counted <= 3)
       line = std::max(line, ratio);
@@ -166,7 +168,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   splits_.find(frame);
   select_tree(frame, bounds);
   if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water(*field, *tiles, frusta_, settings_.cull_scale, eye, selection_);
-  select_skirt(frame, splits_, frusta_, selection_);
+  select_skirt(frame, splits_, frusta_, border_, selection_);
   const int drop = settings_.drop_patch;
   if (drop >= 0 && drop < static_cast<int>(selection_.patches.size())) {
     if ((selection_.patches[static_cast<std::size_t>(drop)].flags & gpu::patch_skirt) != 0u) --selection_.skirt_strips;
@@ -184,16 +186,18 @@ void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const D
   // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
   // the inverse square: of some million at one pixel, which is what mesh_error speaks of.
   const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 7.0) : 1.0;
-  const auto error_m = [&](double spacing_m) {
-    return bounds.mesh_error.known() ? bounds.mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m);
-  };
+  std::array<double, TreeFrame::max_levels> error_m;
+  if (bounds.mesh_error.known())
+    bounds.mesh_error.doubling(2.0 * unit_m_, std::span(error_m).first(static_cast<std::size_t>(frame.levels)));
+  else
+    for (int n = 0; n < frame.levels; ++n) error_m[static_cast<std::size_t>(n)] = std::min(error_over_spacing * std::ldexp(2.0 * unit_m_, n), vertical_m);
   const bool morphed = settings_.join == LodJoin::morphed;
   double before = 0.0, most = 0.0;
   for (int n = 0; n < frame.levels; ++n) {
-    const double stride = std::ldexp(1.0, n), coarser_m = 2.0 * stride * unit_m_;
+    const double stride = 1 << n, coarser_m = 2.0 * stride * unit_m_;
     double reach_m;
     if (settings_.pixel_error > 0.0)
-      reach_m = fewer * error_m(coarser_m) * pixels / settings_.pixel_error;
+      reach_m = fewer * error_m[static_cast<std::size_t>(n)] * pixels / settings_.pixel_error;
     else
       reach_m = std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
     most = std::max(most, reach_m / unit_m_);
@@ -208,22 +212,34 @@ void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const D
 }
 
 // The leaves of a level are the quarters of the nodes split one level up that do not split themselves: in a row of them two runs, one to
-// either side of the viewer's column. A run is culled as a whole: each plane cuts it where one division says. Finer leaves, which are
+// either side of the viewer's column. A level is culled as a whole: each plane cuts its rows where one sum says. Finer leaves, which are
 // nearer, come first, rows from the viewer's outwards and each from its column outwards: nearer water hides what follows.
-// A leaf's bounds are its square grown by the displacement times cull_scale.
+// A leaf's bounds are its square grown by the displacement times cull_scale, and lowered by the sea's fall from the nearest of the level's
+// leaves to the farthest.
 void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bounds) {
   const bool masked = settings_.join == LodJoin::masked;
-  int considered = 0;
+  const std::size_t lists = frusta_.lists();
+  int considered = 1;
   for (int level = levels_ - 1; level >= 0; --level) {
-    const SplitMap::Interval rows = splits_.rows(level);
-    if (rows.last < rows.first) continue;
+    SplitMap::Interval rows = splits_.rows(level), columns{1 << level, -1};
+    int nodes = 0;
+    for (int z = rows.first; z <= rows.last; ++z) {
+      const SplitMap::Interval row = splits_.row(level, z);
+      if (row.last < row.first) continue;
+      columns = {std::min(columns.first, row.first), std::max(columns.last, row.last)};
+      nodes += row.last - row.first + 1;
+    }
+    if (nodes == 0) continue;
+    considered += 3 * nodes;  // each node that splits is one leaf less and four more
+    rows = {2 * rows.first, 2 * rows.last + 1};
+    columns = {2 * columns.first, 2 * columns.last + 1};
     const int size = frame.size(level + 1), stride = size / gpu::patch_quads, end = (2 << level) - 1;
     const double size_m = size * frame.unit_m;
-    const double curve = frame.curved ? curvature_drop(1.0) : 0.0;
     const unsigned flags = static_cast<unsigned>(level + 1) << gpu::patch_level_shift;
     glm::dvec3 low(-frame.shift_m, -frame.rise_m, -frame.shift_m), high = -low;
     if (bounds.below) {
-      const double around_m = std::max({rows.last + 1 - frame.viewer_z / (2 * size), frame.viewer_z / (2 * size) + 1 - rows.first, 2}) * 2.0 * size_m;
+      const int row = frame.viewer_z / (2 * size);
+      const double around_m = std::max({rows.last / 2 + 1 - row, row + 1 - rows.first / 2, 2}) * 2.0 * size_m;
       const glm::dvec2 off = near_deviations * bounds.below->motion(1.42 * around_m) + 0.01;
       const glm::dvec3 here = bounds.below->displacement_m, about(off.y, off.x, off.y);
       low = glm::max(low, glm::min(here - about, high));
@@ -231,47 +247,45 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
     }
     const glm::dvec3 middle_m = 0.5 * (low + high), half_m = 0.5 * (high - low);
     const glm::dvec2 first_m = (glm::dvec2(frame.least) + 0.5 * size) * frame.unit_m + glm::dvec2(middle_m.x, middle_m.z);
-    BoxRow row{first_m.x, 0.0, size_m, 0.5 * size_m + half_m.x, 0.5 * size_m + half_m.z, 0.0, 0.0};
+    BoxGrid grid{first_m.x, first_m.y, size_m, 0.5 * size_m + half_m.x, 0.5 * size_m + half_m.z, low.y, high.y};
+    if (frame.curved) {
+      const auto away = [size_m](double first, double viewer, double half, SplitMap::Interval all) {
+        const double from = first + all.first * size_m - viewer, to = first + all.last * size_m - viewer;
+        return glm::dvec2(std::max({from - half, -to - half, 0.0}), std::max(std::abs(from), std::abs(to)) + half);
+      };
+      const glm::dvec2 x = away(grid.x, frame.viewer_m.x, grid.half_x, columns), z = away(grid.z, frame.viewer_m.y, grid.half_z, rows);
+      grid.high -= curvature_drop(x[0] * x[0] + z[0] * z[0]);
+      grid.low -= curvature_drop(x[1] * x[1] + z[1] * z[1]);
+    }
+    frusta_.may_see(grid, {rows.first, rows.last}, {columns.first, columns.last}, seen_);
     const int column = frame.viewer_x / size;
-    const auto emit = [&](int z, SplitMap::Interval run) {
-      if (run.last < run.first) return;
-      considered += run.last - run.first + 1;
-      // The sea's fall over the run: from the nearest of it to the farthest.
-      const double x0 = row.x + run.first * size_m - frame.viewer_m.x, x1 = row.x + run.last * size_m - frame.viewer_m.x;
-      row.z = first_m.y + z * size_m;
-      const double away_z = std::abs(row.z - frame.viewer_m.y), near_z = std::max(away_z - row.half_z, 0.0), far_z = away_z + row.half_z;
-      const double near_x = std::max({x0 - row.half_x, -x1 - row.half_x, 0.0}), far_x = std::max(std::abs(x0), std::abs(x1)) + row.half_x;
-      row.high = high.y - curve * (near_x * near_x + near_z * near_z);
-      row.low = low.y - curve * (far_x * far_x + far_z * far_z);
-      const std::size_t ranges = frusta_.may_see(row, {run.first, run.last}, seen_);
-      for (std::size_t n = 0; n < ranges; ++n) {
-        const BoxRange range = seen_[n];
-        const std::size_t first = selection_.patches.size();
-        selection_.patches.resize(first + static_cast<std::size_t>(range.last - range.first + 1));
-        gpu::PatchInstance* to = &selection_.patches[first];
-        const auto put = [&](int x) {
-          *to++ = {frame.least + size * glm::ivec2(x, z), stride, masked ? flags | coarser_sides(level, x, z, end) : flags};
-        };
-        const int from = std::clamp(column, range.first, range.last);
-        for (int x = from; x <= range.last; ++x) put(x);
-        for (int x = from - 1; x >= range.first; --x) put(x);
-      }
-    };
     const auto emit_row = [&](int z) {
+      BoxRange* const seen = &seen_[static_cast<std::size_t>(z - rows.first) * lists];
+      const std::size_t ranges = join_ranges(seen, lists);
+      if (ranges == 0) return;
       const SplitMap::Interval parents = splits_.row(level, z >> 1), split = splits_.row(level + 1, z);
-      if (parents.last < parents.first) return;
-      if (split.last < split.first) {
-        emit(z, {2 * parents.first, 2 * parents.last + 1});
-      } else {
-        emit(z, {2 * parents.first, split.first - 1});
-        emit(z, {split.last + 1, 2 * parents.last + 1});
-      }
+      const int first = 2 * parents.first, last = 2 * parents.last + 1;
+      const auto emit = [&](int run_first, int run_last) {
+        for (std::size_t n = 0; n < ranges; ++n) {
+          const int from = std::max(run_first, seen[n].first), to = std::min(run_last, seen[n].last);
+          if (to < from) continue;
+          const auto put = [&](int x) {
+            selection_.patches.push_back({frame.least + size * glm::ivec2(x, z), stride, masked ? flags | coarser_sides(level, x, z, end) : flags});
+          };
+          const int nearest = std::clamp(column, from, to);
+          for (int x = nearest; x <= to; ++x) put(x);
+          for (int x = nearest - 1; x >= from; --x) put(x);
+        }
+      };
+      if (split.last < split.first) return emit(first, last);
+      emit(first, split.first - 1);
+      emit(split.last + 1, last);
     };
-    const int middle = std::clamp(frame.viewer_z / size, 2 * rows.first, 2 * rows.last + 1);
+    const int middle = std::clamp(frame.viewer_z / size, rows.first, rows.last);
     emit_row(middle);
-    for (int off = 1; middle - off >= 2 * rows.first || middle + off <= 2 * rows.last + 1; ++off) {
-      if (middle + off <= 2 * rows.last + 1) emit_row(middle + off);
-      if (middle - off >= 2 * rows.first) emit_row(middle - off);
+    for (int off = 1; middle - off >= rows.first || middle + off <= rows.last; ++off) {
+      if (middle + off <= rows.last) emit_row(middle + off);
+      if (middle - off >= rows.first) emit_row(middle - off);
     }
   }
   selection_.visited_nodes += considered;

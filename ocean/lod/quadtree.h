@@ -68,7 +68,8 @@ class Quadtree {
   std::int64_t grid_x_ = 0, grid_z_ = 0;  // of the last selection: its grid origin in units
   SplitMap splits_;
   EyeFrusta frusta_;
-  std::vector<BoxRange> seen_;  // of one row
+  std::vector<BoxRange> seen_;       // of the rows of a level
+  std::vector<BorderRange> border_;  // of a band of the skirt
   SurfaceSelection selection_;
 };
 

@@ -1,6 +1,8 @@
 #include "ocean/lod/skirt_strips.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "shaders/shared/skirt.h"
@@ -10,50 +12,40 @@ namespace {
 
 constexpr int most_bands = 63;
 
-// What one call shares. A strip's bounds are the trapezoid that it covers, grown by the displacement times cull_scale.
-struct Skirt {
-  const TreeFrame& frame;
-  const SplitMap& splits;
-  const EyeFrusta& frusta;
-  SurfaceSelection& selection;
-  std::array<double, most_bands + 1> scale;  // of the first row of each band, and of the last row
+glm::ivec2 on_side(int half, unsigned side, int along) {
+  const int across = side < 2 ? half : -half;
+  return side % 2 == 0 ? glm::ivec2(across, along - half) : glm::ivec2(along - half, across);
+}
 
-  glm::ivec2 on_side(unsigned side, int t) const {
-    const int half = selection.half_size, across = side < 2 ? half : -half;
-    return side % 2 == 0 ? glm::ivec2(across, t - half) : glm::ivec2(t - half, across);
-  }
+// Of the leaf at a place along a side, begun from that of another: neighbours differ by one level at most.
+int leaf_level(const TreeFrame& frame, const SplitMap& splits, unsigned side, int along, int level) {
+  const int shift = std::countr_zero(static_cast<unsigned>(frame.root_size));
+  const auto split = [&](int at) {
+    const int end = (1 << at) - 1, cell = along >> (shift - at);
+    return splits.split(at, side == 0 ? end : side == 2 ? 0 : cell, side == 1 ? end : side == 3 ? 0 : cell);
+  };
+  while (level > 0 && !split(level - 1)) --level;
+  while (level < frame.levels && split(level)) ++level;
+  return level;
+}
 
-  // Of the part of the skirt outside `first` to `second` along a side, from one band's first row to another's.
-  UprightPrism bounds_of(unsigned side, int first, int second, unsigned band, unsigned end) const {
-    const double unit_m = frame.unit_m, inner = scale[band] * 0.999, outer = scale[end] * 1.001;
-    const glm::dvec2 centre(selection.tree_centre), a(on_side(side, first)), b(on_side(side, second));
-    UprightPrism prism{{(centre + a * inner) * unit_m, (centre + b * inner) * unit_m, (centre + a * outer) * unit_m, (centre + b * outer) * unit_m},
-                       frame.shift_m, -frame.rise_m, frame.rise_m};
-    if (frame.curved) {
-      double farthest2 = 0.0;
-      for (const glm::dvec2& corner : prism.corners) {
-        const glm::dvec2 away = corner - frame.viewer_m;
-        farthest2 = std::max(farthest2, glm::dot(away, away));
-      }
-      const double farthest = std::sqrt(farthest2) + 1.5 * prism.grow;
-      prism.low -= curvature_drop(farthest * farthest) * 1.000001;
-      const glm::dvec2 to_side = glm::abs(prism.corners[0] - frame.viewer_m);
-      const double nearest = std::max((side % 2 == 0 ? to_side.x : to_side.y) - prism.grow, 0.0);
-      prism.high -= curvature_drop(nearest * nearest);
-    }
-    return prism;
-  }
-
-  int leaf_level(unsigned side, int along) const {
-    int level = 0;
-    for (; level < frame.levels; ++level) {
-      const int end = (1 << level) - 1, cell = along / frame.size(level);
-      const int x = side == 0 ? end : side == 2 ? 0 : cell, z = side == 1 ? end : side == 3 ? 0 : cell;
-      if (!splits.split(level, x, z)) break;
-    }
-    return level;
-  }
-};
+// The strips outside one side: the trapezoids that they cover, grown by the displacement times cull_scale, and lowered by the sea's fall from
+// the nearest of a band to the farthest.
+Border border_of(const TreeFrame& frame, const glm::ivec2& tree_centre, unsigned side) {
+  const double half_m = 0.5 * frame.root_size * frame.unit_m;
+  return {glm::dvec2(tree_centre) * frame.unit_m, side % 2 == 0 ? 1 : 0, side < 2 ? half_m : -half_m, half_m, frame.shift_m};
+}
+BorderBand band_of(const TreeFrame& frame, const Border& border, double first_scale, double last_scale) {
+  const double inner = first_scale * 0.999, outer = last_scale * 1.001;
+  BorderBand band{1.0 / inner, 1.0 / outer, -frame.rise_m, frame.rise_m};
+  if (!frame.curved) return band;
+  const glm::dvec2 off = border.centre - frame.viewer_m;
+  const double nearest = std::max(std::abs(off[1 - border.axis] + border.border * inner) - border.grow, 0.0);
+  const double reach = border.half * outer + 1.5 * border.grow, far_along = std::abs(off[border.axis]) + reach, far_across = std::abs(off[1 - border.axis]) + reach;
+  band.low -= curvature_drop(far_along * far_along + far_across * far_across) * 1.000001;
+  band.high -= curvature_drop(nearest * nearest);
+  return band;
+}
 
 }  // namespace
 
@@ -73,42 +65,53 @@ void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, Surfac
   selection.skirt_to_horizon = static_cast<float>(dense * std::pow(growth, std::max(selection.skirt_rows - near_rows, 0)));
 }
 
-// Asked of a whole side first, then of each band of it, and of the strips only where that is neither wholly seen nor unseen.
-void select_skirt(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, SurfaceSelection& selection) {
-  Skirt skirt{frame, splits, frusta, selection, {}};
-  const auto bands = static_cast<unsigned>(selection.skirt_rows / gpu::patch_quads);
-  for (unsigned band = 0; band <= bands; ++band)
-    skirt.scale[band] = static_cast<double>(gpu::skirt_scale(static_cast<int>(band) * gpu::patch_quads, selection.skirt_rows,
-                                                             selection.skirt_to_multiplier, selection.skirt_to_horizon));
-  const auto may_see = [&](unsigned side, int first, int second, unsigned band, unsigned end, EyeFrusta::Questions& questions) {
-    if (questions == EyeFrusta::none) return true;
-    ++selection.visited_nodes;
-    if (frusta.may_see(skirt.bounds_of(side, first, second, band, end), questions)) return true;
-    ++selection.culled_nodes;
-    return false;
-  };
-  std::array<EyeFrusta::Questions, 4> of_side;
-  std::array<bool, 4> seen;
+// Asked of a whole side first, then of all bands of it, and of no single strip: each plane cuts a band where one sum says.
+void select_skirt(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, std::vector<BorderRange>& seen, SurfaceSelection& selection) {
+  const auto bands = static_cast<std::size_t>(selection.skirt_rows / gpu::patch_quads);
+  std::array<double, most_bands + 1> scale;  // of the first row of each band, and of the last row
+  for (std::size_t band = 0; band <= bands; ++band)
+    scale[band] = static_cast<double>(gpu::skirt_scale(static_cast<int>(band) * gpu::patch_quads, selection.skirt_rows,
+                                                       selection.skirt_to_multiplier, selection.skirt_to_horizon));
+  const std::size_t lists = frusta.lists();
+  seen.resize(4 * bands * lists);
+  std::array<bool, 4> sides;
   for (unsigned side = 0; side < 4; ++side) {
-    of_side[side] = frusta.all();
-    seen[side] = may_see(side, 0, frame.root_size, 0, bands, of_side[side]);
+    const Border border = border_of(frame, selection.tree_centre, side);
+    const std::span<BorderRange> of_side = std::span(seen).subspan(side * bands * lists, bands * lists);
+    const BorderBand whole = band_of(frame, border, scale[0], scale[bands]);
+    frusta.may_see(border, std::span(&whole, 1), of_side.first(lists));
+    sides[side] = std::any_of(of_side.begin(), of_side.begin() + static_cast<std::ptrdiff_t>(lists), [](const BorderRange& r) { return r.least <= r.most; });
+    if (!sides[side]) continue;
+    std::array<BorderBand, most_bands> each;
+    for (std::size_t band = 0; band < bands; ++band) each[band] = band_of(frame, border, scale[band], scale[band + 1]);
+    frusta.may_see(border, std::span(each).first(bands), of_side);
+    for (std::size_t band = 0; lists > 1 && band < bands; ++band)
+      std::sort(&of_side[band * lists], &of_side[band * lists] + lists, [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; });
   }
-  for (unsigned band = 0; band < bands; ++band)
+  const int half = selection.half_size;
+  const double units = 1.0 / frame.unit_m, last = static_cast<double>(frame.root_size - 1);
+  for (std::size_t band = 0; band < bands; ++band)
     for (unsigned side = 0; side < 4; ++side) {
-      if (!seen[side]) continue;
-      EyeFrusta::Questions of_band = of_side[side];
-      if (!may_see(side, 0, frame.root_size, band, band + 1, of_band)) continue;
-      for (int along = 0; along < frame.root_size;) {
-        const int level = skirt.leaf_level(side, along), size = frame.size(level), first = along;
-        along += size;
-        EyeFrusta::Questions questions = of_band;
-        if (!may_see(side, first, along, band, band + 1, questions)) continue;
-        ++selection.skirt_strips;
-        selection.patches.push_back({selection.tree_centre + skirt.on_side(side, first), size / gpu::patch_quads,
-                                     gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (band << gpu::patch_skirt_band_shift) |
-                                         (static_cast<unsigned>(level) << gpu::patch_level_shift)});
+      if (!sides[side]) continue;
+      int listed = 0, level = TreeFrame::least_levels;  // along the side, up to here
+      for (const BorderRange& range : std::span(seen).subspan((side * bands + band) * lists, lists)) {
+        if (range.least > range.most) continue;
+        // A strip that ends where the range begins may be seen too.
+        const auto first = static_cast<int>(std::clamp(std::ceil(range.least * units + half) - 1.0, 0.0, last));
+        const double most = range.most * units + half;
+        for (int along = std::max(first, listed); along < frame.root_size && along <= most;) {
+          level = leaf_level(frame, splits, side, along, level);
+          const int size = frame.size(level);
+          along &= -size;
+          ++selection.skirt_strips;
+          selection.patches.push_back({selection.tree_centre + on_side(half, side, along), size / gpu::patch_quads,
+                                       gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (static_cast<unsigned>(band) << gpu::patch_skirt_band_shift) |
+                                           (static_cast<unsigned>(level) << gpu::patch_level_shift)});
+          listed = along += size;
+        }
       }
     }
+  selection.visited_nodes += selection.skirt_strips;
 }
 
 }  // namespace seascape

@@ -10,7 +10,7 @@ namespace seascape {
 // tree's centre and keeps the patches' density up to `multiplier` ocean sizes, no farther than the water's motion is seen.
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection);
 
-// Appends the strips that an eye may see, and counts them.
-void select_skirt(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, SurfaceSelection& selection);
+// Appends the strips that an eye may see, and counts them. `seen` is room to work in.
+void select_skirt(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, std::vector<BorderRange>& seen, SurfaceSelection& selection);
 
 }  // namespace seascape

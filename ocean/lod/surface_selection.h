@@ -35,8 +35,8 @@ struct SurfaceSelection {
   float skirt_to_multiplier = 1.0f, skirt_to_horizon = 2.0f;  // for skirt_scale of shaders/shared/skirt.h
   int skirt_rows = gpu::patch_quads;                          // a multiple of gpu::patch_quads, 63 times as many at most
   gpu::VertexMorph morph{};         // how vertices slide; with lod.join = masked none does
-  int visited_nodes = 0;  // leaves of the tree and strips of the skirt that were considered
-  int culled_nodes = 0;   // those of them that no eye can see
+  int visited_nodes = 0;  // leaves of the tree, and strips of the skirt that are listed
+  int culled_nodes = 0;   // leaves that no eye can see
   int skirt_strips = 0;   // how many of the patches are strips of the skirt
 };
 

@@ -67,6 +67,16 @@ glm::dvec2 NearMotion::operator()(double distance_m) const {
   return glm::mix(glm::dvec2(vertical_m[n], horizontal_m[n]), glm::dvec2(vertical_m[n + 1], horizontal_m[n + 1]), at - double(n));
 }
 
+void MeshError::doubling(double spacing_m, std::span<double> errors_m) const {
+  const double at = std::clamp(std::log2(spacing_m / least_spacing_m), -100.0, 100.0), below = std::floor(at), share = std::exp2(at - below) - 1.0;
+  const auto last = static_cast<std::ptrdiff_t>(octave_m.size()) - 1;
+  auto n = static_cast<std::ptrdiff_t>(below);
+  for (double& error_m : errors_m) {
+    error_m = n < 0 ? octave_m.front() : n >= last ? octave_m.back() : std::lerp(octave_m[std::size_t(n)], octave_m[std::size_t(n) + 1], share);
+    ++n;
+  }
+}
+
 double MeshError::operator()(double spacing_m) const {
   const double at = std::clamp(std::log2(spacing_m / least_spacing_m), 0.0, double(octave_m.size() - 1));
   const auto n = std::min(std::size_t(at), octave_m.size() - 2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -38,8 +39,8 @@ struct Drawn {
 };
 
 // Distance of a point to the sea smoothed over `footprint`, from a rest place near it: steps of Gauss and Newton over the rest
-// place, the nearest that they come by.
-inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint, const glm::dvec3& point) {
+// place, the nearest that they come by. Where the first place is nearer than `enough_m` the sea is nearer still, and its tangent plane says how near.
+inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint, const glm::dvec3& point, double enough_m) {
   const WaveField::Filter filter = field.filter(footprint);
   double nearest = 1e300;
   for (int step = 0; step < 4; ++step) {
@@ -51,6 +52,7 @@ inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, gl
     const glm::dvec3 x(1.0 + s.shift_gradient.x, s.height_gradient.x, s.shift_gradient.z), z(s.shift_gradient.z, s.height_gradient.y, 1.0 + s.shift_gradient.y);
     const double xx = glm::dot(x, x), zz = glm::dot(z, z), xz = glm::dot(x, z), determinant = xx * zz - xz * xz;
     if (!(determinant > 1e-6)) break;
+    if (step == 0 && distance < enough_m) return std::min(distance, std::abs(glm::dot(off, glm::normalize(glm::cross(z, x)))));
     const double a = glm::dot(off, x), b = glm::dot(off, z);
     rest += glm::dvec2(zz * a - xz * b, xx * b - xz * a) / determinant;
   }
@@ -58,6 +60,7 @@ inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, gl
 }
 
 struct ScreenError {
+  double enough = 0.0;        // pixels: below, the sea's tangent plane is near enough
   std::vector<float> pixels;  // of every point looked at
   double triangles = 0.0;     // of all poses
   int poses = 0;
@@ -106,10 +109,16 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
   to.triangles += static_cast<double>(drawn.selection.patches.size() * indices.size() / 3);
   const glm::dmat4 clip[2] = {projection(view.eyes[0].fov, 0.1) * eye_from_relative(view.eyes[0].pose, view.viewer.position_m),
                               projection(view.eyes[1].fov, 0.1) * eye_from_relative(view.eyes[1].pose, view.viewer.position_m)};
-  for (const gpu::PatchInstance& p : drawn.selection.patches)
+  std::array<std::optional<Drawn::Vertex>, (gpu::patch_quads + 1) * (gpu::patch_quads + 1)> vertices;
+  for (const gpu::PatchInstance& p : drawn.selection.patches) {
+    vertices.fill(std::nullopt);
+    const auto vertex = [&](std::uint16_t index) {
+      if (!vertices[index]) vertices[index] = drawn.vertex(p, index);
+      return *vertices[index];
+    };
     for (int n = 0; n < per_patch; ++n) {
       const std::size_t t = 3 * (random() % (indices.size() / 3));
-      const std::array<Drawn::Vertex, 3> v{drawn.vertex(p, indices[t]), drawn.vertex(p, indices[t + 1]), drawn.vertex(p, indices[t + 2])};
+      const std::array<Drawn::Vertex, 3> v{vertex(indices[t]), vertex(indices[t + 1]), vertex(indices[t + 2])};
       double a = unit(random), b = unit(random);
       if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
       if (n % 4 == 1) a = 0.0, b = 0.5;          // the middle of an edge: the one across a quad
@@ -128,7 +137,8 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
       if (range > 1e200) continue;
       // Eight times the vertices: an eighth of the spacing, an eighth of what a vertex averages.
       const double footprint = (a * v[0].footprint + b * v[1].footprint + c * v[2].footprint) / 8.0;
-      const double pixels = distance_to_sea(drawn.field, drawn.tiles, rest, footprint, at) / range * view.pixels_per_radian;
+      const double pixel_m = range / view.pixels_per_radian;
+      const double pixels = distance_to_sea(drawn.field, drawn.tiles, rest, footprint, at, to.enough * pixel_m) / pixel_m;
       to.pixels.push_back(static_cast<float>(pixels));
       if (pixels > to.worst) {
         to.worst = pixels;
@@ -138,6 +148,7 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
                    std::to_string(view.viewer.position_m.y) + " m high, pose " + std::to_string(to.poses - 1);
       }
     }
+  }
 }
 
 }  // namespace seascape::lod_test
