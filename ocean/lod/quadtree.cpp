@@ -19,6 +19,10 @@ namespace {
 // nearest water, and where culling must not lose any (Rayleigh: exp(-c^2 / 2) = 1e-6, and a tenth more).
 constexpr double crest_deviations = 2.5, near_deviations = 5.8;
 
+// By how much farther away masked joins split: they change at once, and then water moves along the surface as well as off it, by up to so
+// many times what the mesh misses.
+constexpr double masked_early = 1.75;
+
 void require(bool good, const char* key, double value, const char* range) {
   if (!good)
     throw Error(fmt::format("lod.{}", key), fmt::format("is {}, outside {}", value, range),
@@ -120,8 +124,6 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   selection_.grid_origin_m = glm::dvec2(static_cast<double>(grid_x), static_cast<double>(grid_z)) * unit_m_;
 
   TreeFrame frame;
-  frame.levels = levels_;
-  frame.root_size = gpu::patch_quads << levels_;
   frame.unit_m = unit_m_;
   frame.curved = settings_.earth_curvature;
   const double vertical_m = settings_.max_height_m > 0.0 ? settings_.max_height_m : bounds.vertical_m;
@@ -154,13 +156,13 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frame.viewer_m = glm::dvec2(eye.x, eye.z) - selection_.grid_origin_m;
 
   selection_.morph = {glm::vec2((centre_m - selection_.grid_origin_m) / unit_m_), static_cast<float>(frame.gap_y), last_stride, {}, spacing_of(frame)};
-  for (int n = 0; n < levels_; ++n)
+  for (int n = 0; n < frame.levels; ++n)
     selection_.morph.reach[n / 4][n % 4] = static_cast<float>(std::min(frame.reach[static_cast<std::size_t>(n)], 1e9));
 
-  selection_.horizon_m = std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), settings_.ocean_size_m * 0.75);
+  selection_.horizon_m = std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), 0.75 * frame.root_size * unit_m_);
   // The tree's centre may be half a spacing away from the viewer, and the grid point half a unit.
   const double off_centre_m = (static_cast<double>(spacing) + 1.0) * 0.5 * unit_m_ + glm::length(glm::dvec2(to_viewer)) * unit_m_;
-  lay_skirt(frame, settings_.skirt_multiplier, selection_.horizon_m + off_centre_m, selection_);
+  lay_skirt(frame, settings_.skirt_multiplier * (gpu::patch_quads << levels_) / frame.root_size, selection_.horizon_m + off_centre_m, selection_);
 
   selection_.patches.clear();
   selection_.visited_nodes = selection_.culled_nodes = selection_.skirt_strips = 0;
@@ -179,29 +181,37 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
 }
 
 // The spacing 2^n is left for its double at reach[n]. Masked joins take what the law says; morphed ones need the room that TreeFrame
-// speaks of. If the sea does not move, nothing splits.
+// speaks of. If the sea does not move, nothing splits. The tree is the ocean's square, or a larger one of whole levels more: it reaches as far
+// as motion is seen, or the skirt's multiplier says. For where the tree's centre moves on by a step, all of the skirt goes with it.
 void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const DisplacementBounds& bounds, double vertical_m) const {
   const double pixels = viewpoint.pixels_per_radian > 0.0 ? viewpoint.pixels_per_radian : reference_pixels_per_radian;
   const double ratio = spacing_over_distance(settings_);
   // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
   // the inverse square: of some million at one pixel, which is what mesh_error speaks of.
   const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 7.0) : 1.0;
+  const bool morphed = settings_.join == LodJoin::morphed;
+  const double early = morphed ? 1.0 : masked_early;
+  // The reach of vertices `coarser_m` apart, of which a mesh misses `error_m`.
+  const auto reach_of = [&](double coarser_m, double error_m) {
+    if (settings_.pixel_error > 0.0) return early * fewer * error_m * pixels / settings_.pixel_error;
+    return std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
+  };
+  const double needed_m = std::min(reach_of(1e9, bounds.mesh_error.known() ? bounds.mesh_error.octave_m.back() : vertical_m),
+                                   0.5 * settings_.skirt_multiplier * settings_.ocean_size_m);
+  frame.levels = levels_;
+  for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && frame.levels < TreeFrame::max_levels; half_m *= 2.0) ++frame.levels;
+  frame.root_size = gpu::patch_quads << frame.levels;
+  const double root_m = frame.root_size * unit_m_;
   std::array<double, TreeFrame::max_levels> error_m;
   if (bounds.mesh_error.known())
     bounds.mesh_error.doubling(2.0 * unit_m_, std::span(error_m).first(static_cast<std::size_t>(frame.levels)));
   else
     for (int n = 0; n < frame.levels; ++n) error_m[static_cast<std::size_t>(n)] = std::min(error_over_spacing * std::ldexp(2.0 * unit_m_, n), vertical_m);
-  const bool morphed = settings_.join == LodJoin::morphed;
   double before = 0.0, most = 0.0;
   for (int n = 0; n < frame.levels; ++n) {
-    const double stride = 1 << n, coarser_m = 2.0 * stride * unit_m_;
-    double reach_m;
-    if (settings_.pixel_error > 0.0)
-      reach_m = fewer * error_m[static_cast<std::size_t>(n)] * pixels / settings_.pixel_error;
-    else
-      reach_m = std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
+    const double stride = 1 << n, reach_m = reach_of(2.0 * stride * unit_m_, error_m[static_cast<std::size_t>(n)]);
     most = std::max(most, reach_m / unit_m_);
-    if (reach_m < 0.5 * settings_.ocean_size_m) frame.border_spacing = stride * std::clamp(settings_.ocean_size_m / reach_m, 2.0, 4.0);
+    if (reach_m < 0.5 * root_m) frame.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);
     const double size = 2.0 * gpu::patch_quads * stride;
     double reach = std::max(reach_m / unit_m_, before);
     if (morphed) reach = std::max({reach, before + TreeFrame::morph_step * 0.5 * size, TreeFrame::morph_step * size});
@@ -220,7 +230,7 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
   const bool masked = settings_.join == LodJoin::masked;
   const std::size_t lists = frusta_.lists();
   int considered = 1;
-  for (int level = levels_ - 1; level >= 0; --level) {
+  for (int level = frame.levels - 1; level >= 0; --level) {
     SplitMap::Interval rows = splits_.rows(level), columns{1 << level, -1};
     int nodes = 0;
     for (int z = rows.first; z <= rows.last; ++z) {

@@ -36,7 +36,7 @@ class Quadtree {
   const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds, const WaveField* field = nullptr,
                                  const WaveTiles* tiles = nullptr);
 
-  int levels() const { return levels_; }  // of patches: the leaves', 0 is the root alone
+  int levels() const { return levels_; }  // of patches in the ocean's square: 0 is that alone
   const LodSettings& settings() const { return settings_; }
 
   // How far vertices may be apart at a distance. With settings.pixel_error: as far as a mesh of the sea misses it by no more than
@@ -49,7 +49,7 @@ class Quadtree {
   // What a mesh misses at most over its vertices' spacing, where the sea does not say (measured: 0.07 to 0.12 in a fresh breeze or a storm).
   static constexpr double error_over_spacing = 0.12;
   static constexpr int max_square_levels = 12;
-  static constexpr int max_levels = TreeFrame::max_levels;  // of patches, with three levels of them in a square of 64 quads
+  static constexpr int max_levels = 17;  // of patches, with three levels of them in a square of 64 quads
   static constexpr int least_levels = TreeFrame::least_levels;
 
   // By the threshold: the vertices' spacing over their distance, at most; the finest level's spacing apart.

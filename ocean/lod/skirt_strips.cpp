@@ -55,7 +55,7 @@ BorderBand band_of(const TreeFrame& frame, const Border& border, double first_sc
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection) {
   constexpr double growth = static_cast<double>(gpu::skirt_growth);
   const double half_m = 0.5 * frame.root_size * frame.unit_m;
-  const double dense = std::clamp(frame.visible_reach * frame.unit_m / half_m, 1.0, multiplier);
+  const double dense = std::clamp(frame.visible_reach * frame.unit_m / half_m, 1.0, std::max(multiplier, 1.0));
   const double near_growth = 1.0 + std::min(frame.border_spacing / (0.5 * frame.root_size), growth - 1.0);
   const int near_rows = static_cast<int>(std::ceil(std::log(dense) / std::log(near_growth)));
   const int far_rows = static_cast<int>(std::ceil(std::max(std::log(reach_m / half_m / dense) / std::log(growth), 0.0)));

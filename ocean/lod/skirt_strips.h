@@ -7,7 +7,7 @@
 namespace seascape {
 
 // Sets the selection's skirt_to_multiplier, skirt_to_horizon and skirt_rows for a skirt that reaches `reach_m` from the
-// tree's centre and keeps the patches' density up to `multiplier` ocean sizes, no farther than the water's motion is seen.
+// tree's centre and keeps the patches' density up to `multiplier` sizes of the tree, no farther than the water's motion is seen.
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection);
 
 // Appends the strips that an eye may see, and counts them. `seen` is room to work in.

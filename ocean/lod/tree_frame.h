@@ -10,7 +10,7 @@ namespace seascape {
 
 // In units of unit_m unless named _m. The tree's own coordinates count from its least corner.
 struct TreeFrame {
-  static constexpr int max_levels = 17;
+  static constexpr int max_levels = 20;  // gpu::VertexMorph has reaches of so many
 
   int levels = 0;                       // the finest: 0 is the root alone
   int root_size = 0;

@@ -287,7 +287,7 @@ TEST(Skirt, RowsGrowToTheReachAndStayWhereTheyAre) {
             ASSERT_GT(rows[row], rows[row - 1]);
             ASSERT_LE(rows[row] / rows[row - 1], 1.13001);
           }
-          EXPECT_GE(rows.back() * 0.5 * size, s.horizon_m) << preset.name << ' ' << size << ' ' << height;
+          EXPECT_GE(rows.back() * s.half_size * s.unit_m, s.horizon_m) << preset.name << ' ' << size << ' ' << height;
           for (std::size_t row = 0; row < std::min(rows.size(), lower.size()); ++row) ASSERT_NEAR(rows[row] / lower[row], 1.0, 1e-6);
           EXPECT_GE(rows.size(), lower.size());
           lower = rows;
