@@ -118,7 +118,7 @@ const std::vector<Setting>& table() {
       {"wave_particles.seed", "", "Which wave particles of the same statistics.", particles<&WaveParticleSettings::seed>, 0.0,
        4294967295.0, {}, false, rebuild},
 
-      {"lod.ocean_size_m", "m", "Side of the square that is divided into patches; a skirt goes on to the horizon.",
+      {"lod.ocean_size_m", "m", "Side of the square that is divided into patches, doubled where motion is seen beyond it; a skirt goes on to the horizon.",
        lod<&LodSettings::ocean_size_m>, 256.0, 8192.0, {}, false, rebuild},
       {"lod.patch_quads", "", "Quads along a patch's side.", lod<&LodSettings::patch_quads>, 16.0, 64.0,
        {"16", "32", "64"}, quality, rebuild},
@@ -137,7 +137,7 @@ const std::vector<Setting>& table() {
        lod<&LodSettings::levels>, 0.0, 12.0, {}, false, rebuild},
       {"lod.max_height_m", "m", "Largest displacement that culling expects; 0 takes it from the waves.",
        lod<&LodSettings::max_height_m>, 0.0, 200.0},
-      {"lod.skirt_multiplier", "", "The skirt keeps the density of the outermost patches for this many ocean sizes.",
+      {"lod.skirt_multiplier", "", "Patches, and the skirt outside, keep their density up to this many ocean sizes, where motion is seen so far.",
        lod<&LodSettings::skirt_multiplier>, 1.0, 20.0, {}, false, rebuild},
       {"lod.earth_curvature", "", "The sea falls away with the curve of the Earth, so that it has a true horizon.",
        lod<&LodSettings::earth_curvature>, 0.0, 1.0},

@@ -16,6 +16,7 @@ namespace {
 using test::DrawnMesh;
 using test::pose;
 using test::SeaShot;
+using test::SurfacePoint;
 
 class Glide : public test::GpuTest {
  protected:
@@ -45,18 +46,21 @@ double percentile(std::vector<double> values, double share) {
 struct Steps {
   std::vector<double> moved;  // the surface at equal rest position, in pixels of the bars' display
   std::vector<double> lit;    // its light where it is shown in both, reprojected by depth, 0 to 1
+  std::vector<double> held;   // the same with the mesh held as the frame before had it, of frames that change more than three times the median
   double most_moved = 0.0;    // of any pixel of any frame
+  double most_popped = 0.0;   // how far any pixel's point of any frame is from the surface of the frame before, in the same pixels
 };
 double median(const std::vector<double>& of) { return percentile(of, 0.5); }
 double worst(const std::vector<double>& of) { return *std::max_element(of.begin(), of.end()); }
 // The greatest over the median of the glide or, in one that rises to where nothing moves any more, of the 20 frames about it. What is
-// below `floor` is no spike.
-double spike(const std::vector<double>& of, double floor) {
+// below `floor` is no spike, nor what the mesh has no part in: where it is `held` the same is seen but for a tenth (wet light on crests that come into
+// view is finer than pixels are, and reprojection does not keep it).
+double spike(const std::vector<double>& of, double floor, const std::vector<double>& held = {}) {
   double most = 0.0;
   for (std::size_t n = 0; n < of.size(); ++n) {
     const std::size_t first = of.size() <= 100 || n < 10 ? 0 : std::min(n - 10, of.size() - 21);
     const std::size_t end = of.size() <= 100 ? of.size() : first + 21;
-    if (of[n] > floor) most = std::max(most, of[n] / median({of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(end)}));
+    if (of[n] > floor && !(n < held.size() && of[n] <= 1.1 * held[n])) most = std::max(most, of[n] / median({of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(end)}));
   }
   return most;
 }
@@ -69,12 +73,22 @@ struct Shot {
 
 void compare(const Shot& before, const Shot& now, Steps& steps) {
   std::vector<double> moved, lit;
+  struct Moved {
+    double pixels;
+    std::size_t at;
+    double metres, depth;
+  };
+  std::vector<Moved> each;
   const Fov& fov = before.mesh.viewpoint().eyes[0].fov;
   for (std::size_t i = 0; i < now.shown.size(); ++i) {
     if (!now.shown[i].any) continue;
     if (const auto was = before.mesh.at(now.shown[i].point.rest)) {
       const glm::dvec3 a = now.mesh.seen(*was), b = now.mesh.seen(now.shown[i].point.at);
-      if (a.z > 0.0) moved.push_back(pixels_per_tangent * glm::length(glm::dvec2(a - b)));
+      if (a.z > 0.0) {
+        moved.push_back(pixels_per_tangent * glm::length(glm::dvec2(a - b)));
+        const double metres = glm::distance(*was, now.shown[i].point.at);
+        each.push_back({pixels_per_tangent * metres / b.z, i, metres, b.z});
+      }
     }
     // Where the frame before showed the point that this pixel shows, unless something stood in front of it there.
     const glm::dvec3 then = before.mesh.seen(now.shown[i].point.at);
@@ -93,6 +107,14 @@ void compare(const Shot& before, const Shot& now, Steps& steps) {
     for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(light[c] - double(now.light.pixels[4 * i + std::size_t(c)])));
     lit.push_back(most);
   }
+  // None is farther from the surface than from where its own point of it stood: those that moved most are asked first.
+  std::sort(each.begin(), each.end(), [](const Moved& a, const Moved& b) { return a.pixels > b.pixels; });
+  for (const Moved& m : each) {
+    if (m.pixels <= steps.most_popped) break;
+    const SurfacePoint& point = now.shown[m.at].point;
+    const double off = pixels_per_tangent * before.mesh.distance(point.at, point.rest, 4.0 * m.metres) / m.depth;
+    steps.most_popped = std::max(steps.most_popped, std::min(off, m.pixels));
+  }
   EXPECT_GT(moved.size(), 1000u);
   EXPECT_GT(lit.size(), 500u);
   steps.moved.push_back(percentile(moved, 0.999));
@@ -106,16 +128,30 @@ using Path = std::function<Pose(int frame)>;
 Steps glide(SeaShot& shot, const Path& path, int frames, const std::function<void(int)>& between = [](int) {}) {
   std::optional<Shot> before;
   Steps steps;
-  for (int n = 0; n < frames; ++n) {
-    between(n);
-    const Viewpoint view = view_from(path(n));
+  const auto shoot = [&](const Pose& head) {
+    const Viewpoint view = view_from(head);
     shot.draw(view, time_s);
     DrawnMesh mesh(shot, view);
     std::vector<DrawnMesh::Shown> shown = mesh.shown(width, height);
-    Shot now{std::move(mesh), std::move(shown), linear_picture_of(shot.device(), shot.experience(), 0)};
+    return Shot{std::move(mesh), std::move(shown), linear_picture_of(shot.device(), shot.experience(), 0)};
+  };
+  for (int n = 0; n < frames; ++n) {
+    between(n);
+    Shot now = shoot(path(n));
     if (before) compare(*before, now, steps);
     before.emplace(std::move(now));
   }
+  steps.held.assign(steps.lit.size(), 0.0);
+  for (std::size_t n = 0; n < steps.lit.size(); ++n)
+    if (steps.lit[n] > 3.0 * median(steps.lit)) {
+      const Shot first = shoot(path(int(n)));
+      shot.set("debug.freeze", "true");
+      const Shot second = shoot(path(int(n) + 1));
+      shot.set("debug.freeze", "false");
+      Steps of_held;
+      compare(first, second, of_held);
+      steps.held[n] = of_held.lit[0];
+    }
   return steps;
 }
 
@@ -140,8 +176,8 @@ std::vector<NamedPath> paths(double low_m, const glm::dvec2& from = {0.0, 0.0}) 
 }
 
 std::string told(const Steps& s) {
-  return std::to_string(median(s.moved)) + " pixels, at most " + std::to_string(worst(s.moved)) + ", any " + std::to_string(s.most_moved) + ", spike " +
-         std::to_string(spike(s.moved, 0.0)) + "; light " + std::to_string(median(s.lit)) + ", spike " + std::to_string(spike(s.lit, 0.0));
+  return std::to_string(median(s.moved)) + " pixels, at most " + std::to_string(worst(s.moved)) + ", any " + std::to_string(s.most_moved) + ", popped " + std::to_string(s.most_popped) + ", spike " +
+         std::to_string(spike(s.moved, 0.0)) + "; light " + std::to_string(median(s.lit)) + ", spike " + std::to_string(spike(s.lit, 0.0, s.held));
 }
 
 // A preset with the bars' pixels, and a sea.
@@ -178,19 +214,18 @@ INSTANTIATE_TEST_SUITE_P(Seas, GlideAt, ::testing::ValuesIn(kinds()), [](const a
 
 // Where vertices slide, no frame changes the surface or its light three times as much as frames about it do. The surface is the harder
 // of the two: see the planted pop. A tenth of ultra's pixel is no spike. Controls seen: nodes that split only below the height from which
-// the water's motion is seen (low, climbing: 4.2 pixels at once, 4.6 times the median); and APlantedPopIsCaught. A tree of 256 m takes its
-// skirt along when its centre moves on, so near that it is seen, as two meshes that miss the sea otherwise: by 0.6 to 1.3 pixels.
+// the water's motion is seen (low, climbing: 4.2 pixels at once, 4.6 times the median); and APlantedPopIsCaught.
 TEST_P(GlideAt, NothingPopsOrSwims) {
   each("morphed", [&](const Steps& s, const std::string& what) {
-    EXPECT_LE(spike(s.lit, 0.0), 3.0) << what;
+    EXPECT_LE(spike(s.lit, 0.0, s.held), 3.0) << what;
     EXPECT_LE(spike(s.moved, 0.1), 3.0) << what;
     EXPECT_LE(worst(s.moved), GetParam().pixels) << what;
   });
 }
 
-// Where edges are masked a level comes or goes at once, by no more than the preset's pixels.
+// Where edges are masked a level comes or goes at once: no pixel's point of the water by more than the preset's pixels, along the surface or off it.
 TEST_P(GlideAt, MaskedJoinsPopByNoMoreThanThePresetsPixels) {
-  each("masked", [](const Steps& s, const std::string& what) { EXPECT_LE(worst(s.moved), GetParam().pixels) << what; });
+  each("masked", [](const Steps& s, const std::string& what) { EXPECT_LE(s.most_moved, GetParam().pixels) << what; });
 }
 
 // The control: in one frame of a glide the finest level is missing.
@@ -206,6 +241,7 @@ TEST_F(Glide, APlantedPopIsCaught) {
   RecordProperty("clean", told(clean));
   RecordProperty("popped", told(popped));
   EXPECT_LE(spike(clean.moved, 0.1), 3.0) << told(clean);
+  EXPECT_GT(popped.lit[19], 1.1 * clean.lit[19]) << "held, the mesh would have had no part in it";
   EXPECT_GT(spike(popped.moved, 0.1), 3.0) << told(popped);
 }
 
@@ -216,7 +252,7 @@ TEST_F(Glide, hard_15_nothing_trembles_a_million_metres_away) {
     const Steps s = glide(shot, p.path, 40);
     RecordProperty(p.name, told(s));
     EXPECT_LE(spike(s.moved, 0.1), 3.0) << p.name << ": " << told(s);
-    EXPECT_LE(spike(s.lit, 0.0), 3.0) << p.name << ": " << told(s);
+    EXPECT_LE(spike(s.lit, 0.0, s.held), 3.0) << p.name << ": " << told(s);
     EXPECT_LE(worst(s.moved), 8.0) << p.name << ": " << told(s);
   }
 }

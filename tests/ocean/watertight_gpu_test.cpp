@@ -59,6 +59,12 @@ Viewpoint eye_of(const Pose& p, double fov_deg, double lean = 0.0) {
   return {p, {{p, fov}}};
 }
 
+// Side of the square that the tree covers: the ocean's, or as many times that as motion is seen.
+double tree_m(SeaShot& shot) {
+  const SurfaceSelection& s = shot.experience().ocean().select(eye_of(pose({0.0, 20.0, 0.0}, 0.0, 0.0), 90.0));
+  return 2.0 * s.half_size * s.unit_m;
+}
+
 // Looks at a point from a place, world y up.
 Pose towards(const glm::dvec3& from, const glm::dvec3& at, double roll_deg) {
   const glm::dvec3 to = glm::normalize(at - from);
@@ -66,7 +72,7 @@ Pose towards(const glm::dvec3& from, const glm::dvec3& at, double roll_deg) {
   return {from, facing * glm::angleAxis(glm::radians(roll_deg), glm::dvec3(0.0, 0.0, 1.0))};
 }
 
-// Pose `n` of a combination: nine kinds in turn, heights above the water from 0.2 m to 20 km.
+// Pose `n` of a combination, of a tree of `size_m`: nine kinds in turn, heights above the water from 0.2 m to 20 km.
 // `crest_m`: of the water there, `most_m` of any.
 Look look_of(int n, int combination, double size_m, double crest_m, double most_m) {
   std::mt19937 random(unsigned(1000 * combination + n));
@@ -124,12 +130,13 @@ TEST_P(Watertight, FromEveryPoseNoHoleIsSeen) {
     field.evaluate(ticks_from_seconds(time_s), tiles);
     for (const char* join : {"masked", "morphed"}) {
       shot.set("lod.join", join);
+      const double tree = tree_m(shot);
       for (int i = 0; i < poses_drawn(); ++i) {
         const int n = poses_drawn() == poses_in_all ? i : (7 * combination + 8 * i) % poses_in_all;  // 7 and 8 share no factor with 45
         const int number = combination + 10 * int(sea.scene[0]) + 100 * int(sea.preset[0]);
         const double most_m = field.statistics().largest_height_m;
-        Look look = look_of(n, number, size_m, 0.0, most_m);
-        look = look_of(n, number, size_m, crest_about(field, tiles, look.view.viewer.position_m), most_m);
+        Look look = look_of(n, number, tree, 0.0, most_m);
+        look = look_of(n, number, tree, crest_about(field, tiles, look.view.viewer.position_m), most_m);
         if (look.frozen) {
           (void)shot.experience().ocean().select({{look.chosen_from, {1.0, 0.0, 0.0, 0.0}}, {}});
           shot.set("debug.freeze", "true");
@@ -154,9 +161,10 @@ TEST_P(Watertight, ADroppedPatchIsSeen) {
   const Sea sea = GetParam();
   for (const double size_m : {256.0, 1024.0, 8192.0}) {
     SeaShot shot = shot_of(sea, size_m);
-    const Viewpoint above = eye_of(pose({0.3 * size_m, 0.5 * size_m, -0.2 * size_m}, 20.0, -90.0), 110.0);
     for (const char* join : {"masked", "morphed"}) {
       shot.set("lod.join", join);
+      const double tree = tree_m(shot);
+      const Viewpoint above = eye_of(pose({0.3 * tree, 0.5 * tree, -0.2 * tree}, 20.0, -90.0), 110.0);
       const SurfaceSelection& s = shot.experience().ocean().select(above);
       const int patches = int(s.patches.size()), strips = s.skirt_strips;
       ASSERT_GE(strips, 4);

@@ -260,6 +260,29 @@ TEST(Quadtree, ListsTreePatchesBeforeTheSkirt) {
   EXPECT_FALSE(is_skirt(s.patches.front()));
 }
 
+// Where the tree's centre moves on by a step the skirt goes with it, so the tree covers what is seen to move: the ocean's square, doubled until
+// it does or until it is as large as the skirt's multiplier says. Controls seen, as pops in the glides on an ocean of 256 m: a tree of the ocean's
+// square alone (low: 2.8 pixels at once, climbing).
+TEST(Quadtree, CoversWhatIsSeenToMoveAsFarAsTheMultiplierSays) {
+  for (const Preset& preset : presets)
+    for (const double size : {256.0, 1024.0, 4096.0, 8192.0})
+      for (const double multiplier : {1.0, 3.0, 10.0, 20.0})
+        for (const double vertical : {0.0, 0.3, 2.0, 12.0}) {
+          LodSettings settings = settings_of(preset, size, LodJoin::morphed);
+          settings.skirt_multiplier = multiplier;
+          const SurfaceSelection s = Quadtree(settings).select(everything_from({3.0, 1.7, 5.0}), {vertical, vertical});
+          const double tree_m = 2.0 * s.half_size * s.unit_m, doublings = std::log2(tree_m / size);
+          const double seen_m = 2.0 * vertical * reference_pixels_per_radian / preset.pixel_error;
+          const std::string what = std::string(preset.name) + ' ' + std::to_string(size) + ' ' + std::to_string(multiplier) + ' ' + std::to_string(vertical);
+          EXPECT_EQ(doublings, std::round(doublings)) << what;
+          EXPECT_GE(doublings, 0.0) << what;
+          EXPECT_GE(tree_m, std::min(0.7 * seen_m, multiplier * size)) << what;
+          if (doublings > 0.0) {
+            EXPECT_LT(0.5 * tree_m, std::min(seen_m, multiplier * size)) << what;
+          }
+        }
+}
+
 // Facts: sqrt(2 R h + h^2): 1.7 m -> 4,654 m.
 TEST(Horizon, IsTheTangentsLengthWithRoomToSpare) {
   EXPECT_NEAR(horizon_distance(1.7, 0.0, true) / 1.3, 4654.0, 1.0);

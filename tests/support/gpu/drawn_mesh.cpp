@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "ocean/lod/patch_mesh.h"
@@ -22,6 +23,22 @@ const std::vector<std::uint16_t>& indices() {
 }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+// From a point to the nearest of a triangle: within it, or of one of its edges.
+double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const auto to_edge = [&p](const glm::dvec3& from, const glm::dvec3& to) {
+    const glm::dvec3 along = to - from;
+    const double length2 = glm::dot(along, along), t = length2 > 0.0 ? std::clamp(glm::dot(p - from, along) / length2, 0.0, 1.0) : 0.0;
+    return glm::distance(p, from + t * along);
+  };
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double size = glm::length(normal);
+  if (size > 0.0) {
+    const auto inside = [&](const glm::dvec3& from, const glm::dvec3& to) { return glm::dot(glm::cross(to - from, p - from), normal) >= 0.0; };
+    if (inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(glm::dot(p - a, normal)) / size;
+  }
+  return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+}
 
 }  // namespace
 
@@ -61,6 +78,17 @@ std::optional<glm::dvec3> DrawnMesh::at(const glm::dvec2& rest) const {
     }
   }
   return std::nullopt;
+}
+
+double DrawnMesh::distance(const glm::dvec3& point, const glm::dvec2& rest, double reach_m) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < patches_.size(); ++n) {
+    if (!glm::all(glm::lessThanEqual(patches_[n].low, rest + reach_m)) || !glm::all(glm::lessThanEqual(rest - reach_m, patches_[n].high))) continue;
+    for (std::size_t t = 0; t < indices().size(); t += 3)
+      least = std::min(least, to_triangle(point, vertices_[n * per_patch + indices()[t]].at, vertices_[n * per_patch + indices()[t + 1]].at,
+                                          vertices_[n * per_patch + indices()[t + 2]].at));
+  }
+  return least;
 }
 
 glm::dvec3 DrawnMesh::seen(const glm::dvec3& at) const {

@@ -23,6 +23,9 @@ class DrawnMesh {
   // The surface at a rest position, straight between vertices; none where no patch lies.
   std::optional<glm::dvec3> at(const glm::dvec2& rest) const;
 
+  // How far a point is from the surface, of what of it has its rest within `reach_m` of a place, along x and z; infinite where none has.
+  double distance(const glm::dvec3& point, const glm::dvec2& rest, double reach_m) const;
+
   // What each pixel's centre shows of it, rows from the top, through the viewpoint's first eye; none where it shows sky.
   // Triangles that reach behind the eye are left out.
   struct Shown {
