@@ -1,5 +1,7 @@
 #include "ocean/lod/culling.h"
 
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,47 +70,79 @@ EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t coun
 namespace {
 constexpr double far_m = 1e7;  // farther than any box: what a plane as good as along an axis may rise on the way
 constexpr double spare = 1e-3;  // of a box, for what doubles lose
+namespace hn = hwy::HWY_NAMESPACE;
+// Two doubles are a vector that every instruction set has: no run-time dispatch is needed.
+using Pair = hn::FixedTag<double, 2>;
 }  // namespace
 
 // A box is beyond a plane where along * its centre's x + rest < 0, so the plane keeps all boxes to one side of -rest / along, and rest is
-// linear in the row.
+// linear in the row. Two eyes at a time, one to a lane.
 void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const {
   const std::size_t eyes = lists();
-  seen.assign(eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0)), {0, -1});
+  seen.resize(eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0)));
   if (across_[0].empty()) {
     std::fill(seen.begin(), seen.end(), columns);
     return;
   }
   const double inverse_step = 1.0 / grid.step;
-  for (std::size_t e = 0; e < eyes; ++e) {
-    const Across& eye = across_[0][e];
-    const auto rest = [&](const Across::Plane& p) {
-      return p.across * grid.z + p.offset + p.up * grid.high + p.down * grid.low + std::abs(p.along) * grid.half_x + std::abs(p.across) * grid.half_z;
-    };
-    double least_row = rows.first, most_row = rows.last;
-    for (std::size_t p = eye.level; p < eye.end; ++p) {
-      const Across::Plane& plane = eye.planes[p];
-      const double most = rest(plane) + std::abs(plane.along) * far_m, cut = -most / plane.across * inverse_step;
-      if (plane.across > 1e-9)
-        least_row = std::max(least_row, cut - spare);
-      else if (plane.across < -1e-9)
-        most_row = std::min(most_row, cut + spare);
-      else if (most + std::abs(plane.across) * far_m < 0.0)
-        most_row = least_row - 1.0;
+  for (std::size_t first = 0; first < eyes; first += 2) {
+    const std::size_t lanes = std::min<std::size_t>(eyes - first, 2);
+    std::array<std::array<double, 2>, planes_per_eye> least_cut, least_slope, most_cut, most_slope;
+    std::array<double, 2> rows_from{1e9, 1e9}, rows_to{-1e9, -1e9};
+    std::array<std::size_t, 2> least_count{}, most_count{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Across& eye = across_[0][first + lane];
+      const auto rest = [&](const Across::Plane& p) {
+        return p.across * grid.z + p.offset + p.up * grid.high + p.down * grid.low + std::abs(p.along) * grid.half_x + std::abs(p.across) * grid.half_z;
+      };
+      double from = rows.first, to = rows.last;
+      for (std::size_t p = eye.level; p < eye.end; ++p) {
+        const Across::Plane& plane = eye.planes[p];
+        const double most = rest(plane) + std::abs(plane.along) * far_m, cut = -most / plane.across * inverse_step;
+        if (plane.across > 1e-9)
+          from = std::max(from, cut - spare);
+        else if (plane.across < -1e-9)
+          to = std::min(to, cut + spare);
+        else if (most + std::abs(plane.across) * far_m < 0.0)
+          to = from - 1.0;
+      }
+      rows_from[lane] = from;
+      rows_to[lane] = to;
+      const auto cut = [&](std::size_t p, double spared) { return (rest(eye.planes[p]) * eye.planes[p].inverse - grid.x) * inverse_step + spared; };
+      for (std::size_t p = 0; p < eye.turn; ++p) {
+        least_cut[p][lane] = cut(p, -spare);
+        least_slope[p][lane] = eye.planes[p].slope;
+      }
+      for (std::size_t p = eye.turn; p < eye.level; ++p) {
+        most_cut[p - eye.turn][lane] = cut(p, spare);
+        most_slope[p - eye.turn][lane] = eye.planes[p].slope;
+      }
+      least_count[lane] = eye.turn;
+      most_count[lane] = eye.level - eye.turn;
     }
-    if (!(least_row <= most_row)) continue;
-    std::array<double, planes_per_eye> cut, slope;
-    for (std::size_t p = 0; p < eye.level; ++p) {
-      cut[p] = (rest(eye.planes[p]) * eye.planes[p].inverse - grid.x) * inverse_step + (p < eye.turn ? -spare : spare);
-      slope[p] = eye.planes[p].slope;
+    // A lane that has fewer planes is cut by none in their stead.
+    const std::size_t least_planes = std::max(least_count[0], least_count[1]), most_planes = std::max(most_count[0], most_count[1]);
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      for (std::size_t p = least_count[lane]; p < least_planes; ++p) least_cut[p][lane] = -1e300, least_slope[p][lane] = 0.0;
+      for (std::size_t p = most_count[lane]; p < most_planes; ++p) most_cut[p][lane] = 1e300, most_slope[p][lane] = 0.0;
     }
-    const int end = static_cast<int>(std::floor(most_row));
-    for (int row = static_cast<int>(std::ceil(least_row)); row <= end; ++row) {
-      double least = columns.first, most = columns.last;
-      for (std::size_t p = 0; p < eye.turn; ++p) least = std::max(least, cut[p] + slope[p] * row);
-      for (std::size_t p = eye.turn; p < eye.level; ++p) most = std::min(most, cut[p] + slope[p] * row);
-      if (least <= most)
-        seen[static_cast<std::size_t>(row - rows.first) * eyes + e] = {static_cast<int>(std::ceil(least)), static_cast<int>(std::floor(most))};
+    const Pair d;
+    const auto columns_from = hn::Set(d, static_cast<double>(columns.first)), columns_to = hn::Set(d, static_cast<double>(columns.last));
+    BoxRange* of_row = &seen[first];
+    for (int row = rows.first; row <= rows.last; ++row, of_row += eyes) {
+      const auto at = hn::Set(d, static_cast<double>(row));
+      auto least = columns_from, most = columns_to;
+      for (std::size_t p = 0; p < least_planes; ++p)
+        least = hn::Max(least, hn::Add(hn::LoadU(d, least_cut[p].data()), hn::Mul(hn::LoadU(d, least_slope[p].data()), at)));
+      for (std::size_t p = 0; p < most_planes; ++p)
+        most = hn::Min(most, hn::Add(hn::LoadU(d, most_cut[p].data()), hn::Mul(hn::LoadU(d, most_slope[p].data()), at)));
+      std::array<double, 2> begin, end;
+      hn::StoreU(least, d, begin.data());
+      hn::StoreU(most, d, end.data());
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        of_row[lane] = begin[lane] <= end[lane] && row >= rows_from[lane] && row <= rows_to[lane]
+                           ? BoxRange{static_cast<int>(std::ceil(begin[lane])), static_cast<int>(std::floor(end[lane]))}
+                           : BoxRange{0, -1};
     }
   }
 }

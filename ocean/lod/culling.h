@@ -26,15 +26,25 @@ struct BoxRange {
 
 // Puts ranges in order and those that meet together, in place, without empty ones: returns how many are left, apart from each other.
 inline std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
-  if (count == 1) return ranges[0].last < ranges[0].first ? 0 : 1;
-  if (count == 2 && std::max(ranges[0].first, ranges[1].first) <= std::min(ranges[0].last, ranges[1].last)) {  // as two eyes of a head nearly always do
-    ranges[0] = {std::min(ranges[0].first, ranges[1].first), std::max(ranges[0].last, ranges[1].last)};
-    return 1;
+  const auto none = [](const BoxRange& range) { return range.last < range.first; };
+  if (count == 1) return none(ranges[0]) ? 0 : 1;
+  if (count == 2) {  // two eyes of a head nearly always see much the same
+    if (none(ranges[1])) return none(ranges[0]) ? 0 : 1;
+    if (none(ranges[0])) {
+      ranges[0] = ranges[1];
+      return 1;
+    }
+    if (std::max(ranges[0].first, ranges[1].first) <= std::min(ranges[0].last, ranges[1].last) + 1) {
+      ranges[0] = {std::min(ranges[0].first, ranges[1].first), std::max(ranges[0].last, ranges[1].last)};
+      return 1;
+    }
+    if (ranges[1].first < ranges[0].first) std::swap(ranges[0], ranges[1]);
+    return 2;
   }
   std::size_t joined = 0;
   for (std::size_t n = 0; n < count; ++n) {
     BoxRange next = ranges[n];
-    if (next.last < next.first) continue;
+    if (none(next)) continue;
     std::size_t at = joined;  // those from here on lie wholly beyond it
     for (; at > 0 && ranges[at - 1].first > next.last + 1; --at) {
     }

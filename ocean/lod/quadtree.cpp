@@ -1,10 +1,8 @@
 #include "ocean/lod/quadtree.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <span>
 #include <fmt/format.h>
 
 #include "engine/error.h"
@@ -169,7 +167,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frusta_.set(viewpoint.eyes, {selection_.grid_origin_m.x, 0.0, selection_.grid_origin_m.y});
   splits_.find(frame);
   select_tree(frame, bounds);
-  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water(*field, *tiles, frusta_, settings_.cull_scale, eye, selection_);
+  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water_(*field, *tiles, frusta_, eye, selection_);
   select_skirt(frame, splits_, frusta_, border_, selection_);
   const int drop = settings_.drop_patch;
   if (drop >= 0 && drop < static_cast<int>(selection_.patches.size())) {
@@ -202,14 +200,12 @@ void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const D
   for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && frame.levels < TreeFrame::max_levels; half_m *= 2.0) ++frame.levels;
   frame.root_size = gpu::patch_quads << frame.levels;
   const double root_m = frame.root_size * unit_m_;
-  std::array<double, TreeFrame::max_levels> error_m;
-  if (bounds.mesh_error.known())
-    bounds.mesh_error.doubling(2.0 * unit_m_, std::span(error_m).first(static_cast<std::size_t>(frame.levels)));
-  else
-    for (int n = 0; n < frame.levels; ++n) error_m[static_cast<std::size_t>(n)] = std::min(error_over_spacing * std::ldexp(2.0 * unit_m_, n), vertical_m);
+  const auto error_m = [&](double spacing_m) {
+    return bounds.mesh_error.known() ? bounds.mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m);
+  };
   double before = 0.0, most = 0.0;
   for (int n = 0; n < frame.levels; ++n) {
-    const double stride = 1 << n, reach_m = reach_of(2.0 * stride * unit_m_, error_m[static_cast<std::size_t>(n)]);
+    const double stride = 1 << n, reach_m = reach_of(2.0 * stride * unit_m_, error_m(2.0 * stride * unit_m_));
     most = std::max(most, reach_m / unit_m_);
     if (reach_m < 0.5 * root_m) frame.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);
     const double size = 2.0 * gpu::patch_quads * stride;

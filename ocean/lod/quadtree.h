@@ -10,6 +10,7 @@
 #include "ocean/lod/split_map.h"
 #include "ocean/lod/surface_selection.h"
 #include "ocean/lod/tree_frame.h"
+#include "ocean/lod/water_below.h"
 
 namespace seascape {
 
@@ -70,6 +71,7 @@ class Quadtree {
   EyeFrusta frusta_;
   std::vector<BoxRange> seen_;       // of the rows of a level
   std::vector<BorderRange> border_;  // of a band of the skirt
+  WaterCulling cull_by_water_;
   SurfaceSelection selection_;
 };
 

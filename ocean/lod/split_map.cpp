@@ -36,12 +36,13 @@ int SplitMap::find_by_distance(const TreeFrame& frame, int level, int least_cell
   for (const int step : {1, -1}) {
     // No row's interval is wider than that of the row before it.
     int first = std::max(cell_x - cells, 0), last = std::min(cell_x + cells, end);
+    double first_gap2 = gap2(first, frame.viewer_x), last_gap2 = gap2(last, frame.viewer_x);
     for (int z = step > 0 ? cell_z : cell_z - 1; z >= std::max(cell_z - cells, 0) && z <= std::min(cell_z + cells, end); z += step) {
       const double left = reach2 - gap2(z, frame.viewer_z);
-      while (first <= last && !(gap2(first, frame.viewer_x) < left)) ++first;
-      while (first <= last && !(gap2(last, frame.viewer_x) < left)) --last;
+      while (first <= last && !(first_gap2 < left)) first_gap2 = gap2(++first, frame.viewer_x);
+      while (first <= last && !(last_gap2 < left)) last_gap2 = gap2(--last, frame.viewer_x);
       if (first > last) break;
-      to.add(z, first, last);
+      to.rows[static_cast<std::size_t>(z - low)] = {first, last};
     }
   }
   return all;

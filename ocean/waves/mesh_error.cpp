@@ -17,6 +17,19 @@ double peak(double spacing_m) {
   const double t = std::clamp(std::log(spacing_m / fine_m) / std::log(coarse_m / fine_m), 0.0, 1.0);
   return std::lerp(fine_peak, coarse_peak, t);
 }
+
+// Where a value lies between 1, 2, 4, ...: from which of them on, of `last` and none beyond, and how far towards the next, in proportion.
+struct Octave {
+  std::size_t n;
+  double share;
+};
+Octave octave(double value, std::size_t last) {
+  if (!(value > 1.0)) return {0, 0.0};
+  int exponent;
+  const double part = std::frexp(value, &exponent);
+  const auto n = std::size_t(exponent - 1);
+  return n < last ? Octave{n, 2.0 * part - 1.0} : Octave{last - 1, 1.0};
+}
 }  // namespace
 
 double VarianceByLength::wave_number(int bucket) { return least_wave_number * std::exp2((bucket + 0.5) / per_octave); }
@@ -62,25 +75,14 @@ NearMotion VarianceByLength::near_motion(double chop) const {
 }
 
 glm::dvec2 NearMotion::operator()(double distance_m) const {
-  const double at = std::clamp(std::log2(distance_m / least_distance_m), 0.0, double(vertical_m.size() - 1));
-  const auto n = std::min(std::size_t(at), vertical_m.size() - 2);
-  return glm::mix(glm::dvec2(vertical_m[n], horizontal_m[n]), glm::dvec2(vertical_m[n + 1], horizontal_m[n + 1]), at - double(n));
-}
-
-void MeshError::doubling(double spacing_m, std::span<double> errors_m) const {
-  const double at = std::clamp(std::log2(spacing_m / least_spacing_m), -100.0, 100.0), below = std::floor(at), share = std::exp2(at - below) - 1.0;
-  const auto last = static_cast<std::ptrdiff_t>(octave_m.size()) - 1;
-  auto n = static_cast<std::ptrdiff_t>(below);
-  for (double& error_m : errors_m) {
-    error_m = n < 0 ? octave_m.front() : n >= last ? octave_m.back() : std::lerp(octave_m[std::size_t(n)], octave_m[std::size_t(n) + 1], share);
-    ++n;
-  }
+  const auto [n, share] = octave(distance_m * (1.0 / least_distance_m), vertical_m.size() - 1);
+  const double of_octave = share * (1.344 - 0.344 * share);  // log2(1 + share), to a hundredth
+  return glm::mix(glm::dvec2(vertical_m[n], horizontal_m[n]), glm::dvec2(vertical_m[n + 1], horizontal_m[n + 1]), of_octave);
 }
 
 double MeshError::operator()(double spacing_m) const {
-  const double at = std::clamp(std::log2(spacing_m / least_spacing_m), 0.0, double(octave_m.size() - 1));
-  const auto n = std::min(std::size_t(at), octave_m.size() - 2);
-  return std::lerp(octave_m[n], octave_m[n + 1], std::exp2(at - double(n)) - 1.0);
+  const auto [n, share] = octave(spacing_m * (1.0 / least_spacing_m), octave_m.size() - 1);
+  return std::lerp(octave_m[n], octave_m[n + 1], share);
 }
 
 }  // namespace seascape

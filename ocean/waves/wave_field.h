@@ -61,7 +61,6 @@ struct MeshError {
   static constexpr double least_spacing_m = 1.0 / 128.0;
   std::array<double, 20> octave_m{};  // of spacings of 1, 2, 4, ... times the least
   double operator()(double spacing_m) const;
-  void doubling(double spacing_m, std::span<double> errors_m) const;  // of spacing_m, twice it, four times it, ...
   bool known() const { return octave_m.back() > 0.0; }
 };
 

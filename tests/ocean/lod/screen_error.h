@@ -65,6 +65,7 @@ struct ScreenError {
   double triangles = 0.0;     // of all poses
   int poses = 0;
   double worst = 0.0;
+  int nearer_elsewhere = 0;  // points whose nearest sea was found from another place
   std::string where;
 
   double share(double most) {  // below which this share of them lies
@@ -138,13 +139,21 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
       // Eight times the vertices: an eighth of the spacing, an eighth of what a vertex averages.
       const double footprint = (a * v[0].footprint + b * v[1].footprint + c * v[2].footprint) / 8.0;
       const double pixel_m = range / view.pixels_per_radian;
-      const double pixels = distance_to_sea(drawn.field, drawn.tiles, rest, footprint, at, to.enough * pixel_m) / pixel_m;
+      double pixels = distance_to_sea(drawn.field, drawn.tiles, rest, footprint, at, to.enough * pixel_m) / pixel_m;
+      // The largest are looked for again from places about: where the sea is about to break, the nearest of it may be of other water.
+      if (pixels > 2.5 * to.enough && pixels > 0.9 * to.worst) {
+        const double first = pixels;
+        for (int from = 0; from < 81; ++from)
+          pixels = std::min(pixels, distance_to_sea(drawn.field, drawn.tiles, rest + 4.0 * footprint * glm::dvec2(from % 9 - 4, from / 9 - 4), footprint, at, 0.0) / pixel_m);
+        if (pixels < 0.98 * first) ++to.nearer_elsewhere;
+      }
       to.pixels.push_back(static_cast<float>(pixels));
       if (pixels > to.worst) {
         to.worst = pixels;
         to.where = std::string(is_skirt(p) ? "skirt" : "level " + std::to_string(level_of(p))) + ", vertices " + std::to_string(p.stride * drawn.selection.unit_m) +
                    " m apart, footprint " + std::to_string(8.0 * footprint) + " m, at " + std::to_string(range) + " m, rest " +
-                   std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) + " m off, eye " +
+                   std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) + " m off, by the levels' law " +
+                   std::to_string(static_cast<double>(gpu::morph_distance(drawn.selection.morph, glm::vec2((rest - drawn.selection.grid_origin_m) / drawn.selection.unit_m))) * drawn.selection.unit_m) + " m, eye " +
                    std::to_string(view.viewer.position_m.y) + " m high, pose " + std::to_string(to.poses - 1);
       }
     }
