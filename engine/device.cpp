@@ -7,6 +7,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "engine/error.h"
 
 namespace seascape {
@@ -35,6 +39,15 @@ VkResult check(VkResult result, const char* call) {
                            ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
                            : "run `seascape doctor` to see devices and drivers";
   throw Error("Vulkan", fmt::format("{} failed: {} ({})", call, result_name(result), int(result)), remedy);
+}
+
+// A software driver allocates and frees some 12 MB a frame. What glibc gives back to the system in between costs a page fault, and a page to
+// clear, for every 4 KiB of the next frame: 3,000 a frame of open_sea (docs/performance.md).
+static void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest it takes
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
 }
 
 namespace detail {
@@ -175,6 +188,7 @@ void Device::choose_physical(const DeviceOptions& options) {
   facts_.api_version = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(p.apiVersion), VK_API_VERSION_MINOR(p.apiVersion),
                                    VK_API_VERSION_PATCH(p.apiVersion));
   facts_.software = p.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  if (facts_.software) keep_freed_memory();
   facts_.kind = facts_.software                                              ? "software"
                 : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU       ? "discrete"
                 : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU     ? "integrated"

@@ -147,6 +147,8 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   data.sea = waves_.sea_data(s.grid_origin_m);
   for (const auto& source : sources_) source->describe(data.sea.particles, s.grid_origin_m);
   data.sea.footprint.z += float(of_sources_.largest_height_m);
+  // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
+  data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + of_sources_.largest_shift_m), 0.01));
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);

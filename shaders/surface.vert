@@ -1,6 +1,7 @@
 #version 460
 // The sea's surface: patches of the quadtree and the horizon skirt, displaced by the waves and curved as the earth is.
 #extension GL_GOOGLE_include_directive : require
+#include "shared/earth_curve.h"
 #include "shared/frame_data.h"
 #include "shared/phase.h"
 #include "shared/patch_vertex.h"
@@ -22,16 +23,7 @@ layout(location = 1) out vec2 rest;        // rest position, metres from the gri
 layout(location = 2) out vec2 height_shear;      // x: above the curved still sea, metres; y: dDx/dz
 layout(location = 3) out vec4 derivatives;       // of the cascades that vertices carry
 layout(location = 4) flat out uint flags;
-
-// The place above a sphere of curvature `c` that touches the still sea beneath the viewer, of a point `flat_xz` metres away
-// along the surface and `y` above it; exact to 1e-9 of the distance for angles below 0.15 (Taylor).
-vec3 curved(vec2 flat_xz, float y, float c) {
-  const float s2 = dot(flat_xz, flat_xz);
-  const float a2 = s2 * c * c;
-  const float sine = 1.0 - a2 * (1.0 / 6.0 - a2 / 120.0);
-  const float drop = s2 * c * (0.5 - a2 * (1.0 / 24.0 - a2 / 720.0));
-  return vec3(flat_xz.x * sine * (1.0 + y * c), y - drop * (1.0 + y * c), flat_xz.y * sine * (1.0 + y * c));
-}
+layout(location = 5) out vec3 shift_shear;       // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz
 
 void main() {
   const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
@@ -53,7 +45,10 @@ void main() {
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
-  height_shear = d.yw;
+  if (deferred)
+    shift_shear = d.xzw;
+  else
+    height_shear = d.yw;
   const ViewData view = frame.view[eye_index()];
   derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;

@@ -1,6 +1,7 @@
 #version 460
 // Lights each pixel of a picture once: the sea from what surface_points.frag has kept of it, and the sky where it kept nothing.
 #extension GL_GOOGLE_include_directive : require
+#include "shared/earth_curve.h"
 #include "shared/frame_data.h"
 #include "lib/view.glsl"
 
@@ -8,8 +9,8 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/tone.glsl"
 
-layout(binding = 16) uniform usampler2DArray places;
-layout(binding = 17) uniform usampler2DArray changes;
+layout(binding = 16) uniform usampler2DArray points;
+layout(binding = 17) uniform usampler2DArray footprints;
 layout(binding = 18) uniform sampler2DArray depths;
 
 layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here
@@ -26,15 +27,22 @@ void main() {
   if (depth == 0.0) {
     lit = sky_light(normalize(pixel_ray), view.eye.w);
   } else {
-    const uvec4 place = texelFetch(places, at, 0), change = texelFetch(changes, at, 0);
+    const uvec4 kept = texelFetch(points, at, 0);
     SurfacePoint p;
     // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own measure.
     p.relative = view.eye.xyz + pixel_ray * (frame.air.z / depth);
-    p.rest = uintBitsToFloat(place.xy);
-    p.height_shear = unpackHalf2x16(place.z);
-    p.derivatives = vec4(unpackHalf2x16(change.x), unpackHalf2x16(change.y));
-    p.along = unpackHalf2x16(place.w);
-    p.across = unpackHalf2x16(change.z);
+    const vec3 flat_place = flattened(p.relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w);
+    p.rest = frame.viewer.xy + flat_place.xz - frame.sea.footprint.x * unpackSnorm2x16(kept.x);
+    p.derivatives = vec4(unpackHalf2x16(kept.y), unpackHalf2x16(kept.z));
+    const vec2 shear_footprint = unpackHalf2x16(kept.w);
+    p.height_shear = vec2(flat_place.y, shear_footprint.x);
+    p.along = vec2(shear_footprint.y, 0.0);  // a sampler of one texel in all directions asks only how long the longer is
+    p.across = p.along.yx;
+    if (anisotropy > 1.0) {
+      const uvec2 footprint = texelFetch(footprints, at, 0).xy;
+      p.along = unpackHalf2x16(footprint.x);
+      p.across = unpackHalf2x16(footprint.y);
+    }
     vec3 normal;
     lit = sea_light(p, view, normal);
   }

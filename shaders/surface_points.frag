@@ -3,15 +3,22 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 
+layout(constant_id = 5) const float anisotropy = 1.0;
+
+layout(binding = 0) uniform Frame { FrameData frame; };
+
 layout(location = 1) in vec2 rest;
-layout(location = 2) in vec2 height_shear;
 layout(location = 3) in vec4 derivatives;
+layout(location = 5) in vec3 shift_shear;
 
 // Bits: a float may not pass through a picture unchanged, an integer does. What is not drawn is known by its depth.
-layout(location = 0) out uvec4 place;   // rest x, z; as half floats height and shear, and the rest position's change along x
-layout(location = 1) out uvec4 change;  // as half floats: the vertices' derivatives (two); the rest position's change along y; unused
+layout(location = 0) out uvec4 kept;       // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
+layout(location = 1) out uvec2 footprint;  // as half floats the rest position's change along x and along y, where samplers make use of both
 
 void main() {
-  place = uvec4(floatBitsToUint(rest), packHalf2x16(height_shear), packHalf2x16(clamp(dFdx(rest), -6e4, 6e4)));
-  change = uvec4(packHalf2x16(derivatives.xy), packHalf2x16(derivatives.zw), packHalf2x16(clamp(dFdy(rest), -6e4, 6e4)), 0u);
+  const vec2 along = dFdx(rest), across = dFdy(rest);
+  const float longest = sqrt(max(dot(along, along), dot(across, across)));
+  kept = uvec4(packSnorm2x16(shift_shear.xy / frame.sea.footprint.x), packHalf2x16(derivatives.xy), packHalf2x16(derivatives.zw),
+               packHalf2x16(vec2(shift_shear.z, min(longest, 6e4))));
+  if (anisotropy > 1.0) footprint = uvec2(packHalf2x16(clamp(along, -6e4, 6e4)), packHalf2x16(clamp(across, -6e4, 6e4)));
 }

@@ -17,13 +17,14 @@ struct SourceSlot {
 constexpr SourceSlot slots[] = {{"wave_particles", 8, 12}};
 
 // What surface_points.frag writes, for pictures like `picture`.
-RenderTarget make_points(Device& device, const RenderTarget& picture) {
+RenderTarget make_points(Device& device, const RenderTarget& picture, float anisotropy) {
   TargetSpec spec;
   spec.width = picture.spec().width;
   spec.height = picture.spec().height;
   spec.views = picture.spec().views;
   spec.per_eye = picture.spec().per_eye;
-  spec.colour = spec.second = VK_FORMAT_R32G32B32A32_UINT;
+  spec.colour = VK_FORMAT_R32G32B32A32_UINT;
+  if (anisotropy > 1.0f) spec.second = VK_FORMAT_R32G32_UINT;  // the footprint's two axes
   spec.keep_depth = true;
   spec.clear_colour = false;
   return RenderTarget(device, "surface points", spec);
@@ -58,7 +59,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   for (std::uint32_t patch = 0; patch < std::uint32_t(gpu::patches_an_instance); ++patch)
     spec.attributes.push_back({patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
-  if (look.deferred) points_ = make_points(device, picture);
+  if (look.deferred) points_ = make_points(device, picture, look.anisotropy);
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above first.
   spec.facing = !spec.wireframe;
   pipeline_ = make_graphics_pipeline(device, shaders, target(picture), spec);
@@ -108,7 +109,7 @@ void Surface::bind_light() {
   for (std::size_t copy = 0; copy < waves_.copies().size(); ++copy) {
     std::vector<Bound> list = entries(copy);
     list.push_back({.binding = 16, .view = points_.colour().view(), .sampler = points_sampler_.get()});
-    list.push_back({.binding = 17, .view = points_.second()->view(), .sampler = points_sampler_.get()});
+    if (points_.second() != nullptr) list.push_back({.binding = 17, .view = points_.second()->view(), .sampler = points_sampler_.get()});
     list.push_back({.binding = 18, .view = points_.depth()->view(), .sampler = points_sampler_.get()});
     light_bindings_.emplace_back(device_, light_pipeline_, list, "surface light");
   }
@@ -117,13 +118,13 @@ void Surface::bind_light() {
 void Surface::resize(const RenderTarget& picture) {
   if (!look_.deferred) return;
   const EffectScope scope(device_, "surface");
-  points_ = make_points(device_, picture);
+  points_ = make_points(device_, picture, look_.anisotropy);
   bind_light();
 }
 
 void Surface::add_points(Uses& uses) const {
   uses.add(use(points_.colour(), Access::fragment_sample));
-  uses.add(use(*points_.second(), Access::fragment_sample));
+  if (points_.second() != nullptr) uses.add(use(*points_.second(), Access::fragment_sample));
   uses.add(use(*points_.depth(), Access::fragment_sample));
 }
 
