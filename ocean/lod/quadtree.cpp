@@ -21,6 +21,14 @@ constexpr double crest_deviations = 2.5, near_deviations = 5.8;
 // many times what the mesh misses.
 constexpr double masked_early = 1.75;
 
+// Levels measure distances between places at rest, from where water may have come closer. The largest product of two normal numbers, an error of its mean
+// and c deviations, and one over a distance of its mean and some deviations, of s of it each, has the error grow by (c s)^2 / 2: here c is 5.4.
+// Measured: without, near water in a storm missed by up to 1.12 of the figure, from a seventh less distance.
+double closer(double distance_m, double moved_m) {
+  constexpr double half_peak2 = 0.5 * 5.4 * 5.4, most = 1.5;
+  return moved_m * std::min(half_peak2 * moved_m / distance_m, most);
+}
+
 void require(bool good, const char* key, double value, const char* range) {
   if (!good)
     throw Error(fmt::format("lod.{}", key), fmt::format("is {}, outside {}", value, range),
@@ -205,7 +213,9 @@ void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const D
   };
   double before = 0.0, most = 0.0;
   for (int n = 0; n < frame.levels; ++n) {
-    const double stride = 1 << n, reach_m = reach_of(2.0 * stride * unit_m_, error_m(2.0 * stride * unit_m_));
+    const double stride = 1 << n;
+    double reach_m = reach_of(2.0 * stride * unit_m_, error_m(2.0 * stride * unit_m_));
+    if (bounds.below && reach_m > 0.0) reach_m += closer(reach_m, bounds.below->motion(reach_m).y);
     most = std::max(most, reach_m / unit_m_);
     if (reach_m < 0.5 * root_m) frame.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);
     const double size = 2.0 * gpu::patch_quads * stride;
