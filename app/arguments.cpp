@@ -162,7 +162,8 @@ void add_plan(Options& options, Arguments& arguments) {
   add_size(options, arguments, "1280x720");
   add_views(options, arguments);
   options.flag("--json", arguments.json, "Prints JSON");
-  options.text("--matrix", "DIR", arguments.matrix, "Writes the plan of every preset into this folder");
+  options.text("--matrix", "DIR", arguments.matrix, "Folder of what each effect costs beside each other, matrix_SCENE_PRESET.csv and .svg, and of the plan of every preset");
+  options.whole("--frames", arguments.frames, 0, 100'000, "Frames of each two scenes that the matrix times in turn; 0: 24");
 }
 
 void add_query(Options& options, Arguments& arguments) {

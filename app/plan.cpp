@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/commands.h"
+#include "app/effect_costs.h"
 #include "app/frame.h"
 #include "app/program.h"
 #include "app/progress.h"
@@ -130,6 +132,26 @@ Plan plan_of(const Arguments& arguments, const std::string& preset) {
   return plan;
 }
 
+// Of all effects that are built: time, memory and work of each beside each other.
+void write_costs(const Arguments& arguments) {
+  Program program = make_program(arguments, arguments.preset, device_options());
+  const HeadlessOptions options = headless_options(arguments, program.scene.settings.render);
+  const bool per_eye = draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
+  std::vector<std::string> effects;
+  for (const std::string_view name : effect_names())
+    if (effect_is_built(name)) effects.emplace_back(name);
+  std::optional<Progress> progress;
+  const CostMatrix matrix = measure_costs(*program.device, program.shaders, program.scene, effects, {options.width, options.height, options.views, per_eye, false}, program.preset,
+                                          arguments.frames > 0 ? arguments.frames : 24, [&](std::size_t done, std::size_t all) {
+                                            if (!progress) progress.emplace("plan: cost", all);
+                                            progress->step(done);
+                                          });
+  expect_no_validation_messages(*program.device);
+  const std::string name = fmt::format("matrix_{}_{}", matrix.scene, matrix.preset);
+  write_atomically(std::filesystem::path(arguments.matrix) / (name + ".csv"), matrix_csv(matrix));
+  write_atomically(std::filesystem::path(arguments.matrix) / (name + ".svg"), matrix_svg(matrix));
+}
+
 }  // namespace
 
 Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, const std::string& preset) {
@@ -174,6 +196,7 @@ int run_plan(const Arguments& arguments) {
       write_atomically(std::filesystem::path(arguments.matrix) / fmt::format("plan_{}_{}.csv", plan.scene, preset), plan_csv(plan));
       progress.step(++done);
     }
+    write_costs(arguments);
   }
   const Plan plan = plan_of(arguments, arguments.preset);
   fmt::print("{}", arguments.json ? plan_json(plan) : plan_text(plan));

@@ -14,6 +14,16 @@ double percentile(std::span<const double> sorted, double fraction) {
   return sorted[below] + part * (sorted[below + 1] - sorted[below]);
 }
 
+Interval median_interval(std::span<const double> samples) {
+  if (samples.empty()) return {};
+  std::vector<double> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double count = static_cast<double>(sorted.size());
+  const double rank = std::floor(0.5 * (count - 1.96 * std::sqrt(count)));  // so many samples lie below the bound
+  const std::size_t low = rank > 0.0 ? static_cast<std::size_t>(rank) : 0;
+  return {sorted[low], percentile(sorted, 0.5), sorted[sorted.size() - 1 - low]};
+}
+
 Summary summarise(std::span<const double> samples) {
   std::vector<double> sorted;
   sorted.reserve(samples.size());

@@ -21,6 +21,15 @@ struct Summary {
 // quantiles in statistical packages", definition 7). 0 of none.
 double percentile(std::span<const double> sorted, double fraction);
 
+struct Interval {
+  double low = 0.0, middle = 0.0, high = 0.0;
+};
+
+// The median of what `samples` are drawn from, with bounds that hold it 95 times of 100 whatever their distribution: two of the samples, by the
+// binomial law of how many lie below the median (Conover 1999, "Practical nonparametric statistics", section 3.2, normal approximation; the least and
+// the greatest of fewer than 6). `samples` are finite; all 0 of none.
+Interval median_interval(std::span<const double> samples);
+
 // All zero of no samples.
 Summary summarise(std::span<const double> samples);
 

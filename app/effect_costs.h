@@ -1,0 +1,41 @@
+// Measures what each effect adds to a scene's frames, alone, beside each other and beside all: scenes with and without it drawn in turn.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/cost_matrix.h"
+#include "app/experience.h"
+
+namespace seascape {
+
+// One scene on a device, ready to be drawn again and again.
+class CostSubject {
+ public:
+  // Builds it and draws two frames, after which nothing is done once. Throws Error as Experience does.
+  CostSubject(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options);
+
+  // Draws one frame of the sea's time `n` frames on, and waits for it: milliseconds of CPU and GPU together.
+  double draw_ms(int n);
+
+  // What it is built of, and records in a frame: all but the time.
+  const Cost& holds() const { return holds_; }
+  Experience& experience() { return experience_; }
+
+ private:
+  Device& device_;
+  Cost before_;  // on the device
+  Experience experience_;
+  Cost holds_;
+};
+
+// What `with` has more than `without`; `frames` of either are timed, in turn, each first as often as the other.
+Cost difference(CostSubject& with, CostSubject& without, int frames);
+
+// The matrix of `effects` (all that are built, as a rule) in `scene`, whose own list of effects does not count. An effect whose settings the scene
+// lacks is left out, with a notice. A cell is missing where what stands beside needs the effect anyway. `step`: called with how many cells of how
+// many are done.
+CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene, const std::vector<std::string>& effects, const ExperienceOptions& options,
+                         const std::string& preset, int frames, const std::function<void(std::size_t, std::size_t)>& step);
+
+}  // namespace seascape

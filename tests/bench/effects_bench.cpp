@@ -1,0 +1,74 @@
+// The timing proof of effects: a scene that had one and lost it takes as long as one that never had it (truths.md, section 5: 1,000 frames of
+// either in turn; the 95 % interval of the median difference lies within the greater of 1 % and 5 us). Control in the same run: with the effect
+// the frames take longer than that.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/effect_costs.h"
+#include "engine/error.h"
+#include "ocean/effects.h"
+
+namespace seascape::bench {
+namespace {
+
+struct Gpu {
+  Device device{DeviceOptions{}};
+  ShaderLibrary shaders;
+};
+Gpu& gpu() {
+  static Gpu all;
+  return all;
+}
+
+constexpr int frames = 1000;
+const ExperienceOptions small{160, 90, 1, false, false};
+
+// The first scene of ours that names the effect.
+std::string scene_of(const std::string& effect) {
+  for (const char* name : {"open_sea", "rain_pool", "gerstner", "baked"}) try {
+      const Scene scene = load_scene(name, "low");
+      if (std::find(scene.effects.begin(), scene.effects.end(), effect) != scene.effects.end()) return name;
+    } catch (const Error&) {
+    }
+  return {};
+}
+
+// `present`: the control, the effect is not taken away.
+void effect_time(benchmark::State& state, const std::string& effect, bool present) {
+  const std::string name = scene_of(effect);
+  if (name.empty()) return state.SkipWithError("no scene names it");
+  const Scene with = load_scene(name, "low");
+  Scene without = with;
+  std::erase(without.effects, effect);
+  for (auto _ : state) {
+    CostSubject never(gpu().device, gpu().shaders, without, small), absent(gpu().device, gpu().shaders, with, small);
+    if (!present) absent.experience().apply_effects(without.effects);
+    absent.draw_ms(0);
+    const double frame_ms = std::min(never.draw_ms(1), never.draw_ms(2));
+    const Cost cost = difference(absent, never, frames);
+    const double bound_ms = std::max(0.01 * frame_ms, 0.005);
+    state.counters["frame_us"] = 1e3 * frame_ms;
+    state.counters["median_us"] = 1e3 * cost.ms.middle;
+    state.counters["low_us"] = 1e3 * cost.ms.low;
+    state.counters["high_us"] = 1e3 * cost.ms.high;
+    state.counters["bound_us"] = 1e3 * bound_ms;
+    state.counters["within"] = cost.ms.low > -bound_ms && cost.ms.high < bound_ms;
+  }
+  state.SetLabel(name + ", " + gpu().device.facts().name);
+}
+
+[[maybe_unused]] const int registered = [] {
+  for (const std::string_view effect : effect_names()) {
+    if (!effect_is_built(effect)) continue;
+    for (const bool present : {false, true})
+      benchmark::RegisterBenchmark((std::string(present ? "effect_present/" : "effect_absent/") + std::string(effect)).c_str(), effect_time, std::string(effect), present)
+          ->Iterations(1)
+          ->Unit(benchmark::kSecond);
+  }
+  return 0;
+}();
+
+}  // namespace
+}  // namespace seascape::bench
