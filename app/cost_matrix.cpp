@@ -29,6 +29,9 @@ std::string shade(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", int(255.0 + s * (to[0] - 255.0)), int(255.0 + s * (to[1] - 255.0)), int(255.0 + s * (to[2] - 255.0)));
 }
 
+// To 0.1 us.
+std::string rounded(double ms) { return text_from(1e-4 * std::round(1e4 * ms)); }
+
 // One number of each cell, nothing where it cannot be told from none.
 struct Map {
   std::string title;
@@ -67,8 +70,8 @@ std::string matrix_csv(const CostMatrix& matrix) {
   std::string text = "scene,preset,effect,beside,ms,ms_low,ms_high,bytes,passes,draws,dispatches,pipelines,words\n";
   for (const CostCell& cell : matrix.cells) {
     const Cost& c = cell.cost;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(matrix.scene), matrix.preset, cell.effect, cell.beside, text_from(c.ms.middle),
-                        text_from(c.ms.low), text_from(c.ms.high), c.bytes, c.passes, c.draws, c.dispatches, c.pipelines, c.words);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(matrix.scene), matrix.preset, cell.effect, cell.beside, rounded(c.ms.middle),
+                        rounded(c.ms.low), rounded(c.ms.high), c.bytes, c.passes, c.draws, c.dispatches, c.pipelines, c.words);
   }
   return text;
 }

@@ -223,10 +223,10 @@ TEST(Plan, OfASceneWithoutFoamHasNone) {
   EXPECT_THAT(result.out, HasSubstr("waves: the scene names it"));
 }
 
-// Control: a matrix that leaves low out.
+// And one table of what each effect adds. Control: a matrix that leaves low out.
 TEST(Plan, MatrixHasATableOfEachPreset) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m"});
+  const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m", "--frames", "1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   for (const char* preset : {"low", "medium", "high", "ultra"}) {
     const auto lines = split(text_of(folder / "m" / ("plan_calm_" + std::string(preset) + ".csv")), '\n');
@@ -234,6 +234,11 @@ TEST(Plan, MatrixHasATableOfEachPreset) {
     EXPECT_EQ(lines[0], "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes");
     EXPECT_THAT(lines[1], testing::StartsWith("calm," + std::string(preset) + ",waves,the scene names it,"));
   }
+  const auto costs = split(text_of(folder / "m" / "matrix_calm_low.csv"), '\n');
+  ASSERT_GT(costs.size(), 4u);
+  EXPECT_EQ(costs[0], "scene,preset,effect,beside,ms,ms_low,ms_high,bytes,passes,draws,dispatches,pipelines,words");
+  EXPECT_THAT(costs[1], testing::StartsWith("calm,low,waves,nothing,"));
+  EXPECT_THAT(text_of(folder / "m" / "matrix_calm_low.svg"), testing::StartsWith("<svg "));
 }
 
 }  // namespace
