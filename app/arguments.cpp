@@ -10,7 +10,7 @@ namespace seascape {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> command_names{"explore", "replay", "capture", "plan", "query", "validate", "doctor"};
+constexpr std::array<std::string_view, 8> command_names{"explore", "replay", "capture", "bake", "plan", "query", "validate", "doctor"};
 
 constexpr std::string_view overview = R"(Seascape: an ocean for virtual reality
 
@@ -20,6 +20,7 @@ Commands:
   explore    Fly, walk and ride over the sea, in a window or without a display (the default)
   replay     Draw a camera path to numbered pictures, the same bits every time
   capture    Measure frame times along a camera path: capture.csv, trace.json, report.html
+  bake       Record the waves of a scene as a loop of EXR pictures, for the effect baked
   plan       Say what a scene would build and run, why, its memory and its cost
   query      The surface's height, normal and velocity at points of a CSV file; needs no GPU
   validate   Check scenes, paths, models and images: every fault with file and place
@@ -157,6 +158,19 @@ void add_capture(Options& options, Arguments& arguments) {
   options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
 }
 
+void add_bake(Options& options, Arguments& arguments) {
+  arguments.out = "out";
+  arguments.fps = 4.0;
+  arguments.frames = 48;
+  arguments.width = 128;
+  options.text("--scene", "S", arguments.scene, "A scene file, or the name of one in content/scenes");
+  options.whole("--frames", arguments.frames, 8, 1000, "Frames of the loop");
+  options.number("--fps", "1/s", arguments.fps, 0.1, 240.0, "Frames a second: the loop takes frames / fps seconds");
+  options.choice("--size", {"64", "128", "256", "512"}, "128", "Texels a side; waves down to four texels are in it", [&](int i) { arguments.width = 64 << i; });
+  options.number("--tile", "m", arguments.tile_m, 0.0, 20000.0, "Side of the loop's tile; 0 takes three peak waves at 64 texels, and more with more");
+  options.text("--out", "DIR", arguments.out, "Folder of loop.json and frame_0000.exr and on");
+}
+
 void add_plan(Options& options, Arguments& arguments) {
   add_scene(options, arguments);
   add_size(options, arguments, "1280x720");
@@ -199,6 +213,9 @@ constexpr CommandRow commands[] = {
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
      "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1", add_capture},
+    {Command::bake, "Record the waves of a scene as a loop of EXR pictures of displacement, which the effect baked plays.",
+     "  seascape bake --scene storm --frames 64 --fps 4 --size 128 --out loops/storm\n"
+     "  seascape --scene baked --set baked.loop=loops/storm", add_bake},
     {Command::plan, "Say what a scene would build and run, why, its memory and its cost.",
      "  seascape plan --scene storm --preset high\n  seascape plan --json", add_plan},
     {Command::query, "The surface at points of a CSV file, without a GPU.",

@@ -10,7 +10,7 @@
 
 namespace seascape {
 
-enum class Command { text, explore, replay, capture, plan, query, validate, doctor };
+enum class Command { text, explore, replay, capture, bake, plan, query, validate, doctor };
 enum class DisplayKind { automatic, window, headset, headless };
 enum class Eye { left, right, centre };
 enum class PictureFormat { png, exr };
@@ -28,7 +28,7 @@ struct Arguments {
   std::string preset = "auto";      // of quality.h; "auto"; "all" for capture
   std::string path;                 // a file or a name in content/paths; empty: named like the scene
   DisplayKind display = DisplayKind::automatic;
-  int width = 0, height = 0;        // pixels an eye; 0: the display's own choice
+  int width = 0, height = 0;        // pixels an eye; 0: the display's own choice; bake: texels a side
   int views = 2;                    // 1: one picture from `eye`, the default of explore; 2: left and right
   Eye eye = Eye::centre;
   double fps = 30.0;                // frames a second of simulated time
@@ -40,6 +40,7 @@ struct Arguments {
   bool json = false;                // plan, doctor: machine-readable
   std::string matrix;               // plan: a folder for the plans of every preset; empty: none
   double time_s = 0.0;              // query
+  double tile_m = 0.0;              // bake: the loop's side; 0: of the sea's own choice
   std::string points;               // query: CSV of x,z
   std::vector<std::string> files;   // validate
   std::vector<Override> overrides;  // in the order they take effect

@@ -14,6 +14,7 @@
 #include "app/frame.h"
 #include "app/program.h"
 #include "app/progress.h"
+#include "app/sea_time.h"
 #include "app/quality.h"
 #include "app/report.h"
 #include "app/statistics.h"
@@ -120,7 +121,7 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
     experience.resize(shown.width, shown.height);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
-    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample));
+    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample.scene_time_s));
     display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
 

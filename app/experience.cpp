@@ -84,7 +84,7 @@ void Experience::build() {
   const Settings& s = scene_.settings;
   TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam"), std::move(sources)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam"), s.baked.fade_m, std::move(sources)});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/progress.h"
+#include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/files.h"
 #include "platform/headless.h"
@@ -65,7 +66,7 @@ void explore_headless(const Arguments& arguments) {
     display.begin();
     frame.begin();
     draw_frame(experience, frame, display.viewpoint(program.scene.start),
-               settings.time_start_s + settings.time_scale * number / arguments.fps);
+               sea_time_s(settings, number / arguments.fps));
     display.end(frame, &experience.picture());
     progress.step(number + 1);
   }

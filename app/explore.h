@@ -42,6 +42,8 @@ class Explorer {
   std::filesystem::path free_name(const std::string& stem, const std::string& ending) const;
 
   double sea_time_s() const;
+  void begin_time();                // as a scene begins
+  void scrub(double by_s);
   double scene_time_s() const;  // as a path of this scene counts it
   const Settings& settings() const { return experience_->scene().settings; }
 

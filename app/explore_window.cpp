@@ -8,6 +8,7 @@
 #include "app/explore.h"
 #include "app/frame.h"
 #include "app/quality.h"
+#include "app/sea_time.h"
 #include "app/tile_sources.h"
 #include "engine/error.h"
 #include "engine/files.h"
@@ -38,6 +39,7 @@ double axis(const Input& input, Key plus, Key minus) { return double(input.is_he
 Explorer::Explorer(const Arguments& arguments, Program& program, Window& window)
     : arguments_(arguments), program_(program), window_(window), overlay_(*program.device, window), camera_(program.scene.start),
       scenes_(scene_names()) {
+  begin_time();
   build();
 }
 
@@ -59,7 +61,17 @@ double Explorer::sea_time_s() const { return settings().time_start_s + sea_elaps
 double Explorer::scene_time_s() const {
   // Replay counts from the scene's own start at the scene's own speed (see replay.cpp).
   const Settings& own = program_.scene.settings;
-  return own.time_scale > 0.0 ? (sea_time_s() - own.time_start_s) / own.time_scale : 0.0;
+  return own.time_scale != 0.0 ? (sea_time_s() - own.time_start_s) / own.time_scale - own.time_offset_s : 0.0;
+}
+
+void Explorer::begin_time() {
+  const Settings& own = program_.scene.settings;
+  sea_elapsed_s_ = seascape::sea_time_s(own, own.follow_clock ? machine_clock_s() : 0.0) - own.time_start_s;
+}
+
+void Explorer::scrub(double by_s) {
+  sea_elapsed_s_ += by_s;
+  tell(fmt::format("sea time: {:.1f} s{}", sea_time_s(), settings().follow_clock && !paused_ ? ", held to the clock (stop it with Space to look elsewhere)" : ""));
 }
 
 void Explorer::tell(const std::string& line) {
@@ -95,7 +107,8 @@ void Explorer::apply(const Settings& wanted) {
   }
   const std::uint64_t builds = experience_->builds();
   try {
-    experience_->apply(wanted, paused_);  // while time stands still no sea grows
+    experience_->apply(wanted, paused_ || wanted.time_scale <= 0.0);  // while time stands still or runs back no sea grows
+    sea_elapsed_s_ += wanted.time_scale * (wanted.time_offset_s - before.time_offset_s);
   } catch (const Error& fault) {
     tell_fault(fault.what());
     experience_->apply(before);
@@ -117,7 +130,7 @@ void Explorer::change_scene(const std::string& name, const std::string& preset) 
     return;
   }
   camera_ = ExploreCamera(program_.scene.start);
-  sea_elapsed_s_ = 0.0;
+  begin_time();
   build();
   tell("scene: " + program_.scene.name);
 }
@@ -137,7 +150,7 @@ void Explorer::scale_time(double factor) {
   const Setting& row = *find_setting("time.scale");
   constexpr double least = 0.125;  // below it time stands still, and comes back from there
   double scale = changed.time_scale == 0.0 && factor > 1.0 ? least : changed.time_scale * factor;
-  if (scale < least) scale = 0.0;
+  if (std::abs(scale) < least) scale = 0.0;
   changed.time_scale = std::clamp(scale, row.least, row.most);
   apply(changed);
   tell(fmt::format("time scale: {:g}", changed.time_scale));
@@ -195,6 +208,8 @@ void Explorer::keys(const Input& input) {
       case Key::space: toggle_pause(); break;
       case Key::left_bracket: scale_time(0.5); break;
       case Key::right_bracket: scale_time(2.0); break;
+      case Key::comma: scrub(input.is_held(Key::shift) ? -10.0 : -1.0); break;
+      case Key::period: scrub(input.is_held(Key::shift) ? 10.0 : 1.0); break;
       case Key::v: next_debug_view(); break;
       case Key::f1: panel_.visible = !panel_.visible; break;
       case Key::p:
@@ -280,6 +295,7 @@ void Explorer::obey(const PanelWish& wish) {
     }
   }
   if (wish.travel) set_travel(*wish.travel);
+  if (wish.sea_time_s) sea_elapsed_s_ = *wish.sea_time_s - settings().time_start_s;
   if (wish.pause) toggle_pause();
   if (wish.record) toggle_recording();
   if (wish.screenshot) screenshot_wanted_ = true;
@@ -325,7 +341,10 @@ void Explorer::run() {
     }
     frame_ms_ = 1000.0 * passed_s;
     now_s_ += dt_s;
-    if (!paused_) sea_elapsed_s_ += dt_s * settings().time_scale;
+    if (!paused_) {
+      if (settings().follow_clock) sea_elapsed_s_ = seascape::sea_time_s(settings(), machine_clock_s()) - settings().time_start_s;
+      else sea_elapsed_s_ += dt_s * settings().time_scale;
+    }
     move(window_.input(), dt_s);
     draw(shown);
     ++drawn;

@@ -25,6 +25,7 @@ constexpr std::array<const char*, 2> keys[] = {
     {"1 2 3", "fly, walk at deck height, ride the waves"},
     {"Space", "stop and start the sea's time"},
     {"[ ]", "slower and faster time"},
+    {", .", "a second back and on in the sea's time; ten with Shift"},
     {"V", "next debug view"},
     {"P or F2", "screenshot"},
     {"R", "start and end recording a camera path"},
@@ -100,6 +101,14 @@ Edit edit_row(Settings& settings, const Setting& row) {
   if (const auto* whole = std::get_if<IntegerMember>(&row.member))
     return scalar_state(ImGui::SliderInt(id.c_str(), &(*whole)(settings), int(row.least), int(row.most), "%d",
                                          ImGuiSliderFlags_AlwaysClamp));
+  if (const auto* text = std::get_if<TextMember>(&row.member)) {
+    std::array<char, 401> bytes{};
+    std::string& value = (*text)(settings);
+    std::copy_n(value.begin(), std::min(value.size(), bytes.size() - 1), bytes.begin());
+    const bool changed = ImGui::InputText(id.c_str(), bytes.data(), bytes.size());
+    value = bytes.data();
+    return scalar_state(changed);
+  }
   double& value = std::get<RealMember>(row.member)(settings);
   const std::string unit = row.unit.empty() ? "" : " " + std::string(row.unit);
   if (row.least < -1e6) {  // no slider can set this
@@ -173,7 +182,10 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   if (ImGui::GetWindowWidth() > ImGui::GetFontSize() * 22.0f) ImGui::SameLine();
   if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str() : "Record path###record"))
     wish.record = true;
-  ImGui::TextWrapped("sea time %.1f s x %.3g   speed %.1f m/s", facts.sea_time_s, facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
+  double time_s = facts.sea_time_s;
+  ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 5.0f);
+  if (ImGui::DragScalar("sea time", ImGuiDataType_Double, &time_s, 0.05f, nullptr, nullptr, "%.1f s")) wish.sea_time_s = std::clamp(time_s, -1e10, 1e10);
+  ImGui::TextWrapped("time x %.3g   speed %.1f m/s", facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
 }
 
 void Panel::draw_times(const PanelFacts& facts) {

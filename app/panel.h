@@ -33,6 +33,7 @@ struct PanelWish {
   std::optional<std::string> preset, scene;
   std::optional<std::vector<std::string>> effects;
   std::optional<Travel> travel;
+  std::optional<double> sea_time_s;
   bool screenshot = false, record = false, pause = false;
 };
 

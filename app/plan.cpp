@@ -12,6 +12,7 @@
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/quality.h"
+#include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/files.h"
 #include "ocean/effects.h"
@@ -176,11 +177,13 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
   Headless display(options);
   const std::vector<ObjectRecord> objects = device.objects();
   for (const bool first : {true, false}) {
-    draw_once(experience, display, scene.settings.time_start_s + (first ? 0.0 : 0.1));
+    draw_once(experience, display, sea_time_s(scene.settings, 0.0) + (first ? 0.0 : 0.1));
     add_work(plan, experience.frame().work(), objects, first);
   }
   plan.passes = experience.frame().counts().passes;
   for (const ObjectRecord& object : device.objects()) add_object(effect_named(plan, object.effect), object);
+  for (const auto& source : experience.ocean().sources())
+    if (const std::size_t bytes = source->source().bytes(); bytes > 0) effect_named(plan, std::string(source->source().name())).resources.push_back({"host", "recorded frames", bytes});
   add_code(plan, shaders, experience.surface());
   return plan;
 }

@@ -23,7 +23,7 @@ struct PlanModule {
 };
 
 struct PlanResource {
-  std::string kind, name;  // "image" or "buffer"
+  std::string kind, name;  // "image" or "buffer"; "host": memory of the processor, not in PlanEffect::bytes
   std::uint64_t bytes = 0;
 };
 

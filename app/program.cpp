@@ -84,10 +84,6 @@ const char* view_suffix(int views, int view) { return views == 1 ? "" : view == 
 
 int frames_of(const CameraPath& path, double fps) { return int(std::floor(path.duration_s() * fps + 1e-9)) + 1; }
 
-double sea_time_s(const Settings& settings, const PathSample& sample) {
-  return settings.time_start_s + sample.scene_time_s * settings.time_scale;
-}
-
 HeadlessOptions headless_options(const Arguments& arguments, const RenderSettings& render) {
   HeadlessOptions options;
   if (arguments.width) options.width = std::uint32_t(arguments.width);

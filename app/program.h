@@ -34,8 +34,6 @@ const char* view_suffix(int views, int view);
 
 // Frames of a path at so many a second: the first lies on its start, the last on its end or just before.
 int frames_of(const CameraPath& path, double fps);
-// The sea's time, seconds, at a sample of a path.
-double sea_time_s(const Settings& settings, const PathSample& sample);
 
 // The size, eyes and field of view that the command line and the scene ask of a display without a screen.
 HeadlessOptions headless_options(const Arguments& arguments, const RenderSettings& render);

@@ -7,6 +7,7 @@
 #include "app/frame.h"
 #include "app/program.h"
 #include "app/progress.h"
+#include "app/sea_time.h"
 #include "app/report_replay.h"
 #include "engine/error.h"
 #include "engine/files.h"
@@ -77,7 +78,7 @@ int run_replay(const Arguments& arguments) {
     drawn.frame = arguments.start + done;
     drawn.time_s = drawn.frame / arguments.fps;
     const PathSample sample = path.at(drawn.time_s);
-    drawn.scene_time_s = sea_time_s(program.scene.settings, sample);
+    drawn.scene_time_s = sea_time_s(program.scene.settings, sample.scene_time_s);
 
     display.begin();
     drawn.views = display.viewpoint(sample.pose);

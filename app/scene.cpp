@@ -4,10 +4,13 @@
 
 #include "app/camera_path.h"
 #include "app/located_json.h"
+#include "app/loop_file.h"
 #include "app/quality.h"
 #include "engine/files.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/waves/baked.h"
+#include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_particle_settings.h"
 
 namespace seascape {
@@ -107,14 +110,20 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   apply_preset(scene.settings, preset);
   faults.attempt([&] { read_scene(scene, parse_located_json(text, where), where, faults); });
   // What one value alone does not show: whether an effect's settings go together.
-  if (std::find(scene.effects.begin(), scene.effects.end(), "wave_particles") != scene.effects.end())
+  const auto check = [&](std::string_view effect, auto together) {
+    if (std::find(scene.effects.begin(), scene.effects.end(), effect) == scene.effects.end()) return;
     faults.attempt([&] {
       try {
-        validate(scene.settings.wave_particles);
+        together();
       } catch (const Error& error) {
         throw Error(where, error.where() + ": " + error.fault(), error.remedy());
       }
     });
+  };
+  const SeaState& sea = scene.settings.sea;
+  check("baked", [&] { Baked(read_loop(loop_folder(scene.settings.baked.loop, where)), scene.settings.baked); });
+  check("gerstner", [&] { Gerstner(scene.settings.gerstner, sea.gravity_mps2, sea.depth_m); });
+  check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;
 }
 

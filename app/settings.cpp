@@ -20,8 +20,11 @@ Visitor(F...) -> Visitor<F...>;
 // Members are reached through Settings&; reading does not change anything.
 Settings& mutable_settings(const Settings& settings) { return const_cast<Settings&>(settings); }
 
+constexpr std::size_t longest_text = 400;
+
 bool is_flag(const Setting& setting) { return std::holds_alternative<FlagMember>(setting.member); }
 bool is_choice(const Setting& setting) { return std::holds_alternative<ChoiceMember>(setting.member); }
+bool is_text(const Setting& setting) { return std::holds_alternative<TextMember>(setting.member); }
 bool is_whole(const Setting& setting) {
   return std::holds_alternative<IntegerMember>(setting.member) || std::holds_alternative<SeedMember>(setting.member);
 }
@@ -35,6 +38,7 @@ std::string text_of(const SettingValue& value) {
 
 std::string remedy_for(const Setting& setting) {
   if (is_flag(setting)) return "give true or false";
+  if (is_text(setting)) return "give a text of at most " + std::to_string(longest_text) + " bytes without control characters";
   if (!setting.choices.empty()) return "give " + range_text(setting);
   return std::string(is_whole(setting) ? "give a whole number from " : "give a number from ") + range_text(setting);
 }
@@ -54,6 +58,7 @@ SettingValue value_of(const Settings& constant, const Setting& setting) {
               [&](IntegerMember member) { return SettingValue(static_cast<double>(member(settings))); },
               [&](SeedMember member) { return SettingValue(static_cast<double>(member(settings))); },
               [&](FlagMember member) { return SettingValue(member(settings)); },
+              [&](TextMember member) { return SettingValue(member(settings)); },
               [&](const ChoiceMember& member) {
                 return SettingValue(std::string(setting.choices.at(static_cast<std::size_t>(member.get(settings)))));
               }},
@@ -68,6 +73,7 @@ std::string value_text(const Settings& settings, const Setting& setting) {
 
 std::string range_text(const Setting& setting) {
   if (is_flag(setting)) return "true or false";
+  if (is_text(setting)) return "text";
   if (!setting.choices.empty()) return listed(setting.choices);
   return text_from(setting.least) + " to " + text_from(setting.most) +
          (setting.unit.empty() ? "" : " " + std::string(setting.unit));
@@ -82,6 +88,13 @@ void set_value(Settings& settings, const Setting& setting, const SettingValue& v
     const bool* flag = std::get_if<bool>(&value);
     if (flag == nullptr) refuse("is neither true nor false");
     std::get<FlagMember>(setting.member)(settings) = *flag;
+    return;
+  }
+  if (is_text(setting)) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) refuse("is no text");
+    if (text->size() > longest_text || std::any_of(text->begin(), text->end(), [](char c) { return static_cast<unsigned char>(c) < 32; })) refuse("is too long or has control characters");
+    std::get<TextMember>(setting.member)(settings) = *text;
     return;
   }
   if (is_choice(setting)) {
@@ -102,7 +115,7 @@ void set_value(Settings& settings, const Setting& setting, const SettingValue& v
   std::visit(Visitor{[&](RealMember member) { member(settings) = *number; },
                      [&](IntegerMember member) { member(settings) = static_cast<int>(*number); },
                      [&](SeedMember member) { member(settings) = static_cast<std::uint32_t>(*number); },
-                     [](FlagMember) {}, [](const ChoiceMember&) {}},
+                     [](FlagMember) {}, [](TextMember) {}, [](const ChoiceMember&) {}},
              setting.member);
 }
 
@@ -113,7 +126,7 @@ void set_from_text(Settings& settings, std::string_view key, std::string_view va
   SettingValue parsed = std::string(value);
   if (is_flag(*setting) && (value == "true" || value == "false")) {
     parsed = value == "true";
-  } else if (!is_flag(*setting) && !is_choice(*setting)) {
+  } else if (!is_flag(*setting) && !is_choice(*setting) && !is_text(*setting)) {
     if (const auto number = real_from(value)) parsed = *number;
   }
   set_value(settings, *setting, parsed, where, exit_code);

@@ -12,6 +12,8 @@
 #include "app/sky_settings.h"
 #include "ocean/lod/lod_settings.h"
 #include "ocean/surface/water_settings.h"
+#include "ocean/waves/baked_settings.h"
+#include "ocean/waves/gerstner_settings.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_particle_settings.h"
 #include "ocean/waves/wave_place.h"
@@ -22,6 +24,8 @@ struct Settings {
   SeaState sea;          // keys waves.*
   WaveQuality waves;     // keys waves.resolution, waves.cascades, waves.half_storage
   WavePlace wave_place = WavePlace::automatic;  // key waves.where
+  BakedSettings baked;                  // keys baked.*
+  GerstnerSettings gerstner;            // keys gerstner.*
   WaveParticleSettings wave_particles;  // keys wave_particles.*
   LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*
@@ -30,6 +34,8 @@ struct Settings {
   double sea_change_s = 6.0;    // key waves.change_s
   double time_scale = 1.0;   // key time.scale
   double time_start_s = 0.0; // key time.start_s
+  double time_offset_s = 0.0;  // key time.offset_s
+  bool follow_clock = false;   // key time.follow_clock
 };
 
 // Where a row's value lies inside a Settings. An enum is read and written by the number of its name in Setting::choices.
@@ -37,6 +43,7 @@ using RealMember = double& (*)(Settings&);
 using IntegerMember = int& (*)(Settings&);
 using SeedMember = std::uint32_t& (*)(Settings&);
 using FlagMember = bool& (*)(Settings&);
+using TextMember = std::string& (*)(Settings&);
 struct ChoiceMember {
   int (*get)(const Settings&);
   void (*set)(Settings&, int);
@@ -46,7 +53,7 @@ struct Setting {
   std::string_view key;       // "waves.wind_speed_mps": group, point, name; "msaa" has no group
   std::string_view unit;      // "m", "m/s", "deg", "" ...
   std::string_view sentence;  // what it does
-  std::variant<RealMember, IntegerMember, SeedMember, FlagMember, ChoiceMember> member;
+  std::variant<RealMember, IntegerMember, SeedMember, FlagMember, ChoiceMember, TextMember> member;
   double least = 0.0, most = 0.0;               // range of a number, both allowed
   std::vector<std::string_view> choices{};      // names of an enum, or the only numbers allowed ("16", "32", "64")
   bool quality = false;                         // set by presets
@@ -59,10 +66,10 @@ const Setting* find_setting(std::string_view key);
 
 using SettingValue = std::variant<bool, double, std::string>;
 
-// The value as it is now: bool of a flag, double of a number, name of a choice.
+// The value as it is now: bool of a flag, double of a number, name of a choice or a text.
 SettingValue value_of(const Settings& settings, const Setting& setting);
 std::string value_text(const Settings& settings, const Setting& setting);
-// "0 to 64 m/s", "16, 32 or 64", "true or false".
+// "0 to 64 m/s", "16, 32 or 64", "true or false", "text".
 std::string range_text(const Setting& setting);
 
 // Sets one value or throws Error naming `where`, key, value and range; `settings` is unchanged then.

@@ -32,7 +32,7 @@ std::string settings_document() {
       group = group_of(setting.key);
       text += "\n## " + group + "\n\n| Key | Default | Range | What it does |\n|---|---|---|---|\n";
     }
-    text += "| " + code(setting.key) + " | " + (setting.quality ? "preset" : value_text(defaults, setting)) + " | " +
+    text += "| " + code(setting.key) + " | " + (setting.quality ? "preset" : value_text(defaults, setting).empty() ? "none" : value_text(defaults, setting)) + " | " +
             range_text(setting) + " | " + std::string(setting.sentence) + " |\n";
   }
   text += "\n## Presets\n\n| Key | low | medium | high | ultra |\n|---|---|---|---|---|\n";

@@ -21,9 +21,13 @@ void set_choice(Settings& settings, int index) {
   value = static_cast<std::remove_reference_t<decltype(value)>>(index);
 }
 
-template <auto member> constexpr RealMember real = &at<member>;
+template <auto member> constexpr auto real = &at<member>;
 template <auto member> constexpr auto sea = &at<&Settings::sea, member>;
 template <auto member> constexpr auto waves = &at<&Settings::waves, member>;
+template <auto member> constexpr auto baked = &at<&Settings::baked, member>;
+template <auto member> constexpr auto gerstner = &at<&Settings::gerstner, member>;
+template <auto member> constexpr auto gset1 = &at<&Settings::gerstner, &GerstnerSettings::set1, member>;
+template <auto member> constexpr auto gset2 = &at<&Settings::gerstner, &GerstnerSettings::set2, member>;
 template <auto member> constexpr auto particles = &at<&Settings::wave_particles, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
 template <auto member> constexpr auto water = &at<&Settings::water, member>;
@@ -101,6 +105,39 @@ const std::vector<Setting>& table() {
        ChoiceMember{&choice_of<&Settings::wave_place>, &set_choice<&Settings::wave_place>}, 0.0, 0.0, {"auto", "gpu", "cpu"}, false,
        rebuild},
 
+      {"gerstner.set1_height_m", "m", "Significant height of the first set of Gerstner waves, 1.41 times trough to crest of a single wave; 0 leaves it out.",
+       gset1<&GerstnerSet::height_m>, 0.0, 30.0, {}, false, rebuild},
+      {"gerstner.set1_wavelength_m", "m", "Length of the first set's longest wave; both sets' waves lie within a factor of 8.",
+       gset1<&GerstnerSet::wavelength_m>, 0.25, 1000.0, {}, false, rebuild},
+      {"gerstner.set1_to_deg", "deg", "Direction the first set travels to, clockwise from -z seen from above.",
+       gset1<&GerstnerSet::to_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"gerstner.set1_spread_deg", "deg", "The directions of the first set's waves lie evenly within this angle; a single wave has none.",
+       gset1<&GerstnerSet::spread_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"gerstner.set1_octaves", "", "0: the first set is one wave. 1 to 3: waves of so many octaves of length below it, each as steep as the others.",
+       gset1<&GerstnerSet::octaves>, 0.0, 3.0, {"0", "1", "2", "3"}, false, rebuild},
+      {"gerstner.set1_waves", "", "How many waves the first set has an octave.",
+       gset1<&GerstnerSet::waves>, 1.0, 16.0, {}, false, rebuild},
+      {"gerstner.set1_reverse", "", "What comes back against the first set, as a share of each wave's height: 1 gives waves that stand.",
+       gset1<&GerstnerSet::reverse>, 0.0, 1.0, {}, false, rebuild},
+      {"gerstner.set2_height_m", "m", "Significant height of the second set of Gerstner waves, 1.41 times trough to crest of a single wave; 0 leaves it out.",
+       gset2<&GerstnerSet::height_m>, 0.0, 30.0, {}, false, rebuild},
+      {"gerstner.set2_wavelength_m", "m", "Length of the second set's longest wave; both sets' waves lie within a factor of 8.",
+       gset2<&GerstnerSet::wavelength_m>, 0.25, 1000.0, {}, false, rebuild},
+      {"gerstner.set2_to_deg", "deg", "Direction the second set travels to, clockwise from -z seen from above.",
+       gset2<&GerstnerSet::to_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"gerstner.set2_spread_deg", "deg", "The directions of the second set's waves lie evenly within this angle; a single wave has none.",
+       gset2<&GerstnerSet::spread_deg>, 0.0, 360.0, {}, false, rebuild},
+      {"gerstner.set2_octaves", "", "0: the second set is one wave. 1 to 3: waves of so many octaves of length below it, each as steep as the others.",
+       gset2<&GerstnerSet::octaves>, 0.0, 3.0, {"0", "1", "2", "3"}, false, rebuild},
+      {"gerstner.set2_waves", "", "How many waves the second set has an octave.",
+       gset2<&GerstnerSet::waves>, 1.0, 16.0, {}, false, rebuild},
+      {"gerstner.set2_reverse", "", "What comes back against the second set, as a share of each wave's height: 1 gives waves that stand.",
+       gset2<&GerstnerSet::reverse>, 0.0, 1.0, {}, false, rebuild},
+      {"gerstner.chop", "", "Horizontal displacement of Gerstner waves: 0 none, 1 circles, as Gerstner's; refused where it would fold the surface over.",
+       gerstner<&GerstnerSettings::chop>, 0.0, 2.0, {}, false, rebuild},
+      {"gerstner.seed", "", "Which phases, and which lengths and directions within their octaves and spread, Gerstner waves have.",
+       gerstner<&GerstnerSettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},
+
       {"wave_particles.count", "", "Wave particles on the tile: bumps that run straight on, half of them troughs, evenly in all directions.",
        particles<&WaveParticleSettings::count>, 1.0, 100000.0, {}, false, rebuild},
       {"wave_particles.height_m", "m", "Significant height of the wave particles' waves; 0 leaves them out.",
@@ -117,6 +154,15 @@ const std::vector<Setting>& table() {
        particles<&WaveParticleSettings::scales>, 1.0, 3.0, {"1", "2", "3"}, false, rebuild},
       {"wave_particles.seed", "", "Which wave particles of the same statistics.", particles<&WaveParticleSettings::seed>, 0.0,
        4294967295.0, {}, false, rebuild},
+
+      {"baked.loop", "", "The loop of waves that is played: a folder that `seascape bake` wrote, or the name of one in content/loops.",
+       TextMember{&at<&Settings::baked, &BakedSettings::loop>}, 0.0, 0.0, {}, false, rebuild},
+      {"baked.scale", "", "Plays the loop so many times as long and as high as recorded, and slower by the root of it, as such waves run.",
+       baked<&BakedSettings::scale>, 0.01, 100.0, {}, false, rebuild},
+      {"baked.weight", "", "Of the loop's displacement: 1 all, 0 none.", baked<&BakedSettings::weight>, 0.0, 4.0, {}, false, rebuild},
+      {"baked.speed", "", "How fast the loop runs; 0 stands still, below 0 it runs backwards.", baked<&BakedSettings::speed>, -8.0, 8.0, {}, false, rebuild},
+      {"baked.fade_m", "m", "From half this distance on the picture fades the loop's waves into roughness, which is all that is left from there on; 0 does not. Queries have them everywhere.",
+       baked<&BakedSettings::fade_m>, 0.0, 1e6, {}, false, rebuild},
 
       {"lod.ocean_size_m", "m", "Side of the square that is divided into patches, doubled where motion is seen beyond it; a skirt goes on to the horizon.",
        lod<&LodSettings::ocean_size_m>, 256.0, 8192.0, {}, false, rebuild},
@@ -179,8 +225,12 @@ const std::vector<Setting>& table() {
        render<&RenderSettings::vertical_fov_deg>, 1.0, 170.0},
       {"camera.near_m", "m", "Distance of the near plane.", render<&RenderSettings::near_m>, 0.001, 10.0},
 
-      {"time.scale", "", "Speed of the sea's time; 0 stands still.", real<&Settings::time_scale>, 0.0, 8.0},
+      {"time.scale", "", "Speed of the sea's time; 0 stands still, below 0 it runs backwards.", real<&Settings::time_scale>, -8.0, 8.0},
       {"time.start_s", "s", "The sea's time at the start.", real<&Settings::time_start_s>, -1e9, 1e9},
+      {"time.offset_s", "s", "What the clock that the sea goes by, such as a server's, says more than this one: the sea's time is time.start_s + time.scale (clock + this).",
+       real<&Settings::time_offset_s>, -1e9, 1e9},
+      {"time.follow_clock", "", "In explore the clock is the machine's (seconds since 1970, UTC) instead of the time since the start: all who have the same clock see one sea.",
+       real<&Settings::follow_clock>, 0.0, 1.0},
 
       {"debug.view", "", "Paints something else than light: holes in magenta, levels, wires, normals, slices.",
        render_choice<&RenderSettings::debug>, 0.0, 0.0, {"none", "holes", "lod", "wireframe", "normals", "slices"}, false,

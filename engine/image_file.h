@@ -38,6 +38,9 @@ Image8 read_png(const std::filesystem::path& file);
 // compression, and the first flat part of a multi-part file with colour; deep data and subsampled channels are refused.
 ImageF read_exr(const std::filesystem::path& file, Values values = Values::finite);
 
+// The channels of a file's first part, in its own order. Throws Error as read_exr does.
+std::vector<std::string> exr_channels_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
+
 // The same on bytes; `where` names them in errors.
 Image8 read_png_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
 ImageF read_exr_from_memory(std::span<const std::uint8_t> bytes, const std::string& where, Values values = Values::finite);

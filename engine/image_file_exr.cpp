@@ -259,6 +259,20 @@ ImageF read_exr_from_memory(std::span<const std::uint8_t> bytes, const std::stri
   return image;
 }
 
+std::vector<std::string> exr_channels_from_memory(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const std::vector<std::uint8_t> checked = checked_exr(bytes, where);
+  std::vector<std::string> names;
+  try {
+    ReadMemory stream(checked, where);
+    const Imf::MultiPartInputFile file(stream);
+    const Imf::ChannelList& channels = file.header(0).channels();
+    for (auto channel = channels.begin(); channel != channels.end(); ++channel) names.emplace_back(channel.name());
+  } catch (const std::exception& fault) {
+    throw Error(where, fmt::format("is a broken EXR ({})", fault.what()), "save or copy it again");
+  }
+  return names;
+}
+
 ImageF read_exr(const std::filesystem::path& file, Values values) {
   return read_exr_from_memory(read_bytes(file), file.string(), values);
 }

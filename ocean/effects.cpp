@@ -15,8 +15,8 @@ struct Effect {
 };
 
 constexpr Effect effects[] = {
-    {"waves", true, ""},           {"gerstner", false, ""},      {"wave_particles", true, "waves"},
-    {"baked", false, ""},          {"dynamic_waves", false, ""}, {"foam", true, "waves"},
+    {"waves", true, ""},           {"gerstner", true, "waves"},  {"wave_particles", true, "waves"},
+    {"baked", true, "waves"},     {"dynamic_waves", false, ""}, {"foam", true, "waves"},
     {"spray", false, "foam"},      {"flow", false, ""},          {"sea_depth", false, ""},
     {"level", false, ""},          {"clip", false, ""},          {"shadow", false, ""},
     {"albedo", false, ""},         {"reflections", false, ""},   {"refraction", false, ""},

@@ -40,6 +40,8 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     of_sources_.height_variance += s.height_variance;
     of_sources_.largest_height_m += s.largest_height_m;
     of_sources_.largest_shift_m += s.largest_shift_m;
+    if (s.largest_curvature_per_m > 0.0) of_sources_.largest_curvature_per_m += s.largest_curvature_per_m;
+    else of_unknown_curvature_m_ += s.largest_height_m;
   }
 }
 
@@ -103,9 +105,14 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
   if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
   if (sources_.empty()) return result;
-  // Of sources no spectrum is known: a mesh misses them by a share of its spacing, and water anywhere may be off by all of them.
-  for (std::size_t n = 0; n < result.mesh_error.octave_m.size(); ++n)
-    result.mesh_error.octave_m[n] += std::min(Quadtree::error_over_spacing * std::ldexp(MeshError::least_spacing_m, int(n)), of_sources_.largest_height_m);
+  // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal. Of sources that do not know how they are bent
+  // it misses a share of its spacing; and water anywhere may be off by all sources.
+  const double of_known_curvature_m = of_sources_.largest_height_m - of_unknown_curvature_m_;
+  for (std::size_t n = 0; n < result.mesh_error.octave_m.size(); ++n) {
+    const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
+    result.mesh_error.octave_m[n] += std::min(Quadtree::error_over_spacing * spacing_m, of_unknown_curvature_m_) +
+                                     std::min({0.25 * of_sources_.largest_curvature_per_m * spacing_m * spacing_m, Quadtree::error_over_spacing * spacing_m, of_known_curvature_m});
+  }
   if (result.below) {
     for (double& off : result.below->motion.vertical_m) off += of_sources_.largest_height_m;
     for (double& off : result.below->motion.horizontal_m) off += of_sources_.largest_shift_m;
@@ -145,7 +152,11 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   const SurfaceSelection& s = selection;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   data.sea = waves_.sea_data(s.grid_origin_m);
-  for (const auto& source : sources_) source->describe(data.sea.particles, s.grid_origin_m);
+  for (const auto& source : sources_) {
+    const std::string_view name = source->source().name();
+    source->describe(name == "baked" ? std::span(&data.sea.baked, 1) : name == "gerstner" ? std::span(&data.sea.gerstner, 1) : std::span(data.sea.particles), s.grid_origin_m);
+  }
+  data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
   data.sea.footprint.z += float(of_sources_.largest_height_m);
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + of_sources_.largest_shift_m), 0.01));

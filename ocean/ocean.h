@@ -27,6 +27,7 @@ struct OceanSettings {
   LodSettings lod;
   WaterSettings water;
   bool foam = false;
+  double baked_fade_m = 0.0;  // BakedSettings::fade_m
   TileSources sources;  // what feeds the sea beside its waves
 };
 
@@ -84,6 +85,7 @@ class Ocean {
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
   std::vector<std::unique_ptr<DrawnSource>> sources_;
   SourceStatistics of_sources_;  // all of them together
+  double of_unknown_curvature_m_ = 0.0;  // height of those that do not know how they are bent
   void follow_change(Frame& frame, std::int64_t ticks);
   // The long waves alone, on the processor, where the GPU makes the picture's: what the water beneath a viewer does.
   std::unique_ptr<WaveField> long_waves_;

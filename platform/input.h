@@ -10,7 +10,7 @@ namespace seascape {
 enum class Key {
   w, a, s, d, q, e, p, r, v,
   one, two, three,
-  left_bracket, right_bracket,
+  left_bracket, right_bracket, comma, period,
   space, tab, escape, shift, control,
   f1, f2,
   count

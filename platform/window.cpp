@@ -35,6 +35,8 @@ std::optional<Key> key_from(int code) {
     case GLFW_KEY_3: return Key::three;
     case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
     case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
+    case GLFW_KEY_COMMA: return Key::comma;
+    case GLFW_KEY_PERIOD: return Key::period;
     case GLFW_KEY_SPACE: return Key::space;
     case GLFW_KEY_TAB: return Key::tab;
     case GLFW_KEY_ESCAPE: return Key::escape;

@@ -14,7 +14,7 @@ struct SourceSlot {
   std::string_view name;
   std::uint32_t constant, binding;
 };
-constexpr SourceSlot slots[] = {{"wave_particles", 8, 12}};
+constexpr SourceSlot slots[] = {{"baked", 12, 22}, {"gerstner", 11, 19}, {"wave_particles", 8, 12}};
 
 // What surface_points.frag writes, for pictures like `picture`.
 RenderTarget make_points(Device& device, const RenderTarget& picture, float anisotropy) {

@@ -75,9 +75,10 @@ void DrawnSource::describe(std::span<gpu::CascadeData> layings, glm::dvec2 grid_
   const double half_texel = 0.5 / source_->samples();
   std::size_t i = 0;
   for (const Laying& laying : source_->layings()) {
-    const glm::dvec2 origin = grid_origin_m / laying.side_m + laying.offset;
+    const glm::dvec2 row = glm::dvec2(std::cos(laying.rotation_rad), std::sin(laying.rotation_rad)) / laying.side_m, column(-row.y, row.x);
+    const glm::dvec2 origin = glm::dvec2(glm::dot(row, grid_origin_m), glm::dot(column, grid_origin_m)) + laying.offset;
     gpu::CascadeData& d = layings[i++];
-    d.tile_from_rest = glm::vec4(float(1.0 / laying.side_m), 0.0f, 0.0f, float(1.0 / laying.side_m));
+    d.tile_from_rest = glm::vec4(glm::dvec4(row, column));
     d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel), float(origin.y - std::floor(origin.y) + half_texel),
                          float(laying.side_m / source_->samples()), float(laying.shortest_m));
     d.moments = glm::vec4(glm::vec3(moments), float(laying.longest_m));

@@ -24,4 +24,8 @@ glm::dvec2 gaussian_pair(std::uint32_t seed, int cascade, int mx, int mz) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+double uniform_number(std::uint32_t seed, std::uint32_t key) {
+  return double(mix(mix((std::uint64_t(seed) << 32 | key) + 0x9e3779b97f4a7c15u) + 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
+}
+
 }  // namespace seascape

@@ -8,4 +8,7 @@ namespace seascape {
 // Two independent numbers of mean 0 and variance 1 for wave (mx, mz) of a cascade of the sea `seed`.
 glm::dvec2 gaussian_pair(std::uint32_t seed, int cascade, int mx, int mz);
 
+// Uniform in [0, 1) for a key of its own.
+double uniform_number(std::uint32_t seed, std::uint32_t key);
+
 }  // namespace seascape

@@ -14,12 +14,14 @@ namespace seascape {
 struct PlaneLevel;  // ocean/waves/wave_tiles_simd.h
 
 // One way in which the sea takes a tile: `size` times as long, and displaced as many times as far, as the tile is, so that slopes are
-// those of the tile. World place p has the tile coordinates p / side_m + offset on both axes.
+// those of the tile. World place p has the tile coordinates p / side_m + offset on both axes, p turned back by the rotation (from x towards z); what
+// texels hold is along the world's axes all the same.
 struct Laying {
   double size, side_m, offset;
   double longest_m, shortest_m;  // waves in it: a footprint of half the longest begins to fade it (kept_share)
+  double rotation_rad = 0.0;
 };
-inline constexpr int most_layings = 3, most_sources = 1;  // of all of a sea's sources together
+inline constexpr int most_layings = 5, most_sources = 3;  // of all of a sea's sources together
 static_assert(most_sources <= most_layings);
 
 // Sums over a source's layings, as SeaStatistics has them.
@@ -27,6 +29,7 @@ struct SourceStatistics {
   double height_variance = 0.0;
   glm::dvec3 slope_moments{0.0};  // of one laying: all have the same
   double largest_height_m = 0.0, largest_shift_m = 0.0;
+  double largest_curvature_per_m = 0.0;  // of any component of the displacement along any line; 0: not known
 };
 
 // Immutable once made: any number of threads may evaluate one.
@@ -46,6 +49,8 @@ class TileSource {
   // Fills the planes (WavePlane) of every level for a time in ticks, on all cores: levels[0] has samples() texels a side, the last has
   // one. The result depends on the source and the ticks alone. No allocation.
   virtual void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const = 0;
+  // Of the processor's memory that it keeps for as long as it lives, where that is more than a few settings.
+  virtual std::size_t bytes() const { return 0; }
 };
 using TileSources = std::vector<std::shared_ptr<const TileSource>>;
 

@@ -69,7 +69,7 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
   }
   for (std::size_t s = 0; s < others_.size(); ++s)
     for (const Laying& laying : others_[s]->layings())
-      places_.push_back({1.0, 0.0, 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m});
+      places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m});
   assert(places_.size() <= std::size_t(most_places));
 }
 

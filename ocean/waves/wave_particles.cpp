@@ -23,7 +23,7 @@ constexpr int tile = WaveParticles::tile_samples;
 
 constexpr double sizes[gpu::max_particle_layings] = {1.0, double(gpu::particle_size_1), double(gpu::particle_size_2)};
 static_assert(gpu::max_particle_layings <= most_layings);
-constexpr double offsets[most_layings] = {0.0, 0.3713, 0.7219};  // so that no place has the same tile around it at several sizes
+constexpr double offsets[gpu::max_particle_layings] = {0.0, 0.3713, 0.7219};  // so that no place has the same tile around it at several sizes
 
 void require(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most))
@@ -84,7 +84,7 @@ void validate(const WaveParticleSettings& s) {
   require(s.height_m, 0.0, 20.0, "wave_particles.height_m");
   require(s.speed_mps, 0.0, 100.0, "wave_particles.speed_mps");
   require(s.chop, 0.0, 2.0, "wave_particles.chop");
-  require(s.scales, 1, most_layings, "wave_particles.scales");
+  require(s.scales, 1, gpu::max_particle_layings, "wave_particles.scales");
 }
 
 WaveParticles::WaveParticles(const WaveParticleSettings& settings, double gravity_mps2, double loop_s)

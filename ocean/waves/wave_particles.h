@@ -8,6 +8,7 @@
 
 #include "ocean/waves/tile_source.h"
 #include "ocean/waves/wave_particle_settings.h"
+#include "shaders/shared/wave_particles.h"
 
 namespace seascape {
 
@@ -58,7 +59,7 @@ class WaveParticles final : public TileSource {
   int grid_ = tile_samples;  // texels a side of the sum
   std::shared_ptr<const DirectSum> direct_;    // either this
   std::shared_ptr<const SplinedSum> splined_;  // or this
-  std::array<Laying, most_layings> layings_;
+  std::array<Laying, gpu::max_particle_layings> layings_;
 };
 
 // A particle's share of height variance: the integral of W^2 over the plane is this times r^2; of (r dW/dx)^2 and of W likewise.

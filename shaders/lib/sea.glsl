@@ -16,6 +16,18 @@ layout(constant_id = 7) const int cascade_count = max_cascades;
 // Of the samplers of slopes; 1 where the driver has no other.
 layout(constant_id = 5) const float anisotropy = 1.0;
 
+// A recorded loop's tile (the effect baked); 0: there is none, and nothing of it is left here.
+layout(constant_id = 12) const int baked_layings = 0;
+layout(binding = 22) uniform sampler2DArray baked_displacement;  // as those above
+layout(binding = 23) uniform sampler2DArray baked_derivatives;
+layout(binding = 24) uniform sampler2DArray baked_moments;
+
+// The tile of Gerstner waves (the effect gerstner); 0: there are none, and nothing of them is left here.
+layout(constant_id = 11) const int gerstner_layings = 0;
+layout(binding = 19) uniform sampler2DArray gerstner_displacement;  // as those above
+layout(binding = 20) uniform sampler2DArray gerstner_derivatives;
+layout(binding = 21) uniform sampler2DArray gerstner_moments;
+
 // Wave particles: one tile laid over the sea in up to three sizes; 0: there are none, and nothing of them is left here.
 layout(constant_id = 8) const int particle_layings = 0;
 layout(binding = 12) uniform sampler2DArray particle_displacement;  // as those above
@@ -41,6 +53,10 @@ void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, float
   sum += share * by * textureLod(tiles, vec3(at, layer), level);
 }
 
+// What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing. The compiler drops functions that nobody
+// calls, and their types' and constants' places with them: where it is called and never runs, a shader without what fades has the words of one that never had it.
+float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0); }
+
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
@@ -50,6 +66,9 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 1.0, vec4(1.0), rest, footprint);
   if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 2.0, vec4(1.0), rest, footprint);
   if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 3.0, vec4(1.0), rest, footprint);
+  if (cascade_count < 0) sum *= near_viewer(rest);  // never: see near_viewer()
+  if (baked_layings > 0) add_displacement(sum, baked_displacement, frame.sea.baked, 0.0, vec4(near_viewer(rest)), rest, footprint);
+  if (gerstner_layings > 0) add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 0.0, vec4(1.0), rest, footprint);
   if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 0.0, vec4(1.0), rest, footprint);
   if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 0.0, laid(particle_size_1), rest, footprint);
   if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 0.0, laid(particle_size_2), rest, footprint);
@@ -132,6 +151,15 @@ void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray mo
   s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
 }
 
+SeaSlopes no_slopes() { return SeaSlopes(vec2(0.0), vec3(0.0), vec3(0.0)); }
+
+// Adds a part of which distance leaves `near`; what it takes is roughness.
+void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
+  s.gradient += near * part.gradient;
+  s.shift += near * part.shift;
+  s.variance += mix(c.moments.xyz, part.variance, near);
+}
+
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
   vec4 derivatives;
@@ -151,6 +179,11 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
   if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 2.0, rest, along, across, blur, 1.0);
   if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 3.0, rest, along, across, blur, 1.0);
+  SeaSlopes part = no_slopes();
+  if (cascade_count < 0) add_near(s, part, frame.sea.cascade[0], near_viewer(rest));
+  if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 0.0, rest, along, across, blur, 1.0);
+  if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(rest));
+  if (gerstner_layings > 0) add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 0.0, rest, along, across, blur, 1.0);

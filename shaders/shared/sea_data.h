@@ -15,9 +15,11 @@ struct CascadeData {
 
 struct SeaData {
   CascadeData cascade[max_cascades];
+  CascadeData baked;                            // of a recorded loop,
+  CascadeData gerstner;                         // of Gerstner waves, and
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
-  vec4 footprint;  // x: no water is further from its rest position than this, metres; y: unused; z: highest crest in metres, w: significant height of the drawn waves, metres
+  vec4 footprint;  // x: no water is further from its rest position than this, metres; y: one over the distance at which a recorded loop has faded, 1/m, 0 for none; z: highest crest in metres, w: significant height of the drawn waves, metres
 };
 
 SEASCAPE_SHARED_END

@@ -34,6 +34,8 @@ struct EffectUnderProof {
 
 const EffectUnderProof table[] = {
     {"foam", {"waves"}, {"waves", "foam"}, {{"waves.wind_speed_mps", "18"}}, {"", ""}, {}, false, false},
+    {"baked", {"waves"}, {"waves", "baked"}, {{"baked.loop", "fresh_sea"}}, {"baked.weight", "0"}, {22, 23, 24}, true, true},
+    {"gerstner", {"waves"}, {"waves", "gerstner"}, {{"gerstner.set1_height_m", "0.5"}}, {"gerstner.set1_height_m", "0"}, {19, 20, 21}, true, true},
     {"wave_particles", {"waves"}, {"waves", "wave_particles"}, {{"wave_particles.height_m", "0.2"}}, {"wave_particles.height_m", "0"}, {12, 13, 14}, true, true},
 };
 
@@ -258,9 +260,13 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
   const std::size_t count = std::size(table);
   for (std::size_t set = 0; set < std::size_t{1} << count; ++set) {
     std::vector<std::string> effects{"waves"};
+    std::vector<std::pair<std::string, std::string>> settings{{"waves.resolution", "32"}, {"lod.patch_quads", "16"}};
     for (std::size_t i = 0; i < count; ++i)
-      if (set >> i & 1) effects.push_back(table[i].name);
-    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}, .effects = effects});
+      if (set >> i & 1) {
+        effects.push_back(table[i].name);
+        settings.insert(settings.end(), table[i].set.begin(), table[i].set.end());
+      }
+    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = settings, .effects = effects});
     const Plan plan = make_plan(test::device(), test::shaders(), shot.experience(), "medium");
     for (std::size_t i = 0; i < count; ++i) {
       const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == table[i].name; });

@@ -35,6 +35,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   int changed_pictures = 0;
   for (const Setting& row : settings_table()) {
     SCOPED_TRACE(row.key);
+    if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
     const std::string before = value_text(live.scene().settings, row), value = another(live.scene().settings, row);
     live.set(std::string(row.key), value);
     test::ShotOptions options = common;

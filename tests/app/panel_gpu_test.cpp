@@ -89,16 +89,16 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
       EXPECT_FALSE(down && row.rebuild) << row.key;
     }
   };
-  constexpr float lowest = 2200.0f;
+  constexpr float lowest = 3000.0f;
   try_column(290.0f, 40.0f, lowest, told);  // sliders
   try_column(200.0f, 0.0f, lowest, told);   // boxes and lists
   try_column(373.0f, 0.0f, lowest, told);   // the steps beside a number that is typed
-  for (const Setting& row : settings_table()) EXPECT_TRUE(changed.count(std::string(row.key))) << row.key;
+  for (const Setting& row : settings_table()) EXPECT_TRUE(changed.count(std::string(row.key)) || std::holds_alternative<TextMember>(row.member)) << row.key;  // what is typed
 }
 
 // Control: a button without its wish fails here.
 TEST_F(PanelUnderTheMouse, HasButtonsAndLists) {
-  bool paused = false, photographed = false, recorded = false, preset = false, travel = false;
+  bool paused = false, photographed = false, recorded = false, preset = false, travel = false, scrubbed = false;
   for (float x = 20.0f; x < 260.0f; x += 25.0f)
     try_column(x, 0.0f, 150.0f, [&](const PanelWish& wish, bool) {
       paused |= wish.pause;
@@ -106,12 +106,15 @@ TEST_F(PanelUnderTheMouse, HasButtonsAndLists) {
       recorded |= wish.record;
       preset |= wish.preset.has_value();
       travel |= wish.travel.has_value();
+      scrubbed |= wish.sea_time_s.has_value();
     });
   EXPECT_TRUE(paused);
   EXPECT_TRUE(photographed);
   EXPECT_TRUE(recorded);
   EXPECT_TRUE(preset);
   EXPECT_TRUE(travel);
+  for (float y = 5.0f; y < 220.0f && !scrubbed; y += 9.0f) drag(120.0f, y, 60.0f, [&](const PanelWish& wish, bool) { scrubbed |= wish.sea_time_s.has_value(); });
+  EXPECT_TRUE(scrubbed);
 }
 
 // Control: draw() without its look at `visible` fails here.

@@ -118,14 +118,14 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
   } catch (const Error& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("no scene is called 'strom' (did you mean 'storm'?)"), std::string::npos) << message;
-    EXPECT_NE(message.find("calm, open_sea, rain_pool, storm or swell"), std::string::npos) << message;
+    EXPECT_NE(message.find("baked, calm, gerstner, open_sea, rain_pool, storm or swell"), std::string::npos) << message;
   }
   EXPECT_THROW(load_scene("./no-such-file.json", "low"), Error);
 }
 
 // Control: a scene without its path, or one with a key of another name, fails here.
 TEST(Scene, EveryShippedSceneReadsAndHasAPathOfItsName) {
-  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool"}) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked"}) {
     SCOPED_TRACE(name);
     const Scene scene = load_scene(name, "medium");
     EXPECT_FALSE(scene.title.empty());

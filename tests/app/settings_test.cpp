@@ -53,7 +53,7 @@ TEST(Settings, EveryRowHasAMemberOfItsOwn) {
     if (const bool* flag = std::get_if<bool>(&before)) {
       other = !*flag;
     } else if (const auto* name = std::get_if<std::string>(&before)) {
-      other = std::string(*name == changed.choices[0] ? changed.choices[1] : changed.choices[0]);
+      other = changed.choices.empty() ? "another" : std::string(*name == changed.choices[0] ? changed.choices[1] : changed.choices[0]);
     } else {
       const double number = std::get<double>(before);
       other = number == changed.least ? changed.most : changed.least;
@@ -67,7 +67,7 @@ TEST(Settings, EveryRowHasAMemberOfItsOwn) {
 // Control: comparing with > instead of >= at the ends of a range fails here.
 TEST(Settings, BothEndsOfARangeAreAllowedAndNothingBeyond) {
   for (const Setting& setting : settings_table()) {
-    if (!setting.choices.empty() || std::holds_alternative<FlagMember>(setting.member)) continue;
+    if (!setting.choices.empty() || std::holds_alternative<FlagMember>(setting.member) || std::holds_alternative<TextMember>(setting.member)) continue;
     SCOPED_TRACE(setting.key);
     Settings settings;
     for (const double end : {setting.least, setting.most}) {
@@ -97,6 +97,7 @@ TEST(Settings, MessagesNamePlaceKeyValueRangeAndRemedy) {
   EXPECT_EQ(fault_of("waves.half_storage", "1"),
             "--set: waves.half_storage: '1' is neither true nor false; give true or false");
   EXPECT_EQ(fault_of("stereo.mode", "both"), "--set: stereo.mode: 'both' is none of its names; give auto, single or per-eye");
+  EXPECT_EQ(fault_of("baked.loop", "a\nb"), "--set: baked.loop: 'a\\x0ab' is too long or has control characters; give a text of at most 400 bytes without control characters");
   EXPECT_EQ(fault_of("waves.seed", "-1"),
             "--set: waves.seed: -1 is out of range; give a whole number from 0 to 4294967295");
 }

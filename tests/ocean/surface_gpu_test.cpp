@@ -84,7 +84,7 @@ const Pose near_water = pose({12.3, 2.0, -45.6}, 30.0, -12.0);
 // displaced as if it were the whole tile (40 times the bar).
 TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
   for (const char* preset : {"high", "ultra"})
-    for (const char* scene : {"open_sea", "calm", "storm", "swell", "rain_pool"}) {
+    for (const char* scene : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked"}) {
       const Errors e = errors(GetParam(), scene, preset, {}, near_water, 33.3, 1000);
       EXPECT_EQ(e.points, 1000);
       EXPECT_GT(e.resolved, std::string(scene) == "rain_pool" ? 50 : 300) << "too few of the points are moved by waves";
@@ -98,7 +98,7 @@ TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
 // five numbers added: within 1/200 of the significant height. With 32-bit tiles they meet the tolerance of the others.
 TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
   for (const char* preset : {"low", "medium"})
-    for (const char* scene : {"open_sea", "calm", "storm", "swell", "rain_pool"}) {
+    for (const char* scene : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked"}) {
       const Errors half = errors(GetParam(), scene, preset, {}, near_water, 33.3, 1000);
       EXPECT_LE(half.worst_m, 5e-3 * half.hs_m) << half.where;
       const Errors single = errors(GetParam(), scene, preset, {{"waves.half_storage", "false"}}, near_water, 33.3, 1000);
