@@ -1,5 +1,6 @@
 #include "ocean/waves/baked.h"
 
+#include <hwy/highway.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,6 +19,10 @@
 namespace seascape {
 
 namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+// Four texels at once, which every instruction set has: the same bits on all of them.
+using Four = hn::FixedTag<float, 4>;
+
 constexpr int reach = 3;       // texels to either side that a difference takes
 constexpr int margin = 4;      // columns kept beyond either end of a row
 constexpr int nodes = 6;       // frames
@@ -53,6 +58,14 @@ FrameWeights frame_weights(double t) {
 template <class At>
 float difference(At at) {
   return (45.0f * (at(1) - at(-1)) - 9.0f * (at(2) - at(-2)) + (at(3) - at(-3))) * (1.0f / 60.0f);
+}
+
+// The same of four texels, in the same order.
+template <class At>
+hn::Vec<Four> differences(At at) {
+  const Four d;
+  const auto sum = hn::Add(hn::Sub(hn::Mul(hn::Set(d, 45.0f), hn::Sub(at(1), at(-1))), hn::Mul(hn::Set(d, 9.0f), hn::Sub(at(2), at(-2)))), hn::Sub(at(3), at(-3)));
+  return hn::Mul(sum, hn::Set(d, 1.0f / 60.0f));
 }
 
 // One component of one frame on its torus.
@@ -191,8 +204,10 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
   for (int i = 0; i < nodes; ++i) frames[std::size_t(i)] = loop_.texels.data() + std::size_t((frame + i - 2 + loop_.frames) % loop_.frames) * loop_.frame_floats();
   const std::ptrdiff_t stride = n + 2 * margin, plane = stride * n;
   float* const first = workspace.data() + margin;
+  const Four d;
   const auto weighed = [&](const std::array<float, nodes>& w, std::ptrdiff_t i) {
-    return ((w[0] * frames[0][i] + w[1] * frames[1][i]) + (w[2] * frames[2][i] + w[3] * frames[3][i])) + (w[4] * frames[4][i] + w[5] * frames[5][i]);
+    const auto part = [&](std::size_t f) { return hn::Mul(hn::Set(d, w[f]), hn::LoadU(d, frames[f] + i)); };
+    return hn::Add(hn::Add(hn::Add(part(0), part(1)), hn::Add(part(2), part(3))), hn::Add(part(4), part(5)));
   };
   constexpr int strip = 16;
   tbb::parallel_for(0, n / strip, [&](int part) {
@@ -201,14 +216,14 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       for (int c = 0; c < 3; ++c) {
         const std::ptrdiff_t from = (std::ptrdiff_t(c) * n + z) * n;
         float* const to = first + c * plane + z * stride;
-        for (int x = 0; x < n; ++x) to[x] = weighed(weights.at, from + x);
+        for (int x = 0; x < n; x += 4) hn::StoreU(weighed(weights.at, from + x), d, to + x);
         for (int x = 0; x < margin; ++x) to[x - margin] = to[n + x - margin], to[n + x] = to[x];
       }
       if (!velocity) continue;
       glm::vec4* const to = levels[0].texels[std::size_t(WavePlane::velocity)] + std::ptrdiff_t(z) * levels[0].stride;
-      for (int x = 0; x < n; ++x) {
-        const auto rate = [&](int c) { return a_second * weighed(weights.rate, (std::ptrdiff_t(c) * n + z) * n + x); };
-        to[x] = {rate(0), rate(1), rate(2), 0.0f};
+      for (int x = 0; x < n; x += 4) {
+        const auto rate = [&](int c) { return hn::Mul(hn::Set(d, a_second), weighed(weights.rate, (std::ptrdiff_t(c) * n + z) * n + x)); };
+        hn::StoreInterleaved4(rate(0), rate(1), rate(2), hn::Zero(d), d, &to[x].x);
       }
     }
   });
@@ -221,13 +236,16 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       for (int c = 0; c < 3; ++c)
         for (int by = -reach; by <= reach; ++by) rows[std::size_t(c)][std::size_t(by + reach)] = row(c, by);
       const std::ptrdiff_t to = std::ptrdiff_t(z) * levels[0].stride;
-      for (int x = 0; x < n; ++x) {
-        const auto along = [&](std::size_t c) { return texels_a_metre * difference([&](int i) { return rows[c][reach][x + i]; }); };
-        const auto across = [&](std::size_t c) { return texels_a_metre * difference([&](int i) { return rows[c][std::size_t(reach + i)][x]; }); };
-        const float hx = along(1), hz = across(1), xx = along(0), zz = across(2);
-        levels[0].texels[0][to + x] = {rows[0][reach][x], rows[1][reach][x], rows[2][reach][x], 0.5f * (across(0) + along(2))};
-        levels[0].texels[1][to + x] = {hx, hz, xx, zz};
-        levels[0].texels[2][to + x] = moment_share_ * glm::vec4(hx * hx, hz * hz, hx * hz, (xx + zz) * (xx + zz));
+      const auto scale = hn::Set(d, texels_a_metre), share = hn::Set(d, moment_share_);
+      for (int x = 0; x < n; x += 4) {
+        const auto along = [&](std::size_t c) { return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][reach] + x + i); })); };
+        const auto across = [&](std::size_t c) { return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][std::size_t(reach + i)] + x); })); };
+        const auto here = [&](std::size_t c) { return hn::LoadU(d, rows[c][reach] + x); };
+        const auto hx = along(1), hz = across(1), xx = along(0), zz = across(2), divergence = hn::Add(xx, zz);
+        const auto moment = [&](auto a, auto b) { return hn::Mul(share, hn::Mul(a, b)); };
+        hn::StoreInterleaved4(here(0), here(1), here(2), hn::Mul(hn::Set(d, 0.5f), hn::Add(across(0), along(2))), d, &levels[0].texels[0][to + x].x);
+        hn::StoreInterleaved4(hx, hz, xx, zz, d, &levels[0].texels[1][to + x].x);
+        hn::StoreInterleaved4(moment(hx, hx), moment(hz, hz), moment(hx, hz), moment(divergence, divergence), d, &levels[0].texels[2][to + x].x);
       }
     }
     for (int level = 1; level <= 4; ++level) {
