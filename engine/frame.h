@@ -33,7 +33,7 @@ class Uses {
   const Use* end() const { return list_.data() + count_; }
 
  private:
-  std::array<Use, 16> list_;
+  std::array<Use, 32> list_;
   std::size_t count_ = 0;
 };
 

@@ -5,7 +5,7 @@
 namespace seascape {
 
 struct BakedSettings {
-  std::string loop;      // a folder that `seascape bake` wrote, or the name of one in content/loops
+  std::string loop = "fresh_sea";  // a folder that `seascape bake` wrote, or the name of one in content/loops
   double scale = 1.0;    // so many times as long and as high as recorded, and as slow as waves of that size are: time goes sqrt(scale) slower
   double weight = 1.0;   // of its displacement
   double speed = 1.0;    // 0 stands still, below 0 runs backwards

@@ -32,7 +32,7 @@ Arguments baking(const std::string& out) {
   return a;
 }
 
-// What is read is what was recorded, to a half float's rounding. Control seen: the channels of x and z changed over.
+// What is read is what was recorded, to a half float's rounding.
 TEST(Bake, WritesALoopThatReadsBack) {
   const test::TemporaryFolder folder;
   const std::string out = folder / "loop";

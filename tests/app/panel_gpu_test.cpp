@@ -18,7 +18,7 @@ class PanelUnderTheMouse : public testing::Test {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.DisplaySize = {1280.0f, 3000.0f};  // tall enough for all rows
+    io.DisplaySize = {1280.0f, 4000.0f};  // tall enough for all rows
     io.DeltaTime = 1.0f / 60.0f;
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -89,7 +89,7 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
       EXPECT_FALSE(down && row.rebuild) << row.key;
     }
   };
-  constexpr float lowest = 3000.0f;
+  constexpr float lowest = 3600.0f;
   try_column(290.0f, 40.0f, lowest, told);  // sliders
   try_column(200.0f, 0.0f, lowest, told);   // boxes and lists
   try_column(373.0f, 0.0f, lowest, told);   // the steps beside a number that is typed

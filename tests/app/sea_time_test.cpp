@@ -11,7 +11,6 @@
 namespace seascape {
 namespace {
 
-// Control seen: the offset added after the scale.
 TEST(SeaTime, FollowsStartScaleAndOffset) {
   Settings s;
   EXPECT_EQ(sea_time_s(s, 12.5), 12.5);

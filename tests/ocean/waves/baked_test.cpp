@@ -106,7 +106,7 @@ Off off(const BakedSettings& settings, int samples, int frames, double texels, d
 }
 
 // At frames and between them, early and late, and after 1e6 loops: the waves that were recorded. What texels of eight a wave leave is most of it. Controls seen: frames taken one late
-// (0.22 of the height), the rates' factor frames_a_second_ left out, raise() left out (0.05), differences of second order (0.1 of slopes); here: a quarter of a second late.
+// (0.48 of the height), the rates' factor frames_a_second_ left out (0.75 of the velocity), raise() left out (0.076 of waves of four texels); here: a quarter of a second late.
 TEST(Baked, PlaysWhatWasRecorded) {
   for (const double time_s : {0.0, 0.125, 12.0e6 + 3.99, -0.4}) {
     const double in_loop = time_s - 12.0 * std::floor(time_s / 12.0);
@@ -181,7 +181,7 @@ TEST(Baked, VarianceDoesNotPulseWithTheFrames) {
 }
 
 // The sea's waves as they are recorded: frame N is frame 0, the water stands as the sum of its bins does with frequencies rounded to the loop, and these
-// are off by no more than half of 2 pi / T. Control seen: loop_s left 0 (frame N off by 1.4 of the height).
+// are off by no more than half of 2 pi / T. Control seen: loop_s left 0 (frame N off by as much as the height).
 TEST(LoopRecorder, RecordsAClosedLoopOfTheSeasWaves) {
   SeaState sea;
   sea.wind_speed_mps = 8.0;
@@ -234,7 +234,8 @@ TEST(Baked, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(), tiles[0].texels[i].size() * sizeof(glm::vec4)), 0);
 }
 
-// Statistics are those of what is played, and bounds hold it; slopes lost to a footprint become roughness. Control seen: moment_share_ left 1 (slopes with roughness rise by 0.12 with the footprint).
+// Statistics are those of what is played, and bounds hold it; slopes lost to a footprint become roughness. Not seen: moment_share_ left at 1, which these waves
+// of eight texels and more hardly need.
 TEST(Baked, StatisticsAreThoseOfTheLoop) {
   const std::vector<truth::Trochoid> waves = waves_of_loop(8.0);
   double variance = 0.0, slope = 0.0;
