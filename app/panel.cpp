@@ -166,9 +166,12 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   bool first = true;
   for (const std::string_view name : effect_names()) {
     if (!effect_is_built(name) || name == "waves") continue;  // the sea is made of waves
-    if (!std::exchange(first, false)) ImGui::SameLine();
     std::string label(name);
     std::replace(label.begin(), label.end(), '_', ' ');
+    if (!std::exchange(first, false)) {
+      ImGui::SameLine();
+      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetFrameHeight()) ImGui::NewLine();
+    }
     const auto at = std::find(facts.effects.begin(), facts.effects.end(), name);
     bool on = at != facts.effects.end();
     if (!ImGui::Checkbox(label.c_str(), &on)) continue;

@@ -43,7 +43,7 @@ class PanelUnderTheMouse : public testing::Test {
   void open_all() {
     frame(-1.0f, -1.0f, false, [] {
       ImGui::Begin("Seascape");
-      for (const char* title : {"Waves", "Wave particles", "Level of detail", "Water", "Sky", "Frame", "Stereo", "Camera", "Time", "Debug"})
+      for (const char* title : {"Waves", "Gerstner", "Wave particles", "Baked", "Level of detail", "Water", "Sky", "Frame", "Stereo", "Camera", "Time", "Debug"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
     });
@@ -146,7 +146,9 @@ TEST_F(PanelUnderTheMouse, SwitchesEffects) {
       for (const std::string& name : *wish.effects) list += name + " ";
       ++asked[list];
     }
-  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked.size(), 4u);
+  EXPECT_GT(asked["waves foam gerstner "], 0);
+  EXPECT_GT(asked["waves foam baked "], 0);
   EXPECT_GT(asked["waves "], 0) << "foam off";
   EXPECT_GT(asked["waves foam wave_particles "], 0);
 }
