@@ -107,13 +107,21 @@ double CostSubject::draw_ms(int n) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-Cost difference(CostSubject& with, CostSubject& without, int frames) {
-  Cost cost = less(with.holds(), without.holds());
-  std::vector<double> ms;
-  for (int n = 0; n < frames; ++n) {
-    const bool first = n % 2 == 0;  // whatever a frame leaves to the next in the machine's caches, either leaves it as often
-    const double a = (first ? with : without).draw_ms(n + 2), b = (first ? without : with).draw_ms(n + 2);
-    ms.push_back(first ? a - b : b - a);
+Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds) {
+  Cost cost;
+  std::vector<double> ms(std::size_t(frames), 0.0);
+  for (int round = 0; round < rounds; ++round) {
+    const bool with_first = round % 2 == 0;
+    std::unique_ptr<CostSubject> with, without;
+    if (with_first) with = make_with();
+    without = make_without();
+    if (!with_first) with = make_with();
+    cost = less(with->holds(), without->holds());
+    for (int n = 0; n < frames; ++n) {
+      const bool first = n % 2 == 0;  // whatever a frame leaves to the next in the machine's caches, either leaves it as often
+      const double a = (first ? *with : *without).draw_ms(n + 2), b = (first ? *without : *with).draw_ms(n + 2);
+      ms[std::size_t(n)] += (first ? a - b : b - a) / rounds;
+    }
   }
   cost.ms = median_interval(ms);
   return cost;
@@ -142,9 +150,10 @@ CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& sc
     if (same != questions.begin() + std::ptrdiff_t(q)) {  // of two effects one is all others
       matrix.cells.push_back({asked.effect, asked.beside, matrix.cells[std::size_t(same - questions.begin())].cost});
     } else {
-      CostSubject without(device, shaders, with_effects(scene, asked.without), options);
-      CostSubject with(device, shaders, with_effects(scene, asked.with), options);
-      matrix.cells.push_back({asked.effect, asked.beside, difference(with, without, frames)});
+      const auto maker = [&](const std::vector<std::string>& set) {
+        return [&] { return std::make_unique<CostSubject>(device, shaders, with_effects(scene, set), options); };
+      };
+      matrix.cells.push_back({asked.effect, asked.beside, difference(maker(asked.with), maker(asked.without), frames, 2)});
     }
     step(q + 1, questions.size());
   }

@@ -1,6 +1,7 @@
 // Measures what each effect adds to a scene's frames, alone, beside each other and beside all: scenes with and without it drawn in turn.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,11 @@ class CostSubject {
   Cost holds_;
 };
 
-// What `with` has more than `without`; `frames` of either are timed, in turn, each first as often as the other.
-Cost difference(CostSubject& with, CostSubject& without, int frames);
+// What one scene has more than another. `frames` of either are timed, in turn, each first as often as the other; and all of it `rounds` times, an even
+// number, with the one built first and with the other: where a scene's memory comes to lie makes it faster or slower than its twin by some per cent
+// (measured: 5), and a frame's time is the mean of all rounds.
+using MakeSubject = std::function<std::unique_ptr<CostSubject>()>;
+Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds);
 
 // The matrix of `effects` (all that are built, as a rule) in `scene`, whose own list of effects does not count. An effect whose settings the scene
 // lacks is left out, with a notice. A cell is missing where what stands beside needs the effect anyway. `step`: called with how many cells of how
