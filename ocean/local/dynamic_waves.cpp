@@ -1,0 +1,197 @@
+#include "ocean/local/dynamic_waves.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "engine/error.h"
+#include "engine/text.h"
+
+namespace seascape {
+
+namespace {
+
+void require(bool holds, double value, const char* name, const char* range) {
+  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
+}
+
+void require(const WaveSource& s, std::size_t index) {
+  const double all = s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps;
+  const std::string name = "source " + std::to_string(index);
+  if (!std::isfinite(all)) throw Error(name, "has a number that is not finite", "push the water with finite numbers");
+  if (!(s.length_m > 0.0)) throw Error(name, "its length of " + text_from(s.length_m) + " m is not above 0", "give a length above 0");
+}
+
+bool pushes(const WaveSource& s) { return s.head_m != 0.0 || s.rise_mps != 0.0; }
+
+constexpr double border_power = 2.0, border_exponent = 3.0;
+
+double taper(double texels, double width) {
+  const double x = std::clamp(texels / width, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+std::size_t wrapped(std::int64_t texel, int n) { return std::size_t(texel & (n - 1)); }
+
+}  // namespace
+
+void validate(const DynamicWavesSettings& s) {
+  validate(s.windows);
+  const int n = s.windows.resolution;
+  require(n >= 64 && n <= 1024 && std::has_single_bit(unsigned(n)), n, "resolution", "a power of two from 64 to 1024");
+  require(s.rate_hz >= 10.0 && s.rate_hz <= 1000.0, s.rate_hz, "rate_hz", "from 10 to 1000");
+  require(s.damping_per_s >= 0.0, s.damping_per_s, "damping_per_s", "0 or more");
+  require(s.gravity_mps2 > 0.0, s.gravity_mps2, "gravity_mps2", "above 0");
+  require(true, s.depth_m, "depth_m", "finite");
+  require(s.idle_m >= 0.0, s.idle_m, "idle_m", "0 or more");
+  require(s.sharpening >= 0.0 && s.sharpening <= 2.0, s.sharpening, "sharpening", "from 0 to 2");
+  require(s.most_steps >= 1, s.most_steps, "most_steps", "1 or more");
+}
+
+DynamicWaves::DynamicWaves(const DynamicWavesSettings& settings) : settings_(settings) {
+  validate(settings);
+  const int count = settings.windows.slices, n = settings.windows.resolution;
+  placement_ = lod_placement(settings.windows, {0.0, 0.0}, {});
+  levels_.assign(std::size_t(count), WaveLevel(n));
+  depth_m_.assign(std::size_t(count), settings.depth_m);
+  axes_.assign(std::size_t(count), {std::vector<float>(std::size_t(n)), std::vector<float>(std::size_t(n))});
+  for (int i = 0; i < count; ++i) shape(i);
+}
+
+void DynamicWaves::shape(int i) {
+  levels_[std::size_t(i)].shape(lod_texel_m(settings_.windows, placement_, i), i + 1 == levels(), settings_.gravity_mps2, depth_m_[std::size_t(i)]);
+}
+
+void DynamicWaves::set_depth(int i, double depth_m) {
+  require(true, depth_m, "depth_m", "finite");
+  if (depth_m == depth_m_.at(std::size_t(i))) return;
+  depth_m_[std::size_t(i)] = depth_m;
+  shape(i);
+  if (!(depth_m > 0.0)) levels_[std::size_t(i)].clear();
+}
+
+void DynamicWaves::set_obstacles(Openness openness) {
+  openness_ = std::move(openness);
+  open_.reset();
+  if (!openness_) return;
+  open_.emplace(settings_.windows, 1.0f, placement_);
+  for (int i = 0; i < levels(); ++i)
+    open_->each(i, [&](LodIndex w) { open_->texel(i, w) = std::clamp(openness_(open_->middle(i, w), open_->texel_m(i)), 0.0f, 1.0f); });
+}
+
+// What an axis of the border leaves after dt: absorption rises with the square of the way into it; a wave that runs all the way in at the speed falls to exp(-3) of its amplitude, and again
+// on the way out on the other side.
+void DynamicWaves::border(int i, double dt, double speed) {
+  const int n = settings_.windows.resolution;
+  const double width = n / 8.0, strength = border_exponent * (border_power + 1.0) * speed / (width * levels_[std::size_t(i)].texel_m());
+  for (int e = 0; e < n; ++e) {
+    const double inside = std::min(e + 0.5, n - e - 0.5);
+    const float left = float(std::exp(-dt * strength * std::pow(std::max(1.0 - inside / width, 0.0), border_power)));
+    const LodIndex first = placement_.first[std::size_t(i)];
+    axes_[std::size_t(i)].x[wrapped(first.x + e, n)] = left;
+    axes_[std::size_t(i)].z[wrapped(first.y + e, n)] = left;
+  }
+}
+
+void DynamicWaves::place(const LodPlacement& next, double seconds) {
+  const int n = settings_.windows.resolution;
+  if (placed_ && seconds > 0.0) viewer_speed_ = glm::length(next.viewer - placement_.viewer) / seconds;
+  if (next.scale.octave != placement_.scale.octave) turn_octaves(next.scale.octave - placement_.scale.octave);
+  const LodPlacement before = placement_;
+  placement_ = next;
+  placed_ = true;
+  if (open_) open_->follow(next, [&](glm::dvec2 at, double texel, float) { return std::clamp(openness_(at, texel), 0.0f, 1.0f); });
+  // A window that jumps farther than the border can swallow keeps what both places have.
+  for (int i = 0; i < levels(); ++i) {
+    const LodIndex was = before.first[std::size_t(i)], is = next.first[std::size_t(i)];
+    if (std::max(std::abs(is.x - was.x), std::abs(is.y - was.y)) <= n / 16) continue;
+    const double width = n / 8.0;
+    for (int axis = 0; axis < 2; ++axis)
+      for (int e = 0; e < n; ++e) {
+        const std::int64_t w = is[axis] + e, old = w - was[axis];
+        const double both = old < 0 || old >= n ? 0.0 : taper(std::min(e + 0.5, n - e - 0.5), width) * taper(std::min(double(old) + 0.5, n - double(old) - 0.5), width);
+        (axis == 0 ? axes_[std::size_t(i)].x : axes_[std::size_t(i)].z)[wrapped(w, n)] = float(both);
+      }
+    levels_[std::size_t(i)].take_off(axes_[std::size_t(i)].x, axes_[std::size_t(i)].z, nullptr);
+  }
+}
+
+void DynamicWaves::turn_octaves(int octaves) {
+  for (; octaves > 0; --octaves) {
+    placement_ = lod_placement(settings_.windows, placement_.viewer, {placement_.scale.octave + 1, 0.0});
+    std::rotate(levels_.begin(), levels_.begin() + 1, levels_.end());
+    levels_.back().clear();
+  }
+  for (; octaves < 0; ++octaves) {
+    placement_ = lod_placement(settings_.windows, placement_.viewer, {placement_.scale.octave - 1, 0.0});
+    std::rotate(levels_.begin(), levels_.end() - 1, levels_.end());
+    levels_.front().clear();
+  }
+  for (int i = 0; i < levels(); ++i) shape(i);
+}
+
+void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> sources) {
+  moved_.assign(sources.begin(), sources.end());
+  for (WaveSource& s : moved_) s.place_m -= s.velocity_mps * to_end_s;
+  tbb::parallel_for(0, levels(), [&](int i) {
+    WaveLevel& level = levels_[std::size_t(i)];
+    const auto at = std::size_t(i);
+    if (!(depth_m_[at] > 0.0)) return;
+    level.turn(dt, settings_.damping_per_s, placement_.first[at], moved_);
+    if (level.still()) return;
+    border(i, dt, level.longest_speed_mps() + viewer_speed_);
+    level.take_off(axes_[at].x, axes_[at].z, open_ ? open_->texels(i) : nullptr);
+  });
+  // Waves of 1e12 m are as wrong as what is no number; those of 1e-30 m cost more than they are worth.
+  for (int i = 0; i < levels(); ++i) {
+    const double energy = levels_[std::size_t(i)].energy_m2();
+    if (!(energy < 1e24)) fault_ = "dynamic waves: level " + std::to_string(i) + " held what is no number, and was cleared";
+    if (!(energy < 1e24) || energy < 1e-60) levels_[std::size_t(i)].clear();
+  }
+}
+
+int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources) {
+  require(seconds >= 0.0, seconds, "seconds", "0 or more");
+  for (std::size_t i = 0; i < sources.size(); ++i) require(sources[i], i);
+  const bool pushed = std::any_of(sources.begin(), sources.end(), pushes);
+  owed_s_ += seconds;
+  const double dt = 1.0 / settings_.rate_hz;
+  const double due = std::floor(owed_s_ / dt + 1e-9);
+  if (!active_ && !pushed) {
+    owed_s_ -= due * dt;
+    placed_ = false;
+    return 0;
+  }
+  if (!(due >= 1.0)) return 0;
+  active_ = true;
+  place(placement, owed_s_);
+  const int steps = int(std::min(due, double(settings_.most_steps)));
+  const double length = due * dt / steps;
+  owed_s_ -= due * dt;
+  for (int i = 0; i < steps; ++i) step(length, owed_s_ + (steps - 1 - i) * length, sources);
+  if (!pushed) {
+    double highest = 0.0;
+    for (const WaveLevel& level : levels_) highest += level.highest_m();
+    if (highest < settings_.idle_m || highest == 0.0) {
+      for (WaveLevel& level : levels_) level.clear();
+      active_ = false;
+    }
+  }
+  return steps;
+}
+
+double DynamicWaves::energy_m2() const {
+  double sum = 0.0;
+  for (const WaveLevel& level : levels_) sum += level.energy_m2();
+  return sum;
+}
+
+std::optional<std::string> DynamicWaves::take_fault() {
+  if (fault_.empty()) return std::nullopt;
+  return std::exchange(fault_, {});
+}
+
+}  // namespace seascape

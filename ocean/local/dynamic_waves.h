@@ -1,0 +1,84 @@
+// Waves that answer: pushed by what moves on the water, dispersive, on levels of windows around the viewer.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/local/lod_field.h"
+#include "ocean/local/wave_level.h"
+
+namespace seascape {
+
+struct DynamicWavesSettings {
+  LodWindowSettings windows{.resolution = 256, .slices = 5, .texel_m = 0.125};  // resolution: a power of two from 64 to 1024
+  double rate_hz = 60.0;         // steps a second, 10 to 1000, whatever is drawn
+  double damping_per_s = 0.05;   // amplitudes fall by exp(-damping t / 2)
+  double gravity_mps2 = 9.81;
+  double depth_m = 1e6;          // until set_depth()
+  double idle_m = 1e-4;          // lower than this everywhere, and not pushed, waves come to rest; 0: never
+  double sharpening = 1.0;       // horizontal displacement, 0 to 2, 1 as linear waves have it
+  int most_steps = 8;            // of an advance; more time than that is divided among as many longer steps
+};
+
+// Throws Error naming the setting.
+void validate(const DynamicWavesSettings& settings);
+
+// Level i holds the waves of 8 to 24 texels of slice i (wave_share) and moves by itself, so that nothing is reflected where another level's window ends. Towards the edge of its own, over an
+// eighth of its side, waves are absorbed, as fast as the longest of the level and the viewer run. Where a step's time is not the rate's (an advance of more than most_steps), a wave
+// may pass the border and come back on the other side, lower.
+//
+// Not in it: waves longer than a quarter of the coarsest window, or shorter than 8 texels of the finest; what is nonlinear; currents.
+class DynamicWaves {
+ public:
+  // Throws as validate() does.
+  explicit DynamicWaves(const DynamicWavesSettings& settings);
+
+  // Water depth of a level, m: one for all of its window. 0 or less is dry: its waves go. Throws Error for what is no number.
+  void set_depth(int level, double depth_m);
+  // How open the water is at a place, for a texel's side: 1, or 0 where something stands in it, which sends waves back (turned over, as a soft border does) and casts a shadow. Asked once for each
+  // texel that comes into a window.
+  using Openness = std::function<float(glm::dvec2 place_m, double texel_m)>;
+  void set_obstacles(Openness openness);
+
+  // Time goes on by `seconds`, in whole steps of 1 / rate; the rest is kept for the next call. The windows are where `placement` has them, the sources what pushes during this time.
+  // Gives the number of steps. Throws Error naming a source whose numbers are not finite or whose length is not above 0, or seconds that are not 0 or more; the state is as before.
+  // While all is still and nothing pushes, it does no work at all.
+  int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources);
+
+  bool active() const { return active_; }
+  int levels() const { return int(levels_.size()); }
+  const WaveLevel& level(int i) const { return levels_[std::size_t(i)]; }
+  WaveLevel& level(int i) { active_ = true; return levels_[std::size_t(i)]; }
+  const LodPlacement& placement() const { return placement_; }
+  const DynamicWavesSettings& settings() const { return settings_; }
+  double energy_m2() const;
+
+  // What went wrong since the last call, once: a level that held what is no number was cleared, within a step of when it did.
+  std::optional<std::string> take_fault();
+
+ private:
+  void place(const LodPlacement& placement, double seconds);
+  void turn_octaves(int octaves);
+  void shape(int level);
+  void step(double dt, double to_end_s, std::span<const WaveSource> sources);
+  void border(int level, double dt, double speed_mps);
+  DynamicWavesSettings settings_;
+  LodPlacement placement_;
+  std::vector<WaveLevel> levels_;
+  std::vector<double> depth_m_;
+  struct Axes {
+    std::vector<float> x, z;
+  };
+  std::vector<Axes> axes_;
+  std::vector<WaveSource> moved_;
+  std::optional<LodField<float>> open_;
+  Openness openness_;
+  double owed_s_ = 0.0, viewer_speed_ = 0.0;
+  bool active_ = false, placed_ = false;
+  std::string fault_;
+};
+
+}  // namespace seascape
