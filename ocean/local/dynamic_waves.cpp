@@ -119,18 +119,79 @@ void DynamicWaves::place(const LodPlacement& next, double seconds) {
   }
 }
 
+// Slices and levels go on by their octave. Waves whose share moves from the coarsest level of before to that of now move with it, where both windows lie.
 void DynamicWaves::turn_octaves(int octaves) {
-  for (; octaves > 0; --octaves) {
-    placement_ = lod_placement(settings_.windows, placement_.viewer, {placement_.scale.octave + 1, 0.0});
-    std::rotate(levels_.begin(), levels_.begin() + 1, levels_.end());
-    levels_.back().clear();
+  const int direction = octaves > 0 ? 1 : -1, last = levels() - 1;
+  for (; octaves != 0; octaves -= direction) {
+    const LodPlacement before = placement_;
+    placement_ = lod_placement(settings_.windows, placement_.viewer, {placement_.scale.octave + direction, 0.0});
+    const WaveLevel was = levels_.back();
+    if (direction > 0) {
+      std::rotate(levels_.begin(), levels_.begin() + 1, levels_.end());
+      std::rotate(depth_m_.begin(), depth_m_.begin() + 1, depth_m_.end());
+      depth_m_.back() = depth_m_[std::size_t(last - 1)];
+    } else {
+      std::rotate(levels_.begin(), levels_.end() - 1, levels_.end());
+      std::rotate(depth_m_.begin(), depth_m_.end() - 1, depth_m_.end());
+      depth_m_.front() = depth_m_[1];
+    }
+    (direction > 0 ? levels_.back() : levels_.front()).clear();
+    for (int i = 0; i <= last; ++i) shape(i);
+    if (was.still()) continue;
+    if (direction > 0) hand_up(was, before.first[std::size_t(last)]);
+    else hand_down(was, placement_.first[std::size_t(last)]);
   }
-  for (; octaves < 0; ++octaves) {
-    placement_ = lod_placement(settings_.windows, placement_.viewer, {placement_.scale.octave - 1, 0.0});
-    std::rotate(levels_.begin(), levels_.end() - 1, levels_.end());
-    levels_.front().clear();
+}
+
+// From the level that was coarsest and is now the last but one, what is longer than it still carries, to the new coarsest.
+void DynamicWaves::hand_up(const WaveLevel& was, LodIndex first) {
+  const int n = was.samples();
+  WaveLevel &finer = levels_[levels_.size() - 2], longer = was;
+  for (std::size_t i = 0; i < was.modes().size(); ++i) {
+    if (!(was.share()[i] > 0.0)) continue;
+    const double kept = std::min(finer.share()[i] / was.share()[i], 1.0);
+    finer.modes()[i] = kept * was.modes()[i];
+    longer.modes()[i] = (1.0 - kept) * was.modes()[i];
   }
-  for (int i = 0; i < levels(); ++i) shape(i);
+  // The middle of a coarse texel lies between two fine ones.
+  longer.shift_by({0.5, 0.5});
+  const std::size_t texels = std::size_t(n) * std::size_t(n);
+  std::vector<float> from_h(texels), from_q(texels), h(texels, 0.0f), q(texels, 0.0f);
+  longer.surface(from_h, from_q);
+  for (std::int64_t z = first.y / 2; z < first.y / 2 + n / 2; ++z)
+    for (std::int64_t x = first.x / 2; x < first.x / 2 + n / 2; ++x) {
+      const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n), from = wrapped(2 * z, n) * std::size_t(n) + wrapped(2 * x, n);
+      h[to] = from_h[from], q[to] = from_q[from];
+    }
+  levels_.back().add(h, q);
+}
+
+// From the level that was coarsest and is no more, what the coarsest of now carries beyond what it did, in its window.
+void DynamicWaves::hand_down(const WaveLevel& was, LodIndex first) {
+  const int n = was.samples();
+  WaveLevel& finer = levels_.back();
+  const std::size_t texels = std::size_t(n) * std::size_t(n);
+  std::vector<float> from_h(texels), from_q(texels), h(texels, 0.0f), q(texels, 0.0f);
+  for (int parity = 0; parity < 4; ++parity) {
+    WaveLevel part = was;
+    const int band = n / 4;
+    for (std::size_t i = 0; i < part.modes().size(); ++i) {
+      const double m = std::hypot(double(int(i) % band - band / 2), double(int(i) / band - band / 2));
+      const double share = was.share()[i], extra = m > 0.0 ? wave_share(2.0 * n / m, true, n) - wave_share(2.0 * n / m, false, n) : 0.0;
+      part.modes()[i] *= share > 0.0 ? std::min(extra / share, 1.0) : 0.0;
+    }
+    // Fine texel 2 V + p has its middle a quarter of a coarse one before or after that of V.
+    part.shift_by({(parity & 1) != 0 ? 0.25 : -0.25, (parity >> 1) != 0 ? 0.25 : -0.25});
+    part.surface(from_h, from_q);
+    for (std::int64_t z = first.y; z < first.y + n; ++z)
+      for (std::int64_t x = first.x; x < first.x + n; ++x) {
+        if ((x & 1) != (parity & 1) || (z & 1) != (parity >> 1)) continue;
+        const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n), from = wrapped(z >> 1, n) * std::size_t(n) + wrapped(x >> 1, n);
+        const float edge = float(taper(std::min(double(x - first.x), double(first.x + n - 1 - x)), n / 8.0) * taper(std::min(double(z - first.y), double(first.y + n - 1 - z)), n / 8.0));
+        h[to] = edge * from_h[from], q[to] = edge * from_q[from];
+      }
+  }
+  finer.add(h, q);
 }
 
 void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> sources) {

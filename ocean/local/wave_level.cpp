@@ -40,6 +40,7 @@ WaveLevel::WaveLevel(int samples) : n_(samples), band_(samples / 4), to_texels_(
 
 void WaveLevel::shape(double texel_m, bool coarsest, double gravity, double depth) {
   texel_m_ = texel_m;
+  depth_m_ = depth;
   table_dt_ = -1.0;
   const double side = texel_m * n_;
   for (int j = 0; j < band_; ++j)
@@ -147,6 +148,12 @@ void WaveLevel::add(std::span<const float> height, std::span<const float> quarte
   const double scale = 1.0 / (double(n_) * n_);
   for (std::size_t i = 0; i < modes_.size(); ++i)
     if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+}
+
+void WaveLevel::shift_by(glm::dvec2 by) {
+  for (int j = 0; j < band_; ++j)
+    for (int i = 0; i < band_; ++i)
+      modes_[std::size_t(j) * std::size_t(band_) + std::size_t(i)] *= std::polar(1.0, 2.0 * pi * ((i - band_ / 2) * by.x + (j - band_ / 2) * by.y) / n_);
 }
 
 void WaveLevel::surface(std::span<float> height, std::span<float> quarter) const {

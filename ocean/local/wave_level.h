@@ -44,6 +44,9 @@ class WaveLevel {
   // The same for any field that is added: a[z][x], samples^2 each.
   void add(std::span<const float> height_m, std::span<const float> quarter_m);
 
+  // Texel (x, z) then holds what lay at (x + by.x, z + by.y), anywhere between texels.
+  void shift_by(glm::dvec2 by);
+
   // Height, and height a quarter of a period later for waves that run (its potential times w / g), samples^2 each, [z][x], texel (x, z) modulo the samples.
   void surface(std::span<float> height_m, std::span<float> quarter_m) const;
 
@@ -53,6 +56,7 @@ class WaveLevel {
   double longest_speed_mps() const { return longest_speed_; }  // of the energy of the longest waves
   int samples() const { return n_; }
   double texel_m() const { return texel_m_; }
+  double depth_m() const { return depth_m_; }
   // Wave (mx, mz), both from -samples / 8 to samples / 8 - 1, at (mz + samples / 8) (samples / 4) + mx + samples / 8.
   std::span<std::complex<double>> modes() { still_ = false; return modes_; }
   std::span<const std::complex<double>> modes() const { return modes_; }
@@ -63,7 +67,7 @@ class WaveLevel {
   void turn_table(double dt, double damping_per_s);
   void add_source(const WaveSource& source, double dt, LodIndex first, bool& heads, bool& rises);
   int n_, band_;
-  double texel_m_ = 0.0, longest_speed_ = 0.0, table_dt_ = -1.0, table_damping_ = -1.0;
+  double texel_m_ = 0.0, depth_m_ = 0.0, longest_speed_ = 0.0, table_dt_ = -1.0, table_damping_ = -1.0;
   bool still_ = true;
   FftPlan to_texels_, to_waves_;
   std::vector<std::complex<double>> modes_, turn_, half_turn_, head_, rise_;

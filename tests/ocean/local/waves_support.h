@@ -1,6 +1,8 @@
 // What the tests of dynamic waves share: the whole surface at a place.
 #pragma once
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <vector>
 
 #include "ocean/local/dynamic_waves.h"
@@ -49,6 +51,25 @@ inline DynamicWavesSettings quiet(int resolution, int slices, double texel_m) {
   s.damping_per_s = 0.0;
   s.idle_m = 0.0;
   return s;
+}
+
+// Adds to level i a group around `middle` (m): `height` high, waves of length `wave_m` that run in direction (cos, sin) of `angle`, `width_m` wide (standard deviation), of each wave the level's share. The level was still.
+inline void launch(DynamicWaves& waves, int i, glm::dvec2 middle, double wave_m, double angle, double width_m, double height) {
+  WaveLevel& level = waves.level(i);
+  const int n = level.samples();
+  const double k = 2.0 * std::numbers::pi / wave_m;
+  std::vector<float> h(std::size_t(n) * std::size_t(n)), q(h.size());
+  const LodIndex first = lod_placement(waves.settings().windows, waves.placement().viewer, {}).first[std::size_t(i)];
+  for (std::int64_t z = 0; z < n; ++z)
+    for (std::int64_t x = 0; x < n; ++x) {
+      const LodIndex w = first + LodIndex(x, z);
+      const glm::dvec2 p = (glm::dvec2(w) + 0.5) * level.texel_m() - middle;
+      const double a = height * std::exp(-0.5 * (p.x * p.x + p.y * p.y) / (width_m * width_m)), phase = k * (p.x * std::cos(angle) + p.y * std::sin(angle));
+      const std::size_t at = std::size_t(w.y & (n - 1)) * std::size_t(n) + std::size_t(w.x & (n - 1));
+      h[at] = float(a * std::cos(phase)), q[at] = float(a * std::sin(phase));
+    }
+  level.add(h, q);
+  for (std::size_t m = 0; m < level.modes().size(); ++m) level.modes()[m] *= level.share()[m];
 }
 
 }  // namespace seascape::waves_test

@@ -1,0 +1,121 @@
+#include "ocean/local/dynamic_surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "ocean/waves/dispersion.h"
+
+namespace seascape {
+
+namespace {
+constexpr double most_squeeze = 0.8;
+}
+
+DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_(settings) {
+  validate(settings);
+  plan_ = make_fft_plan(settings.windows.resolution, settings.windows.resolution / 4);
+  levels_.resize(std::size_t(settings.windows.slices));
+  const std::size_t n = std::size_t(settings.windows.resolution), texels = n * n, waves = texels / 16;
+  for (Level& level : levels_) {
+    level.shift.assign(texels, glm::vec4(0.0f));
+    level.slope.assign(texels, glm::vec4(0.0f));
+    for (auto* list : {&level.re, &level.im}) list->resize(n * (n + 16));
+    for (auto* list : {&level.spectrum_re, &level.spectrum_im}) list->resize(waves);
+    level.workspace.resize(inverse_fft_floats(plan_));
+  }
+}
+
+void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double border_m) {
+  using Complex = std::complex<double>;
+  const int n = plan_.n, band = plan_.band, stride = n + 16;
+  const std::span<const Complex> modes = waves.modes();
+  const double step = 2.0 * std::numbers::pi / (n * level.texel_m);
+  const Complex i_unit(0.0, 1.0);
+  for (int pair = 0; pair < 4; ++pair) {
+    for (int j = 0; j < band; ++j)
+      for (int i = 0; i < band; ++i) {
+        const std::size_t at = std::size_t(j) * std::size_t(band) + std::size_t(i);
+        const int mx = i - band / 2, mz = j - band / 2;
+        Complex sum = 0.0;
+        if (waves.share()[at] > 0.0) {
+          // The height is the field's real part: of each wave and its opposite the mean.
+          const std::size_t opposite = std::size_t(band - j) * std::size_t(band) + std::size_t(band - i);
+          const Complex h = 0.5 * (modes[at] + std::conj(modes[opposite]));
+          const double kx = step * mx, kz = step * mz, k = std::hypot(kx, kz);
+          const Complex along = i_unit * (settings_.sharpening * orbit_width(k, waves.depth_m()) / k) * h, dx = kx * along, dz = kz * along;
+          switch (pair) {
+            case 0: sum = dx + i_unit * h; break;
+            case 1: sum = dz + i_unit * (i_unit * kz * dx); break;
+            case 2: sum = i_unit * kx * h + i_unit * (i_unit * kz * h); break;
+            default: sum = i_unit * kx * dx + i_unit * (i_unit * kz * dz);
+          }
+        }
+        level.spectrum_re[at] = float(sum.real()), level.spectrum_im[at] = float(sum.imag());
+      }
+    inverse_fft(plan_, level.spectrum_re.data(), level.spectrum_im.data(), level.re.data(), level.im.data(), stride, level.workspace);
+    std::vector<glm::vec4>& plane = pair < 2 ? level.shift : level.slope;
+    const int first = pair % 2 * 2;
+    for (int z = 0; z < n; ++z)
+      for (int x = 0; x < n; ++x) {
+        glm::vec4& texel = plane[std::size_t(z) * std::size_t(n) + std::size_t(x)];
+        const std::size_t from = std::size_t(z) * std::size_t(stride) + std::size_t(x);
+        texel[first] = level.re[from], texel[first + 1] = level.im[from];
+      }
+  }
+  // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D over its width.
+  float squeeze = 0.0f, farthest = 0.0f;
+  for (std::size_t i = 0; i < level.shift.size(); ++i) {
+    const float xx = level.slope[i].z, zz = level.slope[i].w, xz = level.shift[i].w, half = 0.5f * (xx - zz);
+    squeeze = std::max(squeeze, std::sqrt(half * half + xz * xz) - 0.5f * (xx + zz));
+    farthest = std::max(farthest, level.shift[i].x * level.shift[i].x + level.shift[i].z * level.shift[i].z);
+  }
+  level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
+}
+
+void DynamicSurface::evaluate(const DynamicWaves& waves) {
+  const LodPlacement& placement = waves.placement();
+  viewer_ = placement.viewer;
+  windows_ = lod_windows(settings_.windows, placement, viewer_);
+  tbb::parallel_for(0, int(levels_.size()), [&](int i) {
+    Level& level = levels_[std::size_t(i)];
+    level.texel_m = waves.level(i).texel_m();
+    level.still = waves.level(i).still();
+    level.squeeze = 0.0;
+    if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach * std::exp2(i));
+  });
+  double squeeze = 0.0;
+  for (const Level& level : levels_) squeeze += level.squeeze;
+  share_ = squeeze > most_squeeze ? most_squeeze / squeeze : 1.0;
+}
+
+DynamicSample DynamicSurface::sea(glm::dvec2 rest, double footprint) const {
+  DynamicSample sum;
+  const float distance = gpu::lod_distance(windows_, glm::vec2(rest - viewer_));
+  const int n = plan_.n;
+  for (int i = 0; i < int(levels_.size()); ++i) {
+    const Level& level = levels_[std::size_t(i)];
+    if (level.still) continue;
+    double weight = gpu::lod_present(windows_, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
+    if (i == 0) weight *= 1.0 - double(windows_.blend);
+    if (!(weight > 0.0)) continue;
+    const glm::dvec2 at = rest / level.texel_m - 0.5, cell = glm::floor(at), f = at - cell;
+    const LodIndex w(cell);
+    glm::dvec4 shift(0.0), slope(0.0);
+    for (int k = 0; k < 4; ++k) {
+      const std::size_t texel = std::size_t((w.y + (k >> 1)) & (n - 1)) * std::size_t(n) + std::size_t((w.x + (k & 1)) & (n - 1));
+      const double share = weight * ((k & 1) != 0 ? f.x : 1.0 - f.x) * ((k >> 1) != 0 ? f.y : 1.0 - f.y);
+      shift += share * glm::dvec4(level.shift[texel]);
+      slope += share * glm::dvec4(level.slope[texel]);
+    }
+    sum.displacement += glm::dvec3(share_ * shift.x, shift.y, share_ * shift.z);
+    sum.height_gradient += glm::dvec2(slope.x, slope.y);
+    sum.shift_gradient += share_ * glm::dvec3(slope.z, slope.w, shift.w);
+  }
+  return sum;
+}
+
+}  // namespace seascape

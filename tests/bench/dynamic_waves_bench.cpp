@@ -1,0 +1,62 @@
+// What a step of the dynamic waves costs, and their surface, beside one cascade of 256^2 of the wave field in the same loop: what counts are the ratios of minima.
+#include <benchmark/benchmark.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "ocean/local/dynamic_surface.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+namespace {
+
+template <class Work>
+void take(double& least_us, const Work& work) {
+  const auto before = std::chrono::steady_clock::now();
+  work();
+  least_us = std::min(least_us, std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
+}
+
+// Resolution, levels and sources. One thread, as the cascade.
+void dynamic_waves(benchmark::State& state) {
+  DynamicWavesSettings s;
+  s.windows.resolution = int(state.range(0));
+  s.windows.slices = int(state.range(1));
+  s.idle_m = 0.0;
+  DynamicWaves waves(s);
+  DynamicSurface surface(s);
+  std::vector<WaveSource> sources;
+  for (int i = 0; i < int(state.range(2)); ++i)
+    sources.push_back({.place_m = {0.3 * (i % 10) - 1.5, 0.3 * (i / 10) - 1.5}, .velocity_mps = {1.0, 0.0}, .length_m = 1.5, .head_m = 0.02});
+  const LodPlacement placement = lod_placement(s.windows, {0.0, 0.0}, {});
+  WaveQuality quality;
+  quality.cascades = 1;
+  quality.resolution = 256;
+  const WaveField field(SeaState{}, quality);
+  WaveTiles tiles;
+  double step = 1e30, planes = 1e30, cascade = 1e30, time_s = 0.0;
+  tbb::task_arena one(1);
+  one.execute([&] {
+    waves.advance(1.0 / s.rate_hz, placement, sources);
+    for (auto _ : state) {
+      take(step, [&] { waves.advance(1.0 / s.rate_hz, placement, sources); });
+      take(planes, [&] { surface.evaluate(waves); });
+      take(cascade, [&] { field.evaluate(ticks_from_seconds(time_s += 1.0 / 60.0), tiles); });
+    }
+  });
+  state.counters["step_us"] = step;
+  state.counters["surface_us"] = planes;
+  state.counters["cascade_us"] = cascade;
+  state.counters["step_ratio"] = step / cascade;
+  state.counters["level_ratio"] = step / cascade / double(state.range(1));
+  state.counters["surface_ratio"] = planes / cascade;
+}
+BENCHMARK(dynamic_waves)
+    ->ArgNames({"n", "levels", "sources"})
+    ->Args({64, 5, 1})->Args({128, 5, 1})->Args({256, 2, 1})->Args({256, 5, 1})->Args({256, 7, 1})->Args({512, 5, 1})->Args({256, 5, 10})->Args({256, 5, 100})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace seascape
