@@ -7,6 +7,32 @@
 
 namespace seascape {
 
+std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
+  if (count == 2) return join_two(ranges);
+  const auto none = [](const BoxRange& range) { return range.last < range.first; };
+  if (count == 1) return none(ranges[0]) ? 0 : 1;
+  std::size_t joined = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    BoxRange next = ranges[n];
+    if (none(next)) continue;
+    std::size_t at = joined;  // those from here on lie wholly beyond it
+    for (; at > 0 && ranges[at - 1].first > next.last + 1; --at) {
+    }
+    std::size_t from = at;
+    for (; from > 0 && ranges[from - 1].last + 1 >= next.first; --from)
+      next = {std::min(next.first, ranges[from - 1].first), std::max(next.last, ranges[from - 1].last)};
+    if (from == at) {
+      std::move_backward(ranges + at, ranges + joined, ranges + joined + 1);
+      ++joined;
+    } else {
+      std::move(ranges + at, ranges + joined, ranges + from + 1);
+      joined -= at - from - 1;
+    }
+    ranges[from] = next;
+  }
+  return joined;
+}
+
 void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
   planes_.resize(eyes.size() * planes_per_eye);
   for (std::vector<Across>& axis : across_) axis.resize(eyes.size());
@@ -45,6 +71,42 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
     for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes, count, axis == 1);
     for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   }
+  pairs_.resize((eyes.size() + 1) / 2);
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) pairs_[pair] = two_eyes(&across_[0][2 * pair], std::min<std::size_t>(eyes.size() - 2 * pair, 2));
+}
+
+EyeFrusta::TwoEyes EyeFrusta::two_eyes(const Across* eyes, std::size_t count) {
+  constexpr double nowhere = 1e300;
+  TwoEyes result;
+  result.least_count = result.most_count = 0;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    result.least_count = std::max(result.least_count, eyes[lane].turn);
+    result.most_count = std::max(result.most_count, eyes[lane].level - eyes[lane].turn);
+  }
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    const auto fill = [lane](TwoEyes::Plane& to, const Across::Plane* plane, double limit) {
+      const Across::Plane none{};
+      const Across::Plane& p = plane != nullptr ? *plane : none;
+      to.along[lane] = p.along;
+      to.across[lane] = p.across;
+      to.offset[lane] = p.offset;
+      to.up[lane] = p.up;
+      to.down[lane] = p.down;
+      to.inverse[lane] = p.inverse;
+      to.slope[lane] = p.slope;
+      to.limit[lane] = limit;
+    };
+    const std::size_t turn = lane < count ? eyes[lane].turn : 0, level = lane < count ? eyes[lane].level : 0;
+    for (std::size_t p = 0; p < result.least_count; ++p) {
+      const bool any = p < turn;
+      fill(result.least[p], any ? &eyes[lane].planes[p] : nullptr, any ? nowhere : -nowhere);
+    }
+    for (std::size_t p = 0; p < result.most_count; ++p) {
+      const bool any = turn + p < level;
+      fill(result.most[p], any ? &eyes[lane].planes[turn + p] : nullptr, any ? -nowhere : nowhere);
+    }
+  }
+  return result;
 }
 
 EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t count, bool along_z) {
@@ -85,20 +147,20 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
     return;
   }
   const double inverse_step = 1.0 / grid.step;
-  for (std::size_t first = 0; first < eyes; first += 2) {
-    const std::size_t lanes = std::min<std::size_t>(eyes - first, 2);
-    std::array<std::array<double, 2>, planes_per_eye> least_cut, least_slope, most_cut, most_slope;
+  const Pair d;
+  const auto columns_from = hn::Set(d, static_cast<double>(columns.first)), columns_to = hn::Set(d, static_cast<double>(columns.last));
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+    const TwoEyes& two = pairs_[pair];
+    const std::size_t first = 2 * pair, lanes = std::min<std::size_t>(eyes - first, 2);
     std::array<double, 2> rows_from{1e9, 1e9}, rows_to{-1e9, -1e9};
-    std::array<std::size_t, 2> least_count{}, most_count{};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const Across& eye = across_[0][first + lane];
-      const auto rest = [&](const Across::Plane& p) {
-        return p.across * grid.z + p.offset + p.up * grid.high + p.down * grid.low + std::abs(p.along) * grid.half_x + std::abs(p.across) * grid.half_z;
-      };
       double from = rows.first, to = rows.last;
       for (std::size_t p = eye.level; p < eye.end; ++p) {
         const Across::Plane& plane = eye.planes[p];
-        const double most = rest(plane) + std::abs(plane.along) * far_m, cut = -most / plane.across * inverse_step;
+        const double most = plane.across * grid.z + plane.offset + plane.up * grid.high + plane.down * grid.low + std::abs(plane.along) * grid.half_x +
+                            std::abs(plane.across) * grid.half_z + std::abs(plane.along) * far_m;
+        const double cut = -most / plane.across * inverse_step;
         if (plane.across > 1e-9)
           from = std::max(from, cut - spare);
         else if (plane.across < -1e-9)
@@ -108,34 +170,29 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
       }
       rows_from[lane] = from;
       rows_to[lane] = to;
-      const auto cut = [&](std::size_t p, double spared) { return (rest(eye.planes[p]) * eye.planes[p].inverse - grid.x) * inverse_step + spared; };
-      for (std::size_t p = 0; p < eye.turn; ++p) {
-        least_cut[p][lane] = cut(p, -spare);
-        least_slope[p][lane] = eye.planes[p].slope;
-      }
-      for (std::size_t p = eye.turn; p < eye.level; ++p) {
-        most_cut[p - eye.turn][lane] = cut(p, spare);
-        most_slope[p - eye.turn][lane] = eye.planes[p].slope;
-      }
-      least_count[lane] = eye.turn;
-      most_count[lane] = eye.level - eye.turn;
     }
-    // A lane that has fewer planes is cut by none in their stead.
-    const std::size_t least_planes = std::max(least_count[0], least_count[1]), most_planes = std::max(most_count[0], most_count[1]);
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      for (std::size_t p = least_count[lane]; p < least_planes; ++p) least_cut[p][lane] = -1e300, least_slope[p][lane] = 0.0;
-      for (std::size_t p = most_count[lane]; p < most_planes; ++p) most_cut[p][lane] = 1e300, most_slope[p][lane] = 0.0;
-    }
-    const Pair d;
-    const auto columns_from = hn::Set(d, static_cast<double>(columns.first)), columns_to = hn::Set(d, static_cast<double>(columns.last));
+    const auto cut = [&](const TwoEyes::Plane& p, double spared) {
+      const auto along = hn::LoadU(d, p.along.data()), across = hn::LoadU(d, p.across.data());
+      auto rest = hn::Add(hn::Mul(across, hn::Set(d, grid.z)), hn::LoadU(d, p.offset.data()));
+      rest = hn::Add(rest, hn::Mul(hn::LoadU(d, p.up.data()), hn::Set(d, grid.high)));
+      rest = hn::Add(rest, hn::Mul(hn::LoadU(d, p.down.data()), hn::Set(d, grid.low)));
+      rest = hn::Add(rest, hn::Mul(hn::Abs(along), hn::Set(d, grid.half_x)));
+      rest = hn::Add(rest, hn::Mul(hn::Abs(across), hn::Set(d, grid.half_z)));
+      return hn::Add(hn::Mul(hn::Sub(hn::Mul(rest, hn::LoadU(d, p.inverse.data())), hn::Set(d, grid.x)), hn::Set(d, inverse_step)), hn::Set(d, spared));
+    };
+    std::array<TwoEyes::Lanes, planes_per_eye> least_cut, most_cut;
+    for (std::size_t p = 0; p < two.least_count; ++p)
+      hn::StoreU(hn::Min(cut(two.least[p], -spare), hn::LoadU(d, two.least[p].limit.data())), d, least_cut[p].data());
+    for (std::size_t p = 0; p < two.most_count; ++p)
+      hn::StoreU(hn::Max(cut(two.most[p], spare), hn::LoadU(d, two.most[p].limit.data())), d, most_cut[p].data());
     BoxRange* of_row = &seen[first];
     for (int row = rows.first; row <= rows.last; ++row, of_row += eyes) {
       const auto at = hn::Set(d, static_cast<double>(row));
       auto least = columns_from, most = columns_to;
-      for (std::size_t p = 0; p < least_planes; ++p)
-        least = hn::Max(least, hn::Add(hn::LoadU(d, least_cut[p].data()), hn::Mul(hn::LoadU(d, least_slope[p].data()), at)));
-      for (std::size_t p = 0; p < most_planes; ++p)
-        most = hn::Min(most, hn::Add(hn::LoadU(d, most_cut[p].data()), hn::Mul(hn::LoadU(d, most_slope[p].data()), at)));
+      for (std::size_t p = 0; p < two.least_count; ++p)
+        least = hn::Max(least, hn::Add(hn::LoadU(d, least_cut[p].data()), hn::Mul(hn::LoadU(d, two.least[p].slope.data()), at)));
+      for (std::size_t p = 0; p < two.most_count; ++p)
+        most = hn::Min(most, hn::Add(hn::LoadU(d, most_cut[p].data()), hn::Mul(hn::LoadU(d, two.most[p].slope.data()), at)));
       std::array<double, 2> begin, end;
       hn::StoreU(least, d, begin.data());
       hn::StoreU(most, d, end.data());
@@ -149,33 +206,46 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
 
 // Of a plane the farthest corner of a trapezoid counts, which lies at one of its ends, t, on the inner or the outer line: along * t * scale +
 // across * border * scale + rest, which is not below 0 where along * t >= -(rest / scale + across * border).
-void EyeFrusta::may_see(const Border& border, std::span<const BorderBand> bands, std::span<BorderRange> seen) const {
+bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span<const BorderBand> bands, std::span<BorderRange> seen) const {
   const std::size_t count = lists();
-  std::fill(seen.begin(), seen.end(), BorderRange{-border.half, border.half});
   const double centre_along = border.centre[border.axis], centre_across = border.centre[1 - border.axis];
   const std::vector<Across>& eyes = across_[static_cast<std::size_t>(border.axis)];
-  for (std::size_t e = 0; e < eyes.size(); ++e)
-    for (std::size_t p = 0; p < eyes[e].end; ++p) {
-      const Across::Plane& plane = eyes[e].planes[p];
-      const double everywhere = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
-      const double across = plane.across * border.border;
-      for (std::size_t b = 0; b < bands.size(); ++b) {
-        const BorderBand& band = bands[b];
-        BorderRange& range = seen[b * count + e];
-        const double rest = everywhere + plane.up * band.high + plane.down * band.low;
-        const double most = (rest > 0.0 ? rest * band.per_inner : rest * band.per_outer) + across;
-        if (p < eyes[e].turn)
-          range.least = std::max(range.least, most * plane.inverse);
-        else if (p < eyes[e].level)
-          range.most = std::min(range.most, most * plane.inverse);
-        else if (most + std::abs(plane.along) * border.half < 0.0)
-          range.most = -2.0 * border.half;
-      }
-    }
-  for (BorderRange& range : seen) {
-    const double lost = 1e-12 * (border.half + std::abs(range.least) + std::abs(range.most));
-    range = {range.least - lost, range.most + lost};
+  const auto spared = [&](double least, double most) {
+    const double lost = 1e-12 * (border.half + std::abs(least) + std::abs(most));
+    return BorderRange{least - lost, most + lost};
+  };
+  if (eyes.empty()) {
+    std::fill(seen.begin(), seen.end(), spared(-border.half, border.half));
+    return true;
   }
+  bool any = false;
+  for (std::size_t e = 0; e < eyes.size(); ++e) {
+    const Across& eye = eyes[e];
+    std::array<double, planes_per_eye> everywhere, across;
+    for (std::size_t p = 0; p < eye.end; ++p) {
+      const Across::Plane& plane = eye.planes[p];
+      everywhere[p] = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
+      across[p] = plane.across * border.border;
+    }
+    const auto range_of = [&](const BorderBand& band) {
+      double least = -border.half, most = border.half;
+      const auto farthest = [&](std::size_t p) {
+        const double rest = everywhere[p] + eye.planes[p].up * band.high + eye.planes[p].down * band.low;
+        return rest * (rest > 0.0 ? band.per_inner : band.per_outer) + across[p];
+      };
+      std::size_t p = 0;
+      for (; p < eye.turn; ++p) least = std::max(least, farthest(p) * eye.planes[p].inverse);
+      for (; p < eye.level; ++p) most = std::min(most, farthest(p) * eye.planes[p].inverse);
+      for (; p < eye.end; ++p)
+        if (farthest(p) + std::abs(eye.planes[p].along) * border.half < 0.0) most = -2.0 * border.half;
+      return spared(least, most);
+    };
+    const BorderRange of_whole = range_of(whole);
+    const bool sees = of_whole.least <= of_whole.most;
+    any = any || sees;
+    for (std::size_t b = 0; b < bands.size(); ++b) seen[b * count + e] = sees ? range_of(bands[b]) : of_whole;
+  }
+  return any;
 }
 
 }  // namespace seascape

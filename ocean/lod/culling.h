@@ -25,15 +25,11 @@ struct BoxRange {
 };
 
 // Puts ranges in order and those that meet together, in place, without empty ones: returns how many are left, apart from each other.
-inline std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
-  const auto none = [](const BoxRange& range) { return range.last < range.first; };
-  if (count == 1) return none(ranges[0]) ? 0 : 1;
-  if (count == 2) {  // two eyes of a head nearly always see much the same
-    if (none(ranges[1])) return none(ranges[0]) ? 0 : 1;
-    if (none(ranges[0])) {
-      ranges[0] = ranges[1];
-      return 1;
-    }
+std::size_t join_ranges(BoxRange* ranges, std::size_t count);
+// The same of two: what the eyes of a head see of a row is nearly always much the same.
+inline std::size_t join_two(BoxRange* ranges) {
+  const bool first = ranges[0].first <= ranges[0].last, second = ranges[1].first <= ranges[1].last;
+  if (first && second) {
     if (std::max(ranges[0].first, ranges[1].first) <= std::min(ranges[0].last, ranges[1].last) + 1) {
       ranges[0] = {std::min(ranges[0].first, ranges[1].first), std::max(ranges[0].last, ranges[1].last)};
       return 1;
@@ -41,26 +37,8 @@ inline std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
     if (ranges[1].first < ranges[0].first) std::swap(ranges[0], ranges[1]);
     return 2;
   }
-  std::size_t joined = 0;
-  for (std::size_t n = 0; n < count; ++n) {
-    BoxRange next = ranges[n];
-    if (none(next)) continue;
-    std::size_t at = joined;  // those from here on lie wholly beyond it
-    for (; at > 0 && ranges[at - 1].first > next.last + 1; --at) {
-    }
-    std::size_t from = at;
-    for (; from > 0 && ranges[from - 1].last + 1 >= next.first; --from)
-      next = {std::min(next.first, ranges[from - 1].first), std::max(next.last, ranges[from - 1].last)};
-    if (from == at) {
-      std::move_backward(ranges + at, ranges + joined, ranges + joined + 1);
-      ++joined;
-    } else {
-      std::move(ranges + at, ranges + joined, ranges + from + 1);
-      joined -= at - from - 1;
-    }
-    ranges[from] = next;
-  }
-  return joined;
+  if (second) ranges[0] = ranges[1];
+  return first || second ? 1 : 0;
 }
 
 // A straight border about a centre, outside of which trapezoids lie side by side. In metres relative to EyeFrusta's origin.
@@ -140,8 +118,9 @@ class EyeFrusta {
   void may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const;
 
   // The same for bands of trapezoids: writes for each band and each eye between which t the eye sees any of it. A trapezoid from t0 to t1 may be
-  // seen only if t1 >= least and t0 <= most; least > most: nothing is.
-  void may_see(const Border& border, std::span<const BorderBand> bands, std::span<BorderRange> seen) const;
+  // seen only if t1 >= least and t0 <= most; least > most: nothing is. `whole` holds all bands: an eye that sees nothing of it is asked no more.
+  // False if none sees any.
+  bool may_see(const Border& border, const BorderBand& whole, std::span<const BorderBand> bands, std::span<BorderRange> seen) const;
 
  private:
   struct Span {
@@ -198,8 +177,21 @@ class EyeFrusta {
   };
   static Across across(const FrustumPlane* planes, std::size_t count, bool along_z);
 
+  // The same of two eyes side by side, for lines along x: the planes that cut from below, and from above. An eye that has fewer has some
+  // that cut nothing: `limit` is where a plane cuts at most, or at least.
+  struct TwoEyes {
+    using Lanes = std::array<double, 2>;
+    struct Plane {
+      Lanes along, across, offset, up, down, inverse, slope, limit;
+    };
+    std::array<Plane, planes_per_eye> least, most;
+    std::size_t least_count, most_count;
+  };
+  static TwoEyes two_eyes(const Across* eyes, std::size_t count);
+
   std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
   std::array<std::vector<Across>, 2> across_;  // lines along x, along z
+  std::vector<TwoEyes> pairs_;
   Questions all_ = none;
 };
 

@@ -22,11 +22,13 @@ constexpr double crest_deviations = 2.5, near_deviations = 5.8;
 constexpr double masked_early = 1.75;
 
 // Levels measure distances between places at rest, from where water may have come closer. The largest product of two normal numbers, an error of its mean
-// and c deviations, and one over a distance of its mean and some deviations, of s of it each, has the error grow by (c s)^2 / 2: here c is 5.4.
+// and c deviations, and one over a distance of its mean and some deviations, of s of it each, has the error grow by (c s)^2 / 2: here c is 5.4 at one pixel,
+// as mesh_error's, whose factors were fitted on waters that come closer by a twentieth: what is more counts.
 // Measured: without, near water in a storm missed by up to 1.12 of the figure, from a seventh less distance.
-double closer(double distance_m, double moved_m) {
-  constexpr double half_peak2 = 0.5 * 5.4 * 5.4, most = 1.5;
-  return moved_m * std::min(half_peak2 * moved_m / distance_m, most);
+double closer(double distance_m, double moved_m, double fewer) {
+  constexpr double peak = 5.4, fitted = 0.05, most = 1.0;
+  const double s = moved_m / distance_m, half_peak2 = 0.5 * peak * peak * fewer * fewer;
+  return s > fitted ? distance_m * std::min(half_peak2 * (s * s - fitted * fitted), most * s) : 0.0;
 }
 
 void require(bool good, const char* key, double value, const char* range) {
@@ -103,7 +105,7 @@ void Quadtree::apply(const LodSettings& settings) {
   const bool keeps = same_but_frozen == settings;
   settings_ = settings;
   if (keeps && selected_) return;
-  selected_ = false;
+  selected_ = reaches_.known = false;
   levels_ = (settings.levels > 0 ? settings.levels : automatic_levels(settings)) + patch_levels(settings);
   unit_m_ = settings.ocean_size_m / static_cast<double>(gpu::patch_quads << levels_);
   selection_.patches.reserve(static_cast<std::size_t>(256 * (levels_ + 1)));  // more than is usual; no cap
@@ -145,7 +147,14 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   }
   const glm::i64vec2 centre(std::llround(centre_m.x / unit_m_), std::llround(centre_m.y / unit_m_));
   const glm::ivec2 to_viewer(static_cast<int>(centre.x - grid_x), static_cast<int>(centre.y - grid_z));
-  set_reaches(frame, viewpoint, bounds, vertical_m);
+  const Reaches::Asked asked{viewpoint.pixels_per_radian > 0.0 ? viewpoint.pixels_per_radian : reference_pixels_per_radian, vertical_m,
+                             bounds.mesh_error, bounds.below ? std::optional(bounds.below->motion) : std::nullopt};
+  if (!(reaches_.known && reaches_.asked == asked)) find_reaches(asked);
+  frame.levels = reaches_.levels;
+  frame.root_size = gpu::patch_quads << frame.levels;
+  frame.reach = reaches_.reach;
+  frame.border_spacing = reaches_.border_spacing;
+  frame.visible_reach = reaches_.visible;
   const int coarsest = centre_spacing(frame);
   // Vertices of the coarsest leaves may slide too; which of them are odd must not change while the viewer moves.
   const int last_stride = settings_.join == LodJoin::morphed ? std::min(coarsest, frame.root_size / gpu::patch_quads >> (TreeFrame::least_levels + 1)) : 0;
@@ -176,7 +185,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   splits_.find(frame);
   select_tree(frame, bounds);
   if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water_(*field, *tiles, frusta_, eye, selection_);
-  select_skirt(frame, splits_, frusta_, border_, selection_);
+  skirt_.select(frame, splits_, frusta_, selection_);
   const int drop = settings_.drop_patch;
   if (drop >= 0 && drop < static_cast<int>(selection_.patches.size())) {
     if ((selection_.patches[static_cast<std::size_t>(drop)].flags & gpu::patch_skirt) != 0u) --selection_.skirt_strips;
@@ -189,12 +198,12 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
 // The spacing 2^n is left for its double at reach[n]. Masked joins take what the law says; morphed ones need the room that TreeFrame
 // speaks of. If the sea does not move, nothing splits. The tree is the ocean's square, or a larger one of whole levels more: it reaches as far
 // as motion is seen, or the skirt's multiplier says. For where the tree's centre moves on by a step, all of the skirt goes with it.
-void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const DisplacementBounds& bounds, double vertical_m) const {
-  const double pixels = viewpoint.pixels_per_radian > 0.0 ? viewpoint.pixels_per_radian : reference_pixels_per_radian;
+void Quadtree::find_reaches(const Reaches::Asked& asked) {
+  const auto& [pixels, vertical_m, mesh_error, motion] = asked;
   const double ratio = spacing_over_distance(settings_);
   // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
-  // the inverse square: of some million at one pixel, which is what mesh_error speaks of.
-  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 7.0) : 1.0;
+  // the inverse square: of some million at one pixel, which is what mesh_error speaks of. That is a seventh of the logarithm; measured, somewhat more.
+  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 5.5) : 1.0;
   const bool morphed = settings_.join == LodJoin::morphed;
   const double early = morphed ? 1.0 : masked_early;
   // The reach of vertices `coarser_m` apart, of which a mesh misses `error_m`.
@@ -202,29 +211,27 @@ void Quadtree::set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const D
     if (settings_.pixel_error > 0.0) return early * fewer * error_m * pixels / settings_.pixel_error;
     return std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
   };
-  const double needed_m = std::min(reach_of(1e9, bounds.mesh_error.known() ? bounds.mesh_error.octave_m.back() : vertical_m),
+  const double needed_m = std::min(reach_of(1e9, mesh_error.known() ? mesh_error.octave_m.back() : vertical_m),
                                    0.5 * settings_.skirt_multiplier * settings_.ocean_size_m);
-  frame.levels = levels_;
-  for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && frame.levels < TreeFrame::max_levels; half_m *= 2.0) ++frame.levels;
-  frame.root_size = gpu::patch_quads << frame.levels;
-  const double root_m = frame.root_size * unit_m_;
-  const auto error_m = [&](double spacing_m) {
-    return bounds.mesh_error.known() ? bounds.mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m);
-  };
+  int levels = levels_;
+  for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && levels < TreeFrame::max_levels; half_m *= 2.0) ++levels;
+  const double root_m = (gpu::patch_quads << levels) * unit_m_;
+  const auto error_m = [&](double spacing_m) { return mesh_error.known() ? mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m); };
+  reaches_ = {true, asked, levels, {}, 1.0, 0.0};
   double before = 0.0, most = 0.0;
-  for (int n = 0; n < frame.levels; ++n) {
+  for (int n = 0; n < levels; ++n) {
     const double stride = 1 << n;
     double reach_m = reach_of(2.0 * stride * unit_m_, error_m(2.0 * stride * unit_m_));
-    if (bounds.below && reach_m > 0.0) reach_m += closer(reach_m, bounds.below->motion(reach_m).y);
+    if (motion && reach_m > 0.0) reach_m += closer(reach_m, (*motion)(reach_m).y, fewer);
     most = std::max(most, reach_m / unit_m_);
-    if (reach_m < 0.5 * root_m) frame.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);
+    if (reach_m < 0.5 * root_m) reaches_.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);
     const double size = 2.0 * gpu::patch_quads * stride;
     double reach = std::max(reach_m / unit_m_, before);
     if (morphed) reach = std::max({reach, before + TreeFrame::morph_step * 0.5 * size, TreeFrame::morph_step * size});
-    frame.reach[static_cast<std::size_t>(n)] = before = reach;
+    reaches_.reach[static_cast<std::size_t>(n)] = before = reach;
   }
-  if (!(most > 0.0)) frame.reach.fill(0.0);
-  frame.visible_reach = std::max(most, 1.0);
+  if (!(most > 0.0)) reaches_.reach.fill(0.0);
+  reaches_.visible = std::max(most, 1.0);
 }
 
 // The leaves of a level are the quarters of the nodes split one level up that do not split themselves: in a row of them two runs, one to
@@ -277,7 +284,7 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
     const int column = frame.viewer_x / size;
     const auto emit_row = [&](int z) {
       BoxRange* const seen = &seen_[static_cast<std::size_t>(z - rows.first) * lists];
-      const std::size_t ranges = join_ranges(seen, lists);
+      const std::size_t ranges = lists == 2 ? join_two(seen) : join_ranges(seen, lists);
       if (ranges == 0) return;
       const SplitMap::Interval parents = splits_.row(level, z >> 1), split = splits_.row(level + 1, z);
       const int first = 2 * parents.first, last = 2 * parents.last + 1;

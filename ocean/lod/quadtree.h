@@ -1,12 +1,15 @@
 // Chooses the patches of the surface for a viewer: a quadtree over a square that follows the viewer, split until its mesh misses the
 // sea by no more pixels than are allowed, culled against the union of all eyes. Pure: viewpoint in, list out.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/view.h"
 #include "ocean/lod/culling.h"
 #include "ocean/lod/lod_settings.h"
+#include "ocean/lod/skirt_strips.h"
 #include "ocean/lod/split_map.h"
 #include "ocean/lod/surface_selection.h"
 #include "ocean/lod/tree_frame.h"
@@ -57,7 +60,22 @@ class Quadtree {
   static double spacing_over_distance(const LodSettings& settings) { return split_ratio * settings.threshold / settings.patch_quads; }
 
  private:
-  void set_reaches(TreeFrame& frame, const Viewpoint& viewpoint, const DisplacementBounds& bounds, double vertical_m) const;
+  // How far levels reach, in units (TreeFrame::reach and the names after it), and of what: found anew where that is another. No history: what was
+  // found before is what would be found.
+  struct Reaches {
+    struct Asked {
+      double pixels_per_radian = 0.0, vertical_m = 0.0;
+      MeshError mesh_error;
+      std::optional<NearMotion> motion;
+      bool operator==(const Asked&) const = default;
+    };
+    bool known = false;
+    Asked asked;
+    int levels = 0;
+    std::array<double, TreeFrame::max_levels> reach{};
+    double border_spacing = 1.0, visible = 0.0;
+  };
+  void find_reaches(const Reaches::Asked& asked);
   void select_tree(const TreeFrame& frame, const DisplacementBounds& bounds);
   unsigned coarser_sides(int level, int x, int z, int end) const;
   void move_frozen(std::int64_t grid_x, std::int64_t grid_z);
@@ -69,8 +87,9 @@ class Quadtree {
   std::int64_t grid_x_ = 0, grid_z_ = 0;  // of the last selection: its grid origin in units
   SplitMap splits_;
   EyeFrusta frusta_;
-  std::vector<BoxRange> seen_;       // of the rows of a level
-  std::vector<BorderRange> border_;  // of a band of the skirt
+  std::vector<BoxRange> seen_;  // of the rows of a level
+  Reaches reaches_;
+  SkirtStrips skirt_;
   WaterCulling cull_by_water_;
   SurfaceSelection selection_;
 };

@@ -10,8 +10,6 @@
 namespace seascape {
 namespace {
 
-constexpr int most_bands = 63;
-
 glm::ivec2 on_side(int half, unsigned side, int along) {
   const int across = side < 2 ? half : -half;
   return side % 2 == 0 ? glm::ivec2(across, along - half) : glm::ivec2(along - half, across);
@@ -35,8 +33,7 @@ Border border_of(const TreeFrame& frame, const glm::ivec2& tree_centre, unsigned
   const double half_m = 0.5 * frame.root_size * frame.unit_m;
   return {glm::dvec2(tree_centre) * frame.unit_m, side % 2 == 0 ? 1 : 0, side < 2 ? half_m : -half_m, half_m, frame.shift_m};
 }
-BorderBand band_of(const TreeFrame& frame, const Border& border, double first_scale, double last_scale) {
-  const double inner = first_scale * 0.999, outer = last_scale * 1.001;
+BorderBand band_of(const TreeFrame& frame, const Border& border, double inner, double outer) {
   BorderBand band{1.0 / inner, 1.0 / outer, -frame.rise_m, frame.rise_m};
   if (!frame.curved) return band;
   const glm::dvec2 off = border.centre - frame.viewer_m;
@@ -59,58 +56,69 @@ void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, Surfac
   const double near_growth = 1.0 + std::min(frame.border_spacing / (0.5 * frame.root_size), growth - 1.0);
   const int near_rows = static_cast<int>(std::ceil(std::log(dense) / std::log(near_growth)));
   const int far_rows = static_cast<int>(std::ceil(std::max(std::log(reach_m / half_m / dense) / std::log(growth), 0.0)));
-  const int bands = std::clamp((near_rows + far_rows + gpu::patch_quads - 1) / gpu::patch_quads, 1, most_bands);
+  const int bands = std::clamp((near_rows + far_rows + gpu::patch_quads - 1) / gpu::patch_quads, 1, static_cast<int>(SkirtStrips::most_bands));
   selection.skirt_rows = bands * gpu::patch_quads;
   selection.skirt_to_multiplier = static_cast<float>(dense);
   selection.skirt_to_horizon = static_cast<float>(dense * std::pow(growth, std::max(selection.skirt_rows - near_rows, 0)));
 }
 
+void SkirtStrips::find_rows(const SurfaceSelection& selection) {
+  if (rows_ == selection.skirt_rows && to_multiplier_ == selection.skirt_to_multiplier && to_horizon_ == selection.skirt_to_horizon) return;
+  rows_ = selection.skirt_rows;
+  to_multiplier_ = selection.skirt_to_multiplier;
+  to_horizon_ = selection.skirt_to_horizon;
+  const auto scale = [this](std::size_t band) {
+    return static_cast<double>(gpu::skirt_scale(static_cast<int>(band) * gpu::patch_quads, rows_, to_multiplier_, to_horizon_));
+  };
+  const auto bands = static_cast<std::size_t>(rows_ / gpu::patch_quads);
+  for (std::size_t band = 0; band < bands; ++band) of_band_[band] = {scale(band) * 0.999, scale(band + 1) * 1.001};
+}
+
 // Asked of a whole side first, then of all bands of it, and of no single strip: each plane cuts a band where one sum says.
-void select_skirt(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, std::vector<BorderRange>& seen, SurfaceSelection& selection) {
-  const auto bands = static_cast<std::size_t>(selection.skirt_rows / gpu::patch_quads);
-  std::array<double, most_bands + 1> scale;  // of the first row of each band, and of the last row
-  for (std::size_t band = 0; band <= bands; ++band)
-    scale[band] = static_cast<double>(gpu::skirt_scale(static_cast<int>(band) * gpu::patch_quads, selection.skirt_rows,
-                                                       selection.skirt_to_multiplier, selection.skirt_to_horizon));
+void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const EyeFrusta& frusta, SurfaceSelection& selection) {
+  find_rows(selection);
+  const auto bands = static_cast<std::size_t>(rows_ / gpu::patch_quads);
   const std::size_t lists = frusta.lists();
-  seen.resize(4 * bands * lists);
-  std::array<bool, 4> sides;
+  const int half = selection.half_size;
+  seen_.resize(4 * bands * lists);
+  bands_.resize(bands);
   for (unsigned side = 0; side < 4; ++side) {
+    leaves_[side].clear();
     const Border border = border_of(frame, selection.tree_centre, side);
-    const std::span<BorderRange> of_side = std::span(seen).subspan(side * bands * lists, bands * lists);
-    const BorderBand whole = band_of(frame, border, scale[0], scale[bands]);
-    frusta.may_see(border, std::span(&whole, 1), of_side.first(lists));
-    sides[side] = std::any_of(of_side.begin(), of_side.begin() + static_cast<std::ptrdiff_t>(lists), [](const BorderRange& r) { return r.least <= r.most; });
-    if (!sides[side]) continue;
-    std::array<BorderBand, most_bands> each;
-    for (std::size_t band = 0; band < bands; ++band) each[band] = band_of(frame, border, scale[band], scale[band + 1]);
-    frusta.may_see(border, std::span(each).first(bands), of_side);
+    const std::span<BorderRange> of_side = std::span(seen_).subspan(side * bands * lists, bands * lists);
+    for (std::size_t band = 0; band < bands; ++band) bands_[band] = band_of(frame, border, of_band_[band].inner, of_band_[band].outer);
+    if (!frusta.may_see(border, band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer), bands_, of_side)) continue;
     for (std::size_t band = 0; lists > 1 && band < bands; ++band)
       std::sort(&of_side[band * lists], &of_side[band * lists] + lists, [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; });
+    int level = TreeFrame::least_levels;
+    for (int along = 0; along < frame.root_size; along += frame.size(level)) {
+      level = leaf_level(frame, splits, side, along, level);
+      const int size = frame.size(level);
+      const unsigned flags = gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (static_cast<unsigned>(level) << gpu::patch_level_shift);
+      leaves_[side].push_back({static_cast<double>(along), static_cast<double>(along + size),
+                               {selection.tree_centre + on_side(half, side, along), size / gpu::patch_quads, flags}});
+    }
   }
-  const int half = selection.half_size;
-  const double units = 1.0 / frame.unit_m, last = static_cast<double>(frame.root_size - 1);
+  const std::size_t before = selection.patches.size();
+  const double units = 1.0 / frame.unit_m;
   for (std::size_t band = 0; band < bands; ++band)
     for (unsigned side = 0; side < 4; ++side) {
-      if (!sides[side]) continue;
-      int listed = 0, level = TreeFrame::least_levels;  // along the side, up to here
-      for (const BorderRange& range : std::span(seen).subspan((side * bands + band) * lists, lists)) {
+      const unsigned flags = static_cast<unsigned>(band) << gpu::patch_skirt_band_shift;
+      auto leaf = leaves_[side].cbegin();
+      const auto end = leaves_[side].cend();
+      if (leaf == end) continue;
+      for (const BorderRange& range : std::span(seen_).subspan((side * bands + band) * lists, lists)) {
         if (range.least > range.most) continue;
-        // A strip that ends where the range begins may be seen too.
-        const auto first = static_cast<int>(std::clamp(std::ceil(range.least * units + half) - 1.0, 0.0, last));
-        const double most = range.most * units + half;
-        for (int along = std::max(first, listed); along < frame.root_size && along <= most;) {
-          level = leaf_level(frame, splits, side, along, level);
-          const int size = frame.size(level);
-          along &= -size;
-          ++selection.skirt_strips;
-          selection.patches.push_back({selection.tree_centre + on_side(half, side, along), size / gpu::patch_quads,
-                                       gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (static_cast<unsigned>(band) << gpu::patch_skirt_band_shift) |
-                                           (static_cast<unsigned>(level) << gpu::patch_level_shift)});
-          listed = along += size;
+        // A strip that ends where the range begins may be seen too, and the last one where the side does.
+        const double least = std::min(range.least * units + half, static_cast<double>(frame.root_size)), most = range.most * units + half;
+        while (leaf != end && leaf->to < least) ++leaf;
+        for (; leaf != end && leaf->from <= most; ++leaf) {
+          selection.patches.push_back(leaf->strip);
+          selection.patches.back().flags |= flags;
         }
       }
     }
+  selection.skirt_strips += static_cast<int>(selection.patches.size() - before);
   selection.visited_nodes += selection.skirt_strips;
 }
 
