@@ -23,10 +23,10 @@ constexpr double masked_early = 1.75;
 
 // Levels measure distances between places at rest, from where water may have come closer. The largest product of two normal numbers, an error of its mean
 // and c deviations, and one over a distance of its mean and some deviations, of s of it each, has the error grow by (c s)^2 / 2: here c is 5.4 at one pixel,
-// as mesh_error's, whose factors were fitted on waters that come closer by a twentieth: what is more counts.
+// as mesh_error's, whose factors were fitted on waters that come closer by some twentieth: what is more counts.
 // Measured: without, near water in a storm missed by up to 1.12 of the figure, from a seventh less distance.
 double closer(double distance_m, double moved_m, double fewer) {
-  constexpr double peak = 5.4, fitted = 0.05, most = 1.0;
+  constexpr double peak = 5.4, fitted = 0.06, most = 1.0;
   const double s = moved_m / distance_m, half_peak2 = 0.5 * peak * peak * fewer * fewer;
   return s > fitted ? distance_m * std::min(half_peak2 * (s * s - fitted * fitted), most * s) : 0.0;
 }
@@ -202,8 +202,8 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
   const auto& [pixels, vertical_m, mesh_error, motion] = asked;
   const double ratio = spacing_over_distance(settings_);
   // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
-  // the inverse square: of some million at one pixel, which is what mesh_error speaks of. That is a seventh of the logarithm; measured, somewhat more.
-  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 5.5) : 1.0;
+  // the inverse square: of some million at one pixel, which is what mesh_error speaks of. That is a seventh of the logarithm; measured, a sixth.
+  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 6.0) : 1.0;
   const bool morphed = settings_.join == LodJoin::morphed;
   const double early = morphed ? 1.0 : masked_early;
   // The reach of vertices `coarser_m` apart, of which a mesh misses `error_m`.

@@ -67,7 +67,11 @@ class Quadtree {
       double pixels_per_radian = 0.0, vertical_m = 0.0;
       MeshError mesh_error;
       std::optional<NearMotion> motion;
-      bool operator==(const Asked&) const = default;
+      bool operator==(const Asked& o) const {
+        return pixels_per_radian == o.pixels_per_radian && vertical_m == o.vertical_m && mesh_error.octave_m == o.mesh_error.octave_m &&
+               motion.has_value() == o.motion.has_value() &&
+               (!motion || (motion->vertical_m == o.motion->vertical_m && motion->horizontal_m == o.motion->horizontal_m));
+      }
     };
     bool known = false;
     Asked asked;

@@ -14,7 +14,7 @@ namespace {
 constexpr double half_missed = 2.6, most_missed = 1.5;
 // From the root mean square, which the above overrates by a tenth, to the largest of some million points: of meshes so fine that all of their waves are short,
 // and of coarser ones, which also miss crests that are sharp because long and short waves' crests meet there.
-constexpr double fine_m = 4.0, fine_peak = 5.36, coarse_m = 16.0, coarse_peak = 5.97;
+constexpr double fine_m = 4.0, fine_peak = 5.36, coarse_m = 16.0, coarse_peak = 6.4;
 double peak(double spacing_m) {
   const double t = std::clamp(std::log(spacing_m / fine_m) / std::log(coarse_m / fine_m), 0.0, 1.0);
   return std::lerp(fine_peak, coarse_peak, t);

@@ -62,7 +62,6 @@ struct MeshError {
   std::array<double, 20> octave_m{};  // of spacings of 1, 2, 4, ... times the least
   double operator()(double spacing_m) const;
   bool known() const { return octave_m.back() > 0.0; }
-  bool operator==(const MeshError&) const = default;
 };
 
 // How far the water moves against what the sea, smoothed over `footprint_m`, does at one place: standard deviations in metres of the
@@ -71,7 +70,6 @@ struct NearMotion {
   static constexpr double footprint_m = 8.0, least_distance_m = 0.25;
   std::array<double, 16> vertical_m{}, horizontal_m{};  // for distances of 1, 2, 4, ... times the least
   glm::dvec2 operator()(double distance_m) const;       // the height's, the shift's
-  bool operator==(const NearMotion&) const = default;
 };
 
 // Sums over the drawn bins: what the surface's statistics must come to. Variances in m^2 and (dimensionless) slope^2.

@@ -215,8 +215,9 @@ INSTANTIATE_TEST_SUITE_P(Seas, GlideAt, ::testing::ValuesIn(kinds()), [](const a
 // Where vertices slide, no frame changes the surface or its light three times as much as frames about it do. The surface is the harder
 // of the two: see the planted pop. A tenth of ultra's pixel is no spike. Controls seen: nodes that split only below the height from which
 // the water's motion is seen (low, climbing: 4.2 pixels at once, 4.6 times the median), a tree of the ocean's 256 m alone, which takes its skirt along when its centre moves on
-// (climbing, 26 times the median at low and 32 at high); and APlantedPopIsCaught. Known: a storm on an ocean of 256 m, whose tree ends where the skirt's multiplier says and the
-// storm is still seen to move, by 8 times the median in one frame of the climb at low, 4.5 at high, none by more than 1.1 pixels.
+// (climbing, 26 times the median at low and 32 at high); and APlantedPopIsCaught. Known: a storm on an ocean of 256 m moves by 8 times the median
+// in one frame of the climb at low, 4.5 at high, none by more than 1.1 pixels. At low that tree is the one of an ocean of 4,096 m and holds all that is seen to move (1.7 km in 2); at high and
+// ultra the skirt's multiplier ends it at 2 km of 6.7 and 13, and a tree of all of it would have 16 and 33 % more patches.
 TEST_P(GlideAt, NothingPopsOrSwims) {
   each("morphed", [&](const Steps& s, const std::string& what) {
     EXPECT_LE(spike(s.lit, 0.0, s.held), 3.0) << what;
