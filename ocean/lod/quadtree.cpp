@@ -199,7 +199,9 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
 // speaks of. If the sea does not move, nothing splits. The tree is the ocean's square, or a larger one of whole levels more: it reaches as far
 // as motion is seen, or the skirt's multiplier says. For where the tree's centre moves on by a step, all of the skirt goes with it.
 void Quadtree::find_reaches(const Reaches::Asked& asked) {
-  const auto& [pixels, vertical_m, mesh_error, motion] = asked;
+  const double pixels = asked.pixels_per_radian, vertical_m = asked.vertical_m;
+  const MeshError& mesh_error = asked.mesh_error;
+  const std::optional<NearMotion>& motion = asked.motion;
   const double ratio = spacing_over_distance(settings_);
   // The largest of N points of a normal sea is sqrt(2 ln N) deviations, and a picture that may err by as many pixels has fewer of them, as
   // the inverse square: of some million at one pixel, which is what mesh_error speaks of. That is a seventh of the logarithm; measured, a sixth.
