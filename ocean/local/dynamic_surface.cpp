@@ -30,31 +30,34 @@ DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_
 }
 
 void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double border_m) {
-  using Complex = std::complex<double>;
   const int n = plan_.n, band = plan_.band, stride = n + 16;
-  const std::span<const Complex> modes = waves.modes();
+  const std::span<const std::complex<double>> modes = waves.modes();
   const double step = 2.0 * std::numbers::pi / (n * level.texel_m);
-  const Complex i_unit(0.0, 1.0);
+  if (level.widths.empty() || level.widths_texel_m != level.texel_m || level.widths_depth_m != waves.depth_m()) {
+    level.widths.assign(modes.size(), 0.0);
+    level.widths_texel_m = level.texel_m, level.widths_depth_m = waves.depth_m();
+    for (int j = 0; j < band; ++j)
+      for (int i = 0; i < band; ++i) {
+        const double k = step * std::hypot(double(i - band / 2), double(j - band / 2));
+        if (k > 0.0) level.widths[std::size_t(j) * std::size_t(band) + std::size_t(i)] = settings_.sharpening * orbit_width(k, waves.depth_m()) / k;
+      }
+  }
   for (int pair = 0; pair < 4; ++pair) {
     for (int j = 0; j < band; ++j)
       for (int i = 0; i < band; ++i) {
         const std::size_t at = std::size_t(j) * std::size_t(band) + std::size_t(i);
-        const int mx = i - band / 2, mz = j - band / 2;
-        Complex sum = 0.0;
+        double re = 0.0, im = 0.0;
         if (waves.share()[at] > 0.0) {
-          // The height is the field's real part: of each wave and its opposite the mean.
+          // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are sent as f + i g; D = i k (width / |k|) h.
           const std::size_t opposite = std::size_t(band - j) * std::size_t(band) + std::size_t(band - i);
-          const Complex h = 0.5 * (modes[at] + std::conj(modes[opposite]));
-          const double kx = step * mx, kz = step * mz, k = std::hypot(kx, kz);
-          const Complex along = i_unit * (settings_.sharpening * orbit_width(k, waves.depth_m()) / k) * h, dx = kx * along, dz = kz * along;
-          switch (pair) {
-            case 0: sum = dx + i_unit * h; break;
-            case 1: sum = dz + i_unit * (i_unit * kz * dx); break;
-            case 2: sum = i_unit * kx * h + i_unit * (i_unit * kz * h); break;
-            default: sum = i_unit * kx * dx + i_unit * (i_unit * kz * dz);
-          }
+          const double h_re = 0.5 * (modes[at].real() + modes[opposite].real()), h_im = 0.5 * (modes[at].imag() - modes[opposite].imag());
+          const double kx = step * (i - band / 2), kz = step * (j - band / 2), width = level.widths[at];
+          if (pair == 0) re = -kx * width * h_im - h_im, im = kx * width * h_re + h_re;                                     // Dx, h
+          else if (pair == 1) re = -kz * width * h_im + kx * kz * width * h_im, im = kz * width * h_re - kx * kz * width * h_re;  // Dz, dDx/dz
+          else if (pair == 2) re = -kx * h_im - kz * h_re, im = kx * h_re - kz * h_im;                                       // dh/dx, dh/dz
+          else re = width * (-kx * kx * h_re + kz * kz * h_im), im = width * (-kx * kx * h_im - kz * kz * h_re);             // dDx/dx, dDz/dz
         }
-        level.spectrum_re[at] = float(sum.real()), level.spectrum_im[at] = float(sum.imag());
+        level.spectrum_re[at] = float(re), level.spectrum_im[at] = float(im);
       }
     inverse_fft(plan_, level.spectrum_re.data(), level.spectrum_im.data(), level.re.data(), level.im.data(), stride, level.workspace);
     std::vector<glm::vec4>& plane = pair < 2 ? level.shift : level.slope;
@@ -70,7 +73,9 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
   float squeeze = 0.0f, farthest = 0.0f;
   for (std::size_t i = 0; i < level.shift.size(); ++i) {
     const float xx = level.slope[i].z, zz = level.slope[i].w, xz = level.shift[i].w, half = 0.5f * (xx - zz);
-    squeeze = std::max(squeeze, std::sqrt(half * half + xz * xz) - 0.5f * (xx + zz));
+    // More than before? Asked of squares, for roots are dear.
+    const float wider = squeeze + 0.5f * (xx + zz), across = half * half + xz * xz;
+    if (wider < 0.0f || across > wider * wider) squeeze = std::sqrt(across) - 0.5f * (xx + zz);
     farthest = std::max(farthest, level.shift[i].x * level.shift[i].x + level.shift[i].z * level.shift[i].z);
   }
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;

@@ -37,7 +37,8 @@ class DynamicSurface {
  private:
   struct Level {
     bool still = true;
-    double texel_m = 1.0, squeeze = 0.0;
+    double texel_m = 1.0, squeeze = 0.0, widths_texel_m = 0.0, widths_depth_m = 0.0;
+    std::vector<double> widths;  // of each wave: how far the water moves sideways, of its height, over its wave number
     std::vector<glm::vec4> shift, slope;
     std::vector<float> re, im, spectrum_re, spectrum_im, workspace;
   };
