@@ -21,8 +21,8 @@ std::size_t forward_floats(const FftPlan& plan, int band) {
                      std::ptrdiff_t(2) * plan.n * std::ptrdiff_t(hn::MaxLanes(Wide())));
 }
 
-// With real and imaginary parts exchanged on the way in and out, the inverse transform is the forward one. It counts its inputs from -n/2, so that a factor of
-// (-1)^m remains an axis.
+// With real and imaginary parts exchanged on the way in and out, the inverse transform is the forward one. It counts its inputs from
+// -n/2, so that a factor of (-1)^m remains an axis.
 void forward_2d(const FftPlan& plan, int band, const float* re, const float* im, int stride, float* out_re, float* out_im, float* workspace) {
   const std::ptrdiff_t n = plan.n, lanes = std::ptrdiff_t(hn::Lanes(Wide())), middle = band + line, half = band / 2;
   float* columns = workspace + (line - std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(workspace) / sizeof(float)) % line) % line;

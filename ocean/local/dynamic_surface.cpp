@@ -48,7 +48,8 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
         const std::size_t at = std::size_t(j) * std::size_t(band) + std::size_t(i);
         double re = 0.0, im = 0.0;
         if (waves.share()[at] > 0.0) {
-          // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are sent as f + i g; D = i k (width / |k|) h.
+          // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are sent as f + i g;
+          // D = i k (width / |k|) h.
           const std::size_t opposite = std::size_t(band - j) * std::size_t(band) + std::size_t(band - i);
           const double h_re = 0.5 * (modes[at].real() + modes[opposite].real()), h_im = 0.5 * (modes[at].imag() - modes[opposite].imag());
           const double kx = step * (i - band / 2), kz = step * (j - band / 2), width = level.widths[at];
@@ -69,7 +70,8 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
         texel[first] = level.re[from], texel[first + 1] = level.im[from];
       }
   }
-  // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D over its width.
+  // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D
+  // over its width.
   float squeeze = 0.0f, farthest = 0.0f;
   for (std::size_t i = 0; i < level.shift.size(); ++i) {
     const float xx = level.slope[i].z, zz = level.slope[i].w, xz = level.shift[i].w, half = 0.5f * (xx - zz);

@@ -82,8 +82,8 @@ void DynamicWaves::set_obstacles(Openness openness) {
     open_->each(i, [&](LodIndex w) { open_->texel(i, w) = std::clamp(openness_(open_->middle(i, w), open_->texel_m(i)), 0.0f, 1.0f); });
 }
 
-// What an axis of the border leaves after dt: absorption rises with the square of the way into it; a wave that runs all the way in at the speed falls to exp(-3) of its amplitude, and again
-// on the way out on the other side.
+// What an axis of the border leaves after dt: absorption rises with the square of the way into it; a wave that runs all the way in at
+// the speed falls to exp(-3) of its amplitude, and again on the way out on the other side.
 void DynamicWaves::border(int i, double dt, double speed) {
   const int n = settings_.windows.resolution;
   const double width = n / 8.0, strength = border_exponent * (border_power + 1.0) * speed / (width * levels_[std::size_t(i)].texel_m());
@@ -119,7 +119,8 @@ void DynamicWaves::place(const LodPlacement& next, double seconds) {
   }
 }
 
-// Slices and levels go on by their octave. Waves whose share moves from the coarsest level of before to that of now move with it, where both windows lie.
+// Slices and levels go on by their octave. Waves whose share moves from the coarsest level of before to that of now move with it, where
+// both windows lie.
 void DynamicWaves::turn_octaves(int octaves) {
   const int direction = octaves > 0 ? 1 : -1, last = levels() - 1;
   for (; octaves != 0; octaves -= direction) {

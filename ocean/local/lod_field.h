@@ -7,11 +7,12 @@
 
 namespace seascape {
 
-// T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or changed, whichever way the window goes: texels lie
-// where their number modulo the resolution says, slices where their octave modulo the number of slices does.
+// T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or changed,
+// whichever way the window goes: texels lie where their number modulo the resolution says, slices where their octave modulo the number
+// of slices does.
 //
-// Error of what is read between texels, for a wave of n texels, relative and rms along one axis: sqrt(1 - 2 s^4 + (2 + cos(2 pi / n)) / 3), s = sin(pi / n) / (pi / n):
-// 21 % at n = 4, 5.6 % at 8, 1.4 % at 16; of a field f at most texel^2 / 8 (max |f_xx| + max |f_zz|).
+// Error of what is read between texels, for a wave of n texels, relative and rms along one axis: sqrt(1 - 2 s^4 + (2 + cos(2 pi / n)) /
+// 3), s = sin(pi / n) / (pi / n): 21 % at n = 4, 5.6 % at 8, 1.4 % at 16; of a field f at most texel^2 / 8 (max |f_xx| + max |f_zz|).
 template <class T>
 class LodField {
  public:
@@ -23,9 +24,9 @@ class LodField {
     windows_ = lod_windows(settings_, placement_, placement_.viewer);
   }
 
-  // Moves the windows. What leaves one is lost, and so is, if all texels double, what only the finest had. A texel that comes in gets fill(middle, texel, inherited): its middle
-  // (dvec2, m), its side (m) and what the next coarser slice has there, or `outside` where none does; of a slice that was not there before, inherited is the mean
-  // of the finer texels, or what lies between the coarser ones.
+  // Moves the windows. What leaves one is lost, and so is, if all texels double, what only the finest had. A texel that comes in gets
+  // fill(middle, texel, inherited): its middle (dvec2, m), its side (m) and what the next coarser slice has there, or `outside` where
+  // none does; of a slice that was not there before, inherited is the mean of the finer texels, or what lies between the coarser ones.
   template <class Fill>
   void follow(const LodPlacement& next, const Fill& fill) {
     while (placement_.scale.octave < next.scale.octave) widen(fill);
@@ -95,7 +96,8 @@ class LodField {
   void enter(int slice, LodIndex w, const T& inherited, const Fill& fill) {
     texel(slice, w) = fill(middle(slice, w), texel_m(slice), inherited);
   }
-  // What the next coarser slice has at the middle of a texel. Its window covers all of the finer one's but where both are far from snapped alike.
+  // What the next coarser slice has at the middle of a texel. Its window covers all of the finer one's but where both are far from
+  // snapped alike.
   T inherited(int slice, LodIndex w) const {
     if (slice + 1 >= settings_.slices) return outside_;
     const LodIndex low(glm::floor(middle(slice, w) / texel_m(slice + 1) - 0.5));

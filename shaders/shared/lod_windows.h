@@ -24,9 +24,9 @@ struct LodWindows {
   int unused;
 };
 
-// Slice `fine` and, where it is above 0, for a share `coarser` the one after it; what is not `present` is the field's value outside of all windows. The result is
-// mix(outside, mix(slice fine, slice fine + 1, coarser), present), so that a constant comes
-// back to the bit: the weights' sum is 1.
+// Slice `fine` and, where it is above 0, for a share `coarser` the one after it; what is not `present` is the field's value outside of
+// all windows. The result is mix(outside, mix(slice fine, slice fine + 1, coarser), present), so that a constant comes back to the bit:
+// the weights' sum is 1.
 struct LodRead {
   int fine;
   float coarser;
@@ -42,14 +42,16 @@ SEASCAPE_FUNCTION vec2 lod_coordinates(LodWindows w, int slice, vec2 place) {
   return place * w.slice[slice].z + vec2(w.slice[slice].x, w.slice[slice].y);
 }
 
-// How much of slice i there is at a distance from the viewer: 1, and 0 from its reach on. For data of which each slice has a part of its own.
+// How much of slice i there is at a distance from the viewer: 1, and 0 from its reach on. For data of which each slice has a part of
+// its own.
 SEASCAPE_FUNCTION float lod_present(LodWindows w, int slice, float distance) {
   float reach = min(w.reach * float(1 << slice), w.outer);
   return clamp((reach - distance) / (lod_border * reach), 0.0f, 1.0f);
 }
 
 // What a place is read from, for a footprint in metres. The level is the greatest of three, each continuous: by distance, by footprint
-// (no texel finer than it) and by the viewer's height. A slice's number at which the binary logarithm rounds to either side gives the same level.
+// (no texel finer than it) and by the viewer's height. A slice's number at which the binary logarithm rounds to either side gives the
+// same level.
 SEASCAPE_FUNCTION LodRead lod_read(LodWindows w, vec2 place, float footprint) {
   float distance = lod_distance(w, place);
   int number = distance > w.reach ? min(int(ceil(log2(distance / w.reach))), w.slices - 1) : 0;

@@ -14,7 +14,8 @@ namespace {
 
 using waves_test::quiet;
 
-// One wave of 24 texels (two at once: it has an opposite that runs the other way) on a level, at texels: a Gerstner wave's orbits, coth(k h) as wide as high. Controls seen: the shift turned round; the opposite wave forgotten; the depth left out (6 mm).
+// One wave of 24 texels (two at once: it has an opposite that runs the other way) on a level, at texels: a Gerstner wave's orbits,
+// coth(k h) as wide as high. Controls seen: the shift turned round; the opposite wave forgotten; the depth left out (6 mm).
 TEST(DynamicSurface, HasAWavesOrbitAndSlopes) {
   for (const double depth : {0.4, 1e6}) {
     DynamicWavesSettings s = quiet(128, 2, 0.125);
@@ -45,8 +46,8 @@ TEST(DynamicSurface, HasAWavesOrbitAndSlopes) {
   }
 }
 
-// Pushed far beyond what water bears, on all levels at once: the surface's own I + grad D, by differences of what is drawn, keeps squeezing less than all of it everywhere. Least seen: 0.43 of 1. Control seen: a share of
-// 1 always (-4.6).
+// Pushed far beyond what water bears, on all levels at once: the surface's own I + grad D, by differences of what is drawn, keeps
+// squeezing less than all of it everywhere. Least seen: 0.43 of 1. Control seen: a share of 1 always (-4.6).
 TEST(DynamicSurface, NeverCutsItself) {
   DynamicWavesSettings s = quiet(64, 3, 0.25);
   s.sharpening = 2.0;

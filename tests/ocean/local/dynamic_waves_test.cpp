@@ -34,8 +34,8 @@ void disturb(WaveLevel& level, double height_m, unsigned seed) {
   level.add(height, quarter);
 }
 
-// The phase of a wave after 60 s by steps of 1/60 s, through the surface that is read: within 0.1 % of w^2 = g k tanh(k h). The bar here is 1e-5. Control seen: tanh left out (5 to 7 % off in
-// 0.5 m of water).
+// The phase of a wave after 60 s by steps of 1/60 s, through the surface that is read: within 0.1 % of w^2 = g k tanh(k h). The bar
+// here is 1e-5. Control seen: tanh left out (5 to 7 % off in 0.5 m of water).
 TEST(WaveLevel, WavesRunAsAiryHasIt) {
   for (const double depth : {0.5, 3.0, 1e6}) {
     for (const auto& [mx, mz] : {std::pair{7, 0}, {5, 6}, {-3, 4}}) {
@@ -59,7 +59,8 @@ TEST(WaveLevel, WavesRunAsAiryHasIt) {
   }
 }
 
-// Steps of any length come to the same, and one of 10 s too. Control seen: a turn by the first two terms of its series (waves of 13,627 m for 0.1).
+// Steps of any length come to the same, and one of 10 s too. Control seen: a turn by the first two terms of its series (waves of 13,627
+// m for 0.1).
 TEST(WaveLevel, StepsOfAnyLengthAreExact) {
   const auto run = [](double dt, int steps) {
     WaveLevel level(64);
@@ -95,8 +96,9 @@ TEST(WaveLevel, KeepsItsEnergy) {
   EXPECT_NEAR(level.energy_m2() / before, 1.0, 1e-5);
 }
 
-// A wave is carried once: shares of neighbouring levels are 1 in sum from 12 of the finest texels to a sixth of the coarsest window, and none is below 0; each level's waves have
-// 8 of its texels and more. Control seen: a level that fades out a fifth later than the next fades in.
+// A wave is carried once: shares of neighbouring levels are 1 in sum from 12 of the finest texels to a sixth of the coarsest window,
+// and none is below 0; each level's waves have 8 of its texels and more. Control seen: a level that fades out a fifth later than the
+// next fades in.
 TEST(WaveLevel, SharesAreOneInSum) {
   for (double texels = 4.0; texels < 2000.0; texels *= 1.003) {
     double sum = 0.0;
@@ -111,8 +113,9 @@ TEST(WaveLevel, SharesAreOneInSum) {
   }
 }
 
-// A ring from water that was raised, and the same from a pressure let go, against their Hankel integrals, over levels together. 2.1 % off of the crest. Controls seen: water added at a step's begin instead of its
-// middle (2.53 %, bar 2.5); a texel's half forgotten (16 %).
+// A ring from water that was raised, and the same from a pressure let go, against their Hankel integrals, over levels together. 2.1 %
+// off of the crest. Controls seen: water added at a step's begin instead of its middle (2.53 %, bar 2.5); a texel's half forgotten (16
+// %).
 TEST(DynamicWaves, RingsAreTheirIntegrals) {
   const DynamicWavesSettings s = quiet(128, 3, 1.0 / 8.0);
   DynamicWaves waves(s);
@@ -142,8 +145,8 @@ TEST(DynamicWaves, RingsAreTheirIntegrals) {
   EXPECT_LT(worst, 0.025 * crest) << "of which most is straight lines between texels";
 }
 
-// Under a pressure that stays the water comes to stand lower by its head, as far as its waves are carried. Control seen: a head that lifts (0.028 m high
-// instead of low).
+// Under a pressure that stays the water comes to stand lower by its head, as far as its waves are carried. Control seen: a head that
+// lifts (0.028 m high instead of low).
 TEST(DynamicWaves, WaterGivesWayToAPressureThatStays) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   s.damping_per_s = 1.0;
@@ -164,8 +167,8 @@ struct Outcome {
   double energy = 0.0, height = 0.0, centre = 0.0;
 };
 
-// The same 4 s drawn at 30 to 120 Hz: a pressure that runs for 1 s, then free waves. Controls seen: a step a call (energy off by 56 %); sources for
-// all steps of a call at its end (height off by 6 % of the energy's root, bar 2).
+// The same 4 s drawn at 30 to 120 Hz: a pressure that runs for 1 s, then free waves. Controls seen: a step a call (energy off by 56 %);
+// sources for all steps of a call at its end (height off by 6 % of the energy's root, bar 2).
 TEST(DynamicWaves, AreTheSameAtAnyDisplayRate) {
   DynamicWavesSettings s = quiet(64, 3, 0.25);
   s.damping_per_s = 0.3;
@@ -283,8 +286,8 @@ TEST(DynamicWaves, SurviveAnyTime) {
   EXPECT_LT(waves.energy_m2(), 1.0);
 }
 
-// Noise of 1e-6 m, rest switched off: it must not grow; the border takes it until it is below 1e-30 m, which counts as none. 2e4 steps; 1e6 with SEASCAPE_LONG=1. Control seen: a border that gives
-// back a thousandth (grown 163 times of 200).
+// Noise of 1e-6 m, rest switched off: it must not grow; the border takes it until it is below 1e-30 m, which counts as none. 2e4 steps;
+// 1e6 with SEASCAPE_LONG=1. Control seen: a border that gives back a thousandth (grown 163 times of 200).
 TEST(DynamicWaves, CalmWaterStaysCalm) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   DynamicWaves waves(s);
@@ -306,7 +309,8 @@ TEST(DynamicWaves, CalmWaterStaysCalm) {
   EXPECT_FALSE(waves.take_fault());
 }
 
-// The same inputs give the same bits, on one thread and on many. Control seen: a level's first wave pushed by the number of calls of the whole process (no run the same).
+// The same inputs give the same bits, on one thread and on many. Control seen: a level's first wave pushed by the number of calls of
+// the whole process (no run the same).
 TEST(DynamicWaves, SameInputsGiveTheSameBits) {
   const DynamicWavesSettings s = quiet(64, 3, 0.25);
   const auto run = [&](int threads) {

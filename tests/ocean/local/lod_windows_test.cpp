@@ -19,7 +19,8 @@ LodWindowSettings small() { return {.resolution = 64, .slices = 5, .texel_m = 0.
 
 LodPlacement at(const LodWindowSettings& s, glm::dvec2 viewer, double height) { return lod_placement(s, viewer, lod_scale(s, height)); }
 
-// A smooth sea of three waves, 16 m and longer, and the most that straight lines between its values `texel` apart can miss: texel^2 / 8 (max |f_xx| + max |f_zz|).
+// A smooth sea of three waves, 16 m and longer, and the most that straight lines between its values `texel` apart can miss: texel^2 / 8
+// (max |f_xx| + max |f_zz|).
 struct Smooth {
   static constexpr double kx[3] = {0.31, -0.12, 0.05}, kz[3] = {0.2, 0.33, -0.07}, a[3] = {0.4, 0.3, 0.8};
   static double value(glm::dvec2 p) {
@@ -42,8 +43,9 @@ LodField<float> smooth_field(const LodWindowSettings& s, const LodPlacement& pla
   return field;
 }
 
-// Weights are 1 in sum, to the bit, and change with the place by no more than their ramps are steep; what is read lies in its window with all four texels. Controls seen: a
-// border of 0.6 of the reach (levels jump by 0.17); a reach of half the window (11,176 reads outside); a logarithm rounded down (levels jump by 1).
+// Weights are 1 in sum, to the bit, and change with the place by no more than their ramps are steep; what is read lies in its window
+// with all four texels. Controls seen: a border of 0.6 of the reach (levels jump by 0.17); a reach of half the window (11,176 reads
+// outside); a logarithm rounded down (levels jump by 1).
 TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
   const LodWindowSettings s = small();
   int outside = 0;
@@ -85,7 +87,8 @@ TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
   EXPECT_LT(steepest_out, 0.0034) << "a quarter of 60 m";
 }
 
-// Height turns the level and the reach without a step where texels double. Control seen: a blend that starts anew at 0.1 (a blend of 0.1 instead of 0).
+// Height turns the level and the reach without a step where texels double. Control seen: a blend that starts anew at 0.1 (a blend of
+// 0.1 instead of 0).
 TEST(LodWindows, DoublingTexelsChangesNothingThatIsRead) {
   const LodWindowSettings s = small();
   double off = 0.0, out = 0.0;
@@ -131,9 +134,9 @@ TEST(LodField, LosesOfAWaveWhatItSays) {
   }
 }
 
-// A viewer glides; places that stay are read to the same bit while one slice reads them, and at every step all places are as near the truth as straight lines between the
-// coarser slice's texels. Controls seen: texels that come in are left as they were (1.95 m off); a reach of half the window
-// (0.04 m).
+// A viewer glides; places that stay are read to the same bit while one slice reads them, and at every step all places are as near the
+// truth as straight lines between the coarser slice's texels. Controls seen: texels that come in are left as they were (1.95 m off); a
+// reach of half the window (0.04 m).
 TEST(LodField, NothingPopsAsTheViewerMoves) {
   const LodWindowSettings s = small();
   glm::dvec2 viewer(-11.3, 7.7);
@@ -164,7 +167,8 @@ TEST(LodField, NothingPopsAsTheViewerMoves) {
   EXPECT_LT(step, 0.0);
 }
 
-// The same without a fill: what comes in is what the coarser slice has, within its error; of the coarsest the value of outside. Control seen: inherited from the slice itself (1.7 m).
+// The same without a fill: what comes in is what the coarser slice has, within its error; of the coarsest the value of outside. Control
+// seen: inherited from the slice itself (1.7 m).
 TEST(LodField, WhatComesInIsInheritedFromTheCoarserSlice) {
   const LodWindowSettings s = small();
   LodField<float> field = smooth_field(s, at(s, {0.0, 0.0}, 0.0));
@@ -177,8 +181,9 @@ TEST(LodField, WhatComesInIsInheritedFromTheCoarserSlice) {
   EXPECT_EQ(field.texel(4, far), 0.0f) << "beyond what the coarsest slice knew";
 }
 
-// Twice the height: what slices had they keep, to the bit, one number lower; the new coarsest has means where the finer one reached. Down again: only what was finer than all is
-// interpolated. Controls seen: layers that do not turn with the octave (no texel kept); one texel of the four for their mean (0.55 m).
+// Twice the height: what slices had they keep, to the bit, one number lower; the new coarsest has means where the finer one reached.
+// Down again: only what was finer than all is interpolated. Controls seen: layers that do not turn with the octave (no texel kept); one
+// texel of the four for their mean (0.55 m).
 TEST(LodField, AChangeOfScaleMovesWholeSlices) {
   const LodWindowSettings s = small();
   const glm::dvec2 viewer(5.2, -3.9);
@@ -218,7 +223,8 @@ TEST(LodField, AChangeOfScaleMovesWholeSlices) {
   EXPECT_NEAR(field.sample(viewer, 0.0), 0.0, 3.0);
 }
 
-// A million metres away everything is the same to the bit, and 2^50 texels away texels are still told apart. Control seen: places in float (7 of 400 reads the same).
+// A million metres away everything is the same to the bit, and 2^50 texels away texels are still told apart. Control seen: places in
+// float (7 of 400 reads the same).
 TEST(LodField, IsAsExactFarAway) {
   const LodWindowSettings s = small();
   const glm::dvec2 far(1048576.0, -1048576.0 * 4.0);  // whole texels of every slice
@@ -246,7 +252,8 @@ TEST(LodField, IsAsExactFarAway) {
   EXPECT_NE(test::error_of([&] { lod_placement(s, {std::nan(""), 0.0}, {}); }).find("viewer"), std::string::npos);
 }
 
-// What shaders are given finds the texels that the processor has, from an origin that is not the viewer. Control seen: coordinates without the texel's fraction (0.97 texels off).
+// What shaders are given finds the texels that the processor has, from an origin that is not the viewer. Control seen: coordinates
+// without the texel's fraction (0.97 texels off).
 TEST(LodWindows, ShadersFindTheSameTexels) {
   const LodWindowSettings s = small();
   double off = 0.0;

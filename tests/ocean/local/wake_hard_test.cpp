@@ -59,10 +59,10 @@ Angles wake(double froude, double depth_m) {
   return {sum.highest / lines, sum.fold / lines, sum.steepest / lines, sum.truth_highest / lines};
 }
 
-// Where the waves are highest stands as Havelock's integral has it, at every speed. At Froude numbers up to 0.6 they end at Kelvin's angle. Above, the formula of Darmon et al. for a narrowing
-// peak holds for where they are steepest, within the 1.5 degrees that issue 5 asks for; for where they are highest it is 2.4 degrees less than the integral at Fr 1 (at 6 to 11.5 lengths behind; far behind 2.3), and
-// 1.2 at Fr 2.
-// The control is below: a sea in which all waves run alike.
+// Where the waves are highest stands as Havelock's integral has it, at every speed. At Froude numbers up to 0.6 they end at Kelvin's
+// angle. Above, the formula of Darmon et al. for a narrowing peak holds for where they are steepest, within the 1.5 degrees that issue
+// 5 asks for; for where they are highest it is 2.4 degrees less than the integral at Fr 1 (at 6 to 11.5 lengths behind; far behind
+// 2.3), and 1.2 at Fr 2. The control is below: a sea in which all waves run alike.
 TEST(Wake, IsKelvinsAndNarrows) {
   for (const double froude : {0.5, 0.6, 1.0, 2.0}) {
     const Angles a = wake(froude, 1e6);
@@ -75,7 +75,8 @@ TEST(Wake, IsKelvinsAndNarrows) {
   }
 }
 
-// The control that the issue asks for: over a bottom of 9 cm, c = sqrt(g h), the same pressure at the same speeds leaves a wedge of its own, and passes none of the bars.
+// The control that the issue asks for: over a bottom of 9 cm, c = sqrt(g h), the same pressure at the same speeds leaves a wedge of its
+// own, and passes none of the bars.
 TEST(Wake, WithoutDispersionIsNot) {
   for (const double froude : {0.5, 1.0, 2.0}) {
     const Angles a = wake(froude, 0.09);

@@ -20,7 +20,8 @@ class Surface {
       waves.level(i).surface(heights_.back(), quarters_.back());
     }
   }
-  // The sum of all levels whose windows cover the place with `margin` of their sides to spare, between texels linearly. Its absolute value is how high the waves there rise.
+  // The sum of all levels whose windows cover the place with `margin` of their sides to spare, between texels linearly. Its absolute
+  // value is how high the waves there rise.
   std::complex<double> at(glm::dvec2 place, double margin = 0.125) const {
     std::complex<double> sum = 0.0;
     for (int i = 0; i < waves_.levels(); ++i) {
@@ -53,7 +54,8 @@ inline DynamicWavesSettings quiet(int resolution, int slices, double texel_m) {
   return s;
 }
 
-// Adds to level i a group around `middle` (m): `height` high, waves of length `wave_m` that run in direction (cos, sin) of `angle`, `width_m` wide (standard deviation), of each wave the level's share. The level was still.
+// Adds to level i a group around `middle` (m): `height` high, waves of length `wave_m` that run in direction (cos, sin) of `angle`,
+// `width_m` wide (standard deviation), of each wave the level's share. The level was still.
 inline void launch(DynamicWaves& waves, int i, glm::dvec2 middle, double wave_m, double angle, double width_m, double height) {
   WaveLevel& level = waves.level(i);
   const int n = level.samples();
