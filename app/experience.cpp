@@ -7,14 +7,11 @@
 
 #include "app/tile_sources.h"
 #include "engine/multiview_check.h"
+#include "ocean/effects.h"
 
 namespace seascape {
 
 namespace {
-
-bool named(const Scene& scene, std::string_view effect) {
-  return std::find(scene.effects.begin(), scene.effects.end(), effect) != scene.effects.end();
-}
 
 // Whether two settings differ in what the running sea can grow into.
 bool needs_change(const Settings& a, const Settings& b) {
@@ -84,13 +81,13 @@ void Experience::build() {
   const Settings& s = scene_.settings;
   TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, named(scene_, "foam"), s.baked.fade_m, std::move(sources)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, calls_for(scene_.effects, "foam"), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources)});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
   SurfaceLook look;
   look.tile_shape = tile;
-  look.foam = named(scene_, "foam");
+  look.foam = calls_for(scene_.effects, "foam");
   look.debug = is_debug(s);
   look.wireframe = render.debug == DebugView::wireframe;
   look.deferred = deferred();

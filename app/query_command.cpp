@@ -23,8 +23,7 @@ constexpr std::size_t block = 4096;  // points that one core answers at a time
 // The sea of the scene; flat where the closure of its effects has no waves.
 SeaState sea_of(const Scene& scene) {
   SeaState sea = scene.settings.sea;
-  const auto effects = closure(scene.effects);
-  if (std::none_of(effects.begin(), effects.end(), [](const EffectEntry& entry) { return entry.name == "waves"; })) {
+  if (!calls_for(scene.effects, "waves")) {
     sea.wind_speed_mps = 0.0;
     sea.swell_height_m = 0.0;
   }

@@ -1,7 +1,5 @@
 #include "app/tile_sources.h"
 
-#include <algorithm>
-
 #include "app/loop_file.h"
 #include "ocean/effects.h"
 #include "ocean/waves/baked.h"
@@ -11,10 +9,7 @@
 namespace seascape {
 
 TileSources tile_sources(const Scene& scene) {
-  const std::vector<EffectEntry> effects = closure(scene.effects);
-  const auto wanted = [&](std::string_view name) {
-    return std::any_of(effects.begin(), effects.end(), [&](const EffectEntry& entry) { return entry.name == name; });
-  };
+  const auto wanted = [&](std::string_view name) { return calls_for(scene.effects, name); };
   const Settings& s = scene.settings;
   TileSources sources;
   if (wanted("gerstner")) sources.push_back(std::make_shared<Gerstner>(s.gerstner, s.sea.gravity_mps2, s.sea.depth_m, s.sea.loop_s));

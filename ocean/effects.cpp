@@ -62,4 +62,9 @@ std::vector<EffectEntry> closure(const std::vector<std::string>& named) {
   return entries;
 }
 
+bool calls_for(const std::vector<std::string>& named, std::string_view effect) {
+  const std::vector<EffectEntry> entries = closure(named);
+  return std::any_of(entries.begin(), entries.end(), [&](const EffectEntry& entry) { return entry.name == effect; });
+}
+
 }  // namespace seascape

@@ -19,14 +19,16 @@ bool on_gpu(const Device& device, WavePlace place) {
 
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings)
     : settings_(settings),
-      bins_(make_wave_bins(settings.sea, settings.waves)),
-      statistics_(sea_statistics(settings.sea, bins_)),
+      bins_(settings.has_waves ? make_wave_bins(settings.sea, settings.waves) : WaveBins{ladder(settings.sea), 0, {}}),
+      statistics_(settings.has_waves ? sea_statistics(settings.sea, bins_) : SeaStatistics{}),
       waves_(device, settings.sea, settings.waves, bins_, statistics_, settings.water.anisotropy,
              on_gpu(device, settings.wave_place) ? WaveImages::Filled::stored : WaveImages::Filled::written),
       chop_(settings.sea.chop),
       drawn_seed_(settings.sea.seed),
       quadtree_(settings.lod) {
-  if (on_gpu(device, settings.wave_place)) {
+  if (!settings.has_waves) {
+    // Nothing computes them.
+  } else if (on_gpu(device, settings.wave_place)) {
     compute_ = std::make_unique<WaveCompute>(device, shaders, settings.sea, bins_, waves_);
     const WaveQuality longest{64, std::min(2, settings.waves.cascades)};  // waves of some 6 m and more
     long_waves_ = std::make_unique<WaveField>(settings.sea, longest);
@@ -64,6 +66,10 @@ void Ocean::add_uses(Uses& uses) const {
 
 void Ocean::change(const SeaState& sea, double over_s) {
   assert(grows_out_of(settings_.sea, sea));
+  if (!settings_.has_waves) {
+    settings_.sea = sea;
+    return;
+  }
   if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, settings_.waves);
   maker_->ask(sea);
   settings_.sea = sea;

@@ -28,6 +28,7 @@ struct OceanSettings {
   WaterSettings water;
   bool foam = false;
   double baked_fade_m = 0.0;  // BakedSettings::fade_m
+  bool has_waves = true;  // or else only what `sources` do moves the water
   TileSources sources;  // what feeds the sea beside its waves
 };
 

@@ -51,7 +51,7 @@ class Surface {
     const char* effect;
     std::uint32_t constant;
   };
-  static constexpr EffectCode effect_code[] = {{"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}};
+  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }

@@ -61,7 +61,7 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
-  add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 0) add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0.0, vec4(1.0), rest, footprint);
   if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 0.0, vec4(1.0), rest, footprint);
   if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 1.0, vec4(1.0), rest, footprint);
   if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 2.0, vec4(1.0), rest, footprint);
@@ -102,7 +102,7 @@ void add_carried(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float f
 // but the nearest vertices.
 vec4 sea_carried(vec2 rest, float footprint, float blur) {
   vec4 sum = vec4(0.0);
-  add_carried(sum, sea_longest_derivatives, 0, rest, footprint, blur);
+  if (cascade_count > 0) add_carried(sum, sea_longest_derivatives, 0, rest, footprint, blur);
   if (cascade_count > 1) add_carried(sum, sea_derivative_tiles, 1, rest, footprint, blur);
   if (cascade_count > 2) add_carried(sum, sea_derivative_tiles, 2, rest, footprint, blur);
   return sum;
@@ -174,7 +174,7 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
   if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
   if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
   if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 2.0, rest, along, across, blur, 1.0);
