@@ -30,7 +30,7 @@ std::string shade(double share) {
 }
 
 // To 0.1 us.
-std::string rounded(double ms) { return text_from(1e-4 * std::round(1e4 * ms)); }
+std::string rounded(double ms) { return text_from(std::round(1e4 * ms) / 1e4); }
 
 // One number of each cell, nothing where it cannot be told from none.
 struct Map {

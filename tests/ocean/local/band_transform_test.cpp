@@ -12,7 +12,6 @@
 namespace seascape {
 namespace {
 
-// Controls seen: the factor of (-1)^m left out (relative error 1.4); the band's halves exchanged (1.4).
 TEST(BandTransform, IsTheDirectSum) {
   for (const auto& [n, band] : {std::pair{64, 16}, {64, 64}, {128, 32}, {256, 64}, {512, 128}}) {
     const FftPlan plan = make_fft_plan(n, n);
