@@ -80,6 +80,10 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
   const auto bands = static_cast<std::size_t>(rows_ / gpu::patch_quads);
   const std::size_t lists = frusta.lists();
   const int half = selection.half_size;
+  // More than is usual, and no cap: once as many were there, no frame allocates.
+  seen_.reserve(4 * most_bands * lists);
+  bands_.reserve(most_bands);
+  for (std::vector<Leaf>& leaves : leaves_) leaves.reserve(512);
   seen_.resize(4 * bands * lists);
   bands_.resize(bands);
   for (unsigned side = 0; side < 4; ++side) {
