@@ -9,18 +9,10 @@
 #include "app/effect_costs.h"
 #include "engine/error.h"
 #include "ocean/effects.h"
+#include "tests/bench/gpu.h"
 
 namespace seascape::bench {
 namespace {
-
-struct Gpu {
-  Device device{DeviceOptions{}};
-  ShaderLibrary shaders;
-};
-Gpu& gpu() {
-  static Gpu all;
-  return all;
-}
 
 constexpr int frames = 1000, rounds = 10;
 const ExperienceOptions small{96, 54, 1, false, false};

@@ -7,20 +7,11 @@
 #include <string>
 
 #include "ocean/waves/wave_compute.h"
+#include "tests/bench/gpu.h"
 #include "tests/support/gpu/gpu_transform.h"
 
 namespace seascape::bench {
 namespace {
-
-// Made once: a device takes a third of a second, and ends with the program.
-struct Gpu {
-  Device device{DeviceOptions{}};
-  ShaderLibrary shaders;
-};
-Gpu& gpu() {
-  static Gpu all;
-  return all;
-}
 
 // One complex field of n x n samples from band x band bins, none of them zero.
 void gpu_transform(benchmark::State& state) {
