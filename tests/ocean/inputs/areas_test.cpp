@@ -26,7 +26,7 @@ double summed(const Inputs& inputs, glm::dvec2 middle, double reach, double step
 }
 
 // What is summed over the plane is the shape's area, seen sharp or with a footprint far wider than the shape. Control: without
-// disc_factor() the disc of 6 m is 26 times too much with a footprint of 40 m.
+// disc_factor() the disc of 6 m is 6.5 times too much with a footprint of 10 m.
 TEST(InputAreas, CoverTheirAreaAtAnyFootprint) {
   const glm::dvec2 middle{1234.5, -77.25};
   for (const double footprint : {0.0, 0.5, 3.0, 10.0, 40.0}) {
@@ -84,7 +84,7 @@ InputSpec whirlpool(double inflow = 0.0) {
   return spec;
 }
 
-// Control: an r for the core's square (a profile with a jump at the core) is 12 m/s off.
+// Control: an r for the core's square (a profile with a jump at the core) is off by 12 m/s.
 TEST(InputAreas, AWhirlpoolIsRankines) {
   const Inputs inputs(InputTarget::flow, std::vector{whirlpool()});
   double worst = 0.0;
@@ -98,7 +98,7 @@ TEST(InputAreas, AWhirlpoolIsRankines) {
 }
 
 // Round any square nothing goes in or out of a whirlpool, and within its reach its soft end changes nothing of that; one with an inflow takes in as
-// much through any circle between its core and its end. Control: a share that falls off along x alone lets 2.6 m2/s out of a square.
+// much through any circle between its core and its end. Control: a share that falls off along x alone lets 0.07 m2/s out of a square.
 TEST(InputAreas, AWhirlpoolKeepsTheWater) {
   const Inputs swirl(InputTarget::flow, std::vector{whirlpool()});
   const auto v = [](const Inputs& inputs, double x, double z) { return glm::dvec2(glm::vec2(inputs.value({100.0 + x, 200.0 + z}, 0.0, 0.0, glm::vec4(0.0f)))); };

@@ -21,7 +21,7 @@ std::vector<glm::dvec2> places(std::size_t count, std::uint32_t seed) {
 }
 Flat flat(glm::dvec2 p) { return {p.x, p.y}; }
 
-// Control: knots by the distance itself (chordal) are 8 m off here.
+// Control: knots by the distance itself (chordal) are off by metres here.
 TEST(Curve, IsTheCentripetalCatmullRomCurve) {
   for (const bool closed : {false, true}) {
     const std::vector<glm::dvec2> p = places(12, 3);
@@ -39,7 +39,7 @@ TEST(Curve, IsTheCentripetalCatmullRomCurve) {
   }
 }
 
-// Control: tangents without the knots' steps (uniform) turn by 40 degrees and more at some points.
+// Control: a derivative that takes the span's first tangent at its end too has a corner at every point.
 TEST(Curve, GoesThroughItsPointsWithoutACorner) {
   for (const bool closed : {false, true}) {
     const std::vector<glm::dvec2> p = places(40, 5);
@@ -67,7 +67,7 @@ TEST(Curve, ItsDerivativesAreThose) {
     }
 }
 
-// Control: half as many chords are off by more than is promised.
+// Control: half as many chords are off by 0.013 of the length for 0.004.
 TEST(Curve, ChordsAreAsNearAsAskedFor) {
   const std::vector<glm::dvec2> p = places(40, 7);
   const Curve curve(p, centripetal_knots(p, true), true);
@@ -87,7 +87,7 @@ TEST(Curve, ChordsAreAsNearAsAskedFor) {
   EXPECT_GT(worst, 0.0005) << "chords are not cut for nothing";
 }
 
-// Control: the plain mean of the two secants for a slope overshoots by 13 %.
+// Control: the plain mean of the two secants for a slope climbs where the values fall or stay.
 TEST(Curve, NumbersNeverPassBeyondTheirPoints) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> step(0.1, 9.0), fall(0.0, 30.0);

@@ -21,7 +21,7 @@ InputSpec disc(InputTarget to, glm::dvec2 at, double size, float value) {
 }
 constexpr glm::vec4 zero{0.0f};
 
-// Control: any two of the blends' formulas swapped fails here.
+// Control: min's formula for max's fails here.
 TEST(Inputs, BlendAsTheirNamesSay) {
   for (std::size_t b = 0; b < input_blends.size(); ++b)
     for (const double weight : {0.0, 0.25, 1.0})
@@ -38,7 +38,7 @@ TEST(Inputs, BlendAsTheirNamesSay) {
         }
 }
 
-// Lower orders first, those alike as they come. Control: a sort by order downwards gives 7.
+// Lower orders first, those alike as they come. Control: a sort by order downwards gives 2.
 TEST(Inputs, JoinInTheirOrder) {
   std::vector<InputSpec> specs;
   const std::pair<int, float> orders[] = {{5, 1.0f}, {-1, 2.0f}, {5, 3.0f}, {0, 7.0f}};
@@ -53,7 +53,7 @@ TEST(Inputs, JoinInTheirOrder) {
   EXPECT_EQ(Inputs(InputTarget::level, specs).value({0.0, 0.0}, 0.0, 0.0, zero).x, 17.0f);
 }
 
-// Control: a tree that goes to its left half alone misses 900 of 1,000.
+// Control: a tree that goes to one of its halves alone, and inputs joined as they are found.
 TEST(Inputs, AThousandAreAsOneAfterTheOther) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> place(-300.0, 300.0), size(1.0, 80.0), share(0.0, 1.0);
@@ -102,7 +102,8 @@ TEST(Inputs, HundredsAtOnePlaceKeepTheirOrder) {
   EXPECT_NEAR(Inputs(InputTarget::level, specs).value({1.0, 1.0}, 0.0, 0.0, zero).x, truth, 1e-4f);
 }
 
-// Where there is nothing the base comes back to the bit, whatever it is; and of many kinds only the asked one counts.
+// Where there is nothing the base comes back to the bit, whatever it is; and of many kinds only the asked one counts. Control: a clamp of
+// what was not touched turns 1e30 into 10,000.
 TEST(Inputs, LeaveAloneWhatTheyDoNotTouch) {
   const std::vector<InputSpec> specs{disc(InputTarget::level, {0.0, 0.0}, 10.0, 3.0f), disc(InputTarget::foam, {50.0, 0.0}, 10.0, 3.0f)};
   const Inputs level(InputTarget::level, specs);

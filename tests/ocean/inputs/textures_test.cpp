@@ -32,7 +32,7 @@ InputSpec texture(InputTarget to, std::shared_ptr<ImageF> image, glm::dvec2 at, 
 glm::vec4 at(const Inputs& inputs, double x, double z, double footprint = 0.0) { return inputs.value({x, z}, footprint, 0.0, glm::vec4(0.0f)); }
 
 // A bilinear function comes back exactly between the texels' middles; beyond the outer ones it is level; outside there is nothing. Control: texels
-// whose values lie at their corners are off by 0.6.
+// whose values lie at their corners are off by 0.16.
 TEST(InputTextures, AreBilinear) {
   const auto f = [](double x, double y) { return 3.0 + 0.5 * x - 0.25 * y + 0.125 * x * y; };  // in texels
   const Inputs inputs(InputTarget::level, std::vector{texture(InputTarget::level, picture(8, 5, [&](int x, int y) { return glm::vec4(float(f(x, y)), 0, 0, 0); }), {100.0, -40.0}, {16.0, 20.0})});
@@ -43,7 +43,7 @@ TEST(InputTextures, AreBilinear) {
   EXPECT_EQ(at(inputs, 91.99, -40.0).x, 0.0f);
 }
 
-// Control: a frame that turns the other way fails at the first place, and vectors that stay as they are at the last.
+// Control: a frame that turns the other way fails, and so do vectors that stay as they are.
 TEST(InputTextures, TurnWithTheirVectors) {
   // Only the top right texel flows, to the right and half as fast to the top of the picture.
   InputSpec spec = texture(InputTarget::flow, picture(2, 2, [](int x, int y) { return x == 1 && y == 0 ? glm::vec4(2, -1, 0, 0) : glm::vec4(0.0f); }), {0.0, 0.0}, {20.0, 20.0});
@@ -55,7 +55,7 @@ TEST(InputTextures, TurnWithTheirVectors) {
   EXPECT_EQ(at(inputs, 9.0, -9.0), glm::vec4(0.0f));
 }
 
-// Control: scale and offset in the other order give 5, and g for the first letter 2.
+// Control: scale and offset in the other order give 0.
 TEST(InputTextures, MapChannelsToValues) {
   InputSpec spec = texture(InputTarget::level, picture(2, 2, [](int, int) { return glm::vec4(1, 2, 3, 4); }), {0.0, 0.0}, {2.0, 2.0});
   TextureInput& input = std::get<TextureInput>(spec.shape);
@@ -88,7 +88,7 @@ TEST(InputTextures, AreAveragedOverAFootprint) {
 }
 
 // Colours are mixed as light that passes what covers it: a texel that covers nothing has no colour to give. Control: without with_cover() the edge
-// between red and a clear green is brown.
+// between red and a clear green is brown: green comes in.
 TEST(InputTextures, WhatCoversNothingHasNoColour) {
   InputSpec spec = texture(InputTarget::albedo, picture(2, 1, [](int x, int) { return x == 0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 0); }), {0.0, 0.0}, {2.0, 1.0});
   spec.blend = InputBlend::replace;
