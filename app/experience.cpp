@@ -80,8 +80,14 @@ void Experience::build() {
     spdlog::warn("frame.lighting deferred: takes msaa 1 and no debug.view but holes; the sea is lit forward");
   const Settings& s = scene_.settings;
   TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
+  std::optional<DynamicSeaSettings> dynamic_waves;
+  if (calls_for(scene_.effects, "dynamic_waves")) {
+    dynamic_waves = s.dynamic_waves;
+    dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
+    dynamic_waves->waves.depth_m = s.sea.depth_m;
+  }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, calls_for(scene_.effects, "foam"), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, calls_for(scene_.effects, "foam"), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -93,7 +99,7 @@ void Experience::build() {
   look.deferred = deferred();
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
-  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), frame_->ring(),
+  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), frame_->ring(),
                                        SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea

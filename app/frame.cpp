@@ -37,8 +37,8 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
 
-  // 1. What the sea does: spectrum, transforms, tiles; each only if the scene asked for it.
-  e.ocean_->update(frame, time_s);
+  // 1. What the sea does: spectrum, transforms, tiles; dynamic waves around the viewer; each only if the scene asked for it.
+  e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
 
   // 2. The light: only when sun or haze have changed.
   e.sky_->update(frame, settings.sky);

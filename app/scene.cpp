@@ -9,6 +9,7 @@
 #include "engine/files.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/local/dynamic_sea.h"
 #include "ocean/waves/baked.h"
 #include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_particle_settings.h"
@@ -123,6 +124,7 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   const SeaState& sea = scene.settings.sea;
   check("baked", [&] { Baked(read_loop(loop_folder(scene.settings.baked.loop, where)), scene.settings.baked); });
   check("gerstner", [&] { Gerstner(scene.settings.gerstner, sea.gravity_mps2, sea.depth_m); });
+  check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
   check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;
 }

@@ -10,6 +10,7 @@
 
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
+#include "ocean/local/dynamic_sea_settings.h"
 #include "ocean/lod/lod_settings.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/baked_settings.h"
@@ -27,6 +28,7 @@ struct Settings {
   BakedSettings baked;                  // keys baked.*
   GerstnerSettings gerstner;            // keys gerstner.*
   WaveParticleSettings wave_particles;  // keys wave_particles.*
+  DynamicSeaSettings dynamic_waves;     // keys dynamic_waves.*
   LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*
   SkySettings sky;       // keys sky.*

@@ -29,6 +29,9 @@ template <auto member> constexpr auto gerstner = &at<&Settings::gerstner, member
 template <auto member> constexpr auto gset1 = &at<&Settings::gerstner, &GerstnerSettings::set1, member>;
 template <auto member> constexpr auto gset2 = &at<&Settings::gerstner, &GerstnerSettings::set2, member>;
 template <auto member> constexpr auto particles = &at<&Settings::wave_particles, member>;
+template <auto member> constexpr auto dynamic = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, member>;
+template <auto member> constexpr auto dynamic_windows = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, &DynamicWavesSettings::windows, member>;
+template <auto member> constexpr auto rain = &at<&Settings::dynamic_waves, &DynamicSeaSettings::rain, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
 template <auto member> constexpr auto water = &at<&Settings::water, member>;
 template <auto member> constexpr auto sky = &at<&Settings::sky, member>;
@@ -154,6 +157,29 @@ const std::vector<Setting>& table() {
        particles<&WaveParticleSettings::scales>, 1.0, 3.0, {"1", "2", "3"}, false, rebuild},
       {"wave_particles.seed", "", "Which wave particles of the same statistics.", particles<&WaveParticleSettings::seed>, 0.0,
        4294967295.0, {}, false, rebuild},
+
+      {"dynamic_waves.resolution", "", "Texels a side of each level's window; more reach farther from the viewer.",
+       dynamic_windows<&LodWindowSettings::resolution>, 64.0, 512.0, {"64", "128", "256", "512"}, quality, rebuild},
+      {"dynamic_waves.levels", "", "Levels of dynamic waves, each of waves and a window twice as long as the one before.",
+       dynamic_windows<&LodWindowSettings::slices>, 2.0, 8.0, {}, false, rebuild},
+      {"dynamic_waves.texel_m", "m", "Texel of the finest level; the shortest dynamic waves are eight of them long.",
+       dynamic_windows<&LodWindowSettings::texel_m>, 0.005, 10.0, {}, false, rebuild},
+      {"dynamic_waves.rate_hz", "1/s", "Steps a second; any rate gives the same waves, a lower one places what pushes them less exactly.",
+       dynamic<&DynamicWavesSettings::rate_hz>, 10.0, 240.0, {}, false, rebuild},
+      {"dynamic_waves.damping_per_s", "1/s", "How fast dynamic waves die away: their energy falls by this share a second.",
+       dynamic<&DynamicWavesSettings::damping_per_s>, 0.0, 10.0, {}, false, rebuild},
+      {"dynamic_waves.sharpening", "", "Horizontal displacement that sharpens dynamic waves: 0 none, 1 as linear waves have it; never so much that the water folds.",
+       dynamic<&DynamicWavesSettings::sharpening>, 0.0, 2.0, {}, false, rebuild},
+      {"dynamic_waves.idle_m", "m", "Lower than this everywhere, and not pushed, dynamic waves come to rest and cost nothing; 0 keeps them moving.",
+       dynamic<&DynamicWavesSettings::idle_m>, 0.0, 0.1, {}, false, rebuild},
+      {"dynamic_waves.settle_s", "s", "Simulated before the first moment shown and after each jump of the time, so that rain has fallen already.",
+       &at<&Settings::dynamic_waves, &DynamicSeaSettings::settle_s>, 0.0, 60.0, {}, false, rebuild},
+      {"dynamic_waves.rain_per_m2_s", "1/(m2 s)", "Drops of rain that fall on each square metre in a second; 0 is dry.", rain<&RainSettings::drops_per_m2_s>,
+       0.0, 100.0, {}, false, rebuild},
+      {"dynamic_waves.drop_length_m", "m", "Length of the hump that a drop leaves; its waves are about twice as long.", rain<&RainSettings::drop_length_m>, 0.01,
+       10.0, {}, false, rebuild},
+      {"dynamic_waves.drop_height_m", "m", "Height of the hump that a drop leaves.", rain<&RainSettings::drop_height_m>, -1.0, 1.0, {}, false, rebuild},
+      {"dynamic_waves.seed", "", "Which drops fall, of the same statistics.", rain<&RainSettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},
 
       {"baked.loop", "", "The loop of waves that is played: a folder that `seascape bake` wrote, or the name of one in content/loops.",
        TextMember{&at<&Settings::baked, &BakedSettings::loop>}, 0.0, 0.0, {}, false, rebuild},

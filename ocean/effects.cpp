@@ -16,7 +16,7 @@ struct Effect {
 
 constexpr Effect effects[] = {
     {"waves", true, ""},           {"gerstner", true, "waves"},  {"wave_particles", true, "waves"},
-    {"baked", true, "waves"},     {"dynamic_waves", false, ""}, {"foam", true, "waves"},
+    {"baked", true, "waves"},     {"dynamic_waves", true, ""}, {"foam", true, "waves"},
     {"spray", false, "foam"},      {"flow", false, ""},          {"sea_depth", false, ""},
     {"level", false, ""},          {"clip", false, ""},          {"shadow", false, ""},
     {"albedo", false, ""},         {"reflections", false, ""},   {"refraction", false, ""},

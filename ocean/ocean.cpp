@@ -45,9 +45,10 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     if (s.largest_curvature_per_m > 0.0) of_sources_.largest_curvature_per_m += s.largest_curvature_per_m;
     else of_unknown_curvature_m_ += s.largest_height_m;
   }
+  if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
 }
 
-void Ocean::update(Frame& frame, double time_s) {
+void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   const std::int64_t ticks = ticks_from_seconds(time_s);
   if (changing()) follow_change(frame, ticks);
   if (compute_) compute_->update(frame, ticks);
@@ -57,11 +58,16 @@ void Ocean::update(Frame& frame, double time_s) {
     long_waves_->evaluate(ticks, long_tiles_);
     long_ticks_ = ticks;
   }
+  if (dynamic_waves_) dynamic_waves_->update(frame, time_s, viewer_m);
 }
+
+double Ocean::others_height_m() const { return of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0); }
+double Ocean::others_shift_m() const { return of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
 
 void Ocean::add_uses(Uses& uses) const {
   waves_.add_reads(uses);
   for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
+  if (dynamic_waves_) dynamic_waves_->add_uses(uses, Access::surface_read);
 }
 
 void Ocean::change(const SeaState& sea, double over_s) {
@@ -104,13 +110,13 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
 
 DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   DisplacementBounds result;
-  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + of_sources_.largest_height_m;
-  result.horizontal_m = statistics_.largest_shift_m + of_sources_.largest_shift_m;
+  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + others_height_m();
+  result.horizontal_m = statistics_.largest_shift_m + others_shift_m();
   result.mesh_error = statistics_.mesh_error;
   const WaveField* field = upload_ ? &upload_->field() : long_waves_.get();
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
   if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
-  if (sources_.empty()) return result;
+  if (sources_.empty() && !dynamic_waves_) return result;
   // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal. Of sources that do not know how they are bent
   // it misses a share of its spacing; and water anywhere may be off by all sources.
   const double of_known_curvature_m = of_sources_.largest_height_m - of_unknown_curvature_m_;
@@ -118,10 +124,11 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
     const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
     result.mesh_error.octave_m[n] += std::min(Quadtree::error_over_spacing * spacing_m, of_unknown_curvature_m_) +
                                      std::min({0.25 * of_sources_.largest_curvature_per_m * spacing_m * spacing_m, Quadtree::error_over_spacing * spacing_m, of_known_curvature_m});
+    if (dynamic_waves_) result.mesh_error.octave_m[n] += dynamic_waves_->mesh_error_m(spacing_m);
   }
   if (result.below) {
-    for (double& off : result.below->motion.vertical_m) off += of_sources_.largest_height_m;
-    for (double& off : result.below->motion.horizontal_m) off += of_sources_.largest_shift_m;
+    for (double& off : result.below->motion.vertical_m) off += others_height_m();
+    for (double& off : result.below->motion.horizontal_m) off += others_shift_m();
   }
   return result;
 }
@@ -133,7 +140,7 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
   patches.apply(settings_.lod);
-  const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty();
+  const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_;
   return patches.select(viewpoint, bounds(viewpoint), all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
 }
 
@@ -141,10 +148,10 @@ bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   constexpr double margin_m = 0.5;  // the near plane reaches less far
   return std::all_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
     const glm::dvec3& place = eye.pose.position_m;
-    if (place.y > statistics_.largest_height_m + of_sources_.largest_height_m + margin_m) return true;
+    if (place.y > statistics_.largest_height_m + others_height_m() + margin_m) return true;
     if (!upload_ || place.y < margin_m) return false;
     const QueryAnswer water = upload_->query({place.x, place.z});
-    return water.converged && place.y > water.height_m + of_sources_.largest_height_m + margin_m;
+    return water.converged && place.y > water.height_m + others_height_m() + margin_m;
   });
 }
 
@@ -163,9 +170,10 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
     source->describe(name == "baked" ? std::span(&data.sea.baked, 1) : name == "gerstner" ? std::span(&data.sea.gerstner, 1) : std::span(data.sea.particles), s.grid_origin_m);
   }
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
-  data.sea.footprint.z += float(of_sources_.largest_height_m);
+  if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
+  data.sea.footprint.z += float(others_height_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
-  data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + of_sources_.largest_shift_m), 0.01));
+  data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + others_shift_m()), 0.01));
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/frame.h"
+#include "ocean/local/drawn_dynamic_waves.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
@@ -30,14 +31,15 @@ struct OceanSettings {
   double baked_fade_m = 0.0;  // BakedSettings::fade_m
   bool has_waves = true;  // or else only what `sources` do moves the water
   TileSources sources;  // what feeds the sea beside its waves
+  std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
 };
 
 class Ocean {
  public:
   Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings);
 
-  // What a frame does to the sea, in order: each only if the scene asked for it.
-  void update(Frame& frame, double time_s);
+  // What a frame does to the sea, in order: each only if the scene asked for it. What belongs to a place follows the viewer.
+  void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
 
   // The patches for a viewpoint. The result stays until the next call.
   const SurfaceSelection& select(const Viewpoint& viewpoint);
@@ -72,6 +74,8 @@ class Ocean {
   const WaveImages& waves() const { return waves_; }
   // Those that are not still.
   std::span<const std::unique_ptr<DrawnSource>> sources() const { return sources_; }
+  // Null where the scene has none, or nothing that could ever push the water.
+  const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_.get(); }
   // Adds every image that the surface samples.
   void add_uses(Uses& uses) const;
   const SeaStatistics& statistics() const { return statistics_; }
@@ -85,6 +89,9 @@ class Ocean {
   std::unique_ptr<WaveCompute> compute_;  // either this
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
   std::vector<std::unique_ptr<DrawnSource>> sources_;
+  std::unique_ptr<DrawnDynamicWaves> dynamic_waves_;
+  double others_height_m() const;  // of all but the waves, no more than that
+  double others_shift_m() const;
   SourceStatistics of_sources_;  // all of them together
   double of_unknown_curvature_m_ = 0.0;  // height of those that do not know how they are bent
   void follow_change(Frame& frame, std::int64_t ticks);

@@ -13,6 +13,7 @@ namespace seascape {
 
 namespace {
 constexpr double most_squeeze = 0.8;
+constexpr float most_half = 65504.0f;  // what textures of half floats hold
 }
 
 DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_(settings) {
@@ -67,47 +68,58 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
       for (int x = 0; x < n; ++x) {
         glm::vec4& texel = plane[std::size_t(z) * std::size_t(n) + std::size_t(x)];
         const std::size_t from = std::size_t(z) * std::size_t(stride) + std::size_t(x);
-        texel[first] = level.re[from], texel[first + 1] = level.im[from];
+        texel[first] = std::clamp(level.re[from], -most_half, most_half), texel[first + 1] = std::clamp(level.im[from], -most_half, most_half);
       }
   }
   // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D
   // over its width.
-  float squeeze = 0.0f, farthest = 0.0f;
+  float squeeze = 0.0f, farthest = 0.0f, highest = 0.0f;
+  glm::dvec3 moments(0.0);
   for (std::size_t i = 0; i < level.shift.size(); ++i) {
     const float xx = level.slope[i].z, zz = level.slope[i].w, xz = level.shift[i].w, half = 0.5f * (xx - zz);
     // More than before? Asked of squares, for roots are dear.
     const float wider = squeeze + 0.5f * (xx + zz), across = half * half + xz * xz;
     if (wider < 0.0f || across > wider * wider) squeeze = std::sqrt(across) - 0.5f * (xx + zz);
     farthest = std::max(farthest, level.shift[i].x * level.shift[i].x + level.shift[i].z * level.shift[i].z);
+    highest = std::max(highest, std::abs(level.shift[i].y));
+    const glm::vec4& s = level.slope[i];
+    moments += glm::dvec3(s.x * s.x, s.y * s.y, s.x * s.y);
   }
+  level.extent = {highest, std::sqrt(double(farthest)), moments / double(level.shift.size())};
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
 }
 
 void DynamicSurface::evaluate(const DynamicWaves& waves) {
-  const LodPlacement& placement = waves.placement();
-  viewer_ = placement.viewer;
-  windows_ = lod_windows(settings_.windows, placement, viewer_);
+  placement_ = waves.placement();
+  windows_ = lod_windows(settings_.windows, placement_, placement_.viewer);
   tbb::parallel_for(0, int(levels_.size()), [&](int i) {
     Level& level = levels_[std::size_t(i)];
     level.texel_m = waves.level(i).texel_m();
     level.still = waves.level(i).still();
     level.squeeze = 0.0;
-    if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach * std::exp2(i));
+    level.extent = {};
+    if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach.x * std::exp2(i));
   });
   double squeeze = 0.0;
   for (const Level& level : levels_) squeeze += level.squeeze;
   share_ = squeeze > most_squeeze ? most_squeeze / squeeze : 1.0;
 }
 
+DynamicSurface::Extent DynamicSurface::extent(int level) const {
+  Extent result = levels_[std::size_t(level)].extent;
+  result.shift_m *= share_;
+  return result;
+}
+
 DynamicSample DynamicSurface::sea(glm::dvec2 rest, double footprint) const {
   DynamicSample sum;
-  const float distance = gpu::lod_distance(windows_, glm::vec2(rest - viewer_));
+  const float distance = gpu::lod_distance(glm::vec2(rest - placement_.viewer));
   const int n = plan_.n;
   for (int i = 0; i < int(levels_.size()); ++i) {
     const Level& level = levels_[std::size_t(i)];
     if (level.still) continue;
-    double weight = gpu::lod_present(windows_, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
-    if (i == 0) weight *= 1.0 - double(windows_.blend);
+    double weight = gpu::lod_present(windows_.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
+    if (i == 0) weight *= 1.0 - double(windows_.reach.z);
     if (!(weight > 0.0)) continue;
     const glm::dvec2 at = rest / level.texel_m - 0.5, cell = glm::floor(at), f = at - cell;
     const LodIndex w(cell);

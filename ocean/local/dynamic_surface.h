@@ -33,7 +33,17 @@ class DynamicSurface {
   DynamicSample sea(glm::dvec2 rest_xz_m, double footprint_m) const;
 
   double share() const { return share_; }  // of the sharpening that could be had
-  // Planes of a level, samples^2 texels each, texel (x, z) modulo the samples: Dx, h, Dz, dDx/dz and dh/dx, dh/dz, dDx/dx, dDz/dz. Of
+  // What a level's texels come to.
+  struct Extent {
+    double height_m = 0.0, shift_m = 0.0;   // nowhere more, to what straight lines between texels have; the shift after `share`
+    glm::dvec3 slope_moments{0.0};          // means of (dh/dx)^2, (dh/dz)^2, product
+  };
+  Extent extent(int level) const;
+  int levels() const { return int(levels_.size()); }
+  double texel_m(int level) const { return levels_[std::size_t(level)].texel_m; }
+  // As shaders have the windows: places count from `origin_xz_m`.
+  gpu::LodWindows windows(glm::dvec2 origin_xz_m) const { return lod_windows(settings_.windows, placement_, origin_xz_m); }
+  // Planes of a level within what half floats hold, samples^2 texels each, texel (x, z) modulo the samples: Dx, h, Dz, dDx/dz and dh/dx, dh/dz, dDx/dx, dDz/dz. Of
   // Dx and Dz before `share`.
   std::span<const glm::vec4> shift(int level) const { return levels_[std::size_t(level)].shift; }
   std::span<const glm::vec4> slope(int level) const { return levels_[std::size_t(level)].slope; }
@@ -42,6 +52,7 @@ class DynamicSurface {
  private:
   struct Level {
     bool still = true;
+    Extent extent;  // its shift before `share`
     double texel_m = 1.0, squeeze = 0.0, widths_texel_m = 0.0, widths_depth_m = 0.0;
     std::vector<double> widths;  // of each wave: how far the water moves sideways, of its height, over its wave number
     std::vector<glm::vec4> shift, slope;
@@ -51,8 +62,8 @@ class DynamicSurface {
   DynamicWavesSettings settings_;
   FftPlan plan_;
   std::vector<Level> levels_;
-  gpu::LodWindows windows_{};
-  glm::dvec2 viewer_{0.0};
+  LodPlacement placement_;
+  gpu::LodWindows windows_{};  // places from the viewer
   double share_ = 1.0;
 };
 

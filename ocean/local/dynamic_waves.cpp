@@ -245,6 +245,12 @@ int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::sp
   return steps;
 }
 
+void DynamicWaves::calm() {
+  for (WaveLevel& level : levels_) level.clear();
+  active_ = placed_ = false;
+  owed_s_ = viewer_speed_ = 0.0;
+}
+
 double DynamicWaves::energy_m2() const {
   double sum = 0.0;
   for (const WaveLevel& level : levels_) sum += level.energy_m2();

@@ -7,24 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "ocean/local/dynamic_waves_settings.h"
 #include "ocean/local/lod_field.h"
 #include "ocean/local/wave_level.h"
 
 namespace seascape {
-
-struct DynamicWavesSettings {
-  LodWindowSettings windows{.resolution = 256, .slices = 5, .texel_m = 0.125};  // resolution: a power of two from 64 to 1024
-  double rate_hz = 60.0;         // steps a second, 10 to 1000, whatever is drawn
-  double damping_per_s = 0.05;   // amplitudes fall by exp(-damping t / 2)
-  double gravity_mps2 = 9.81;
-  double depth_m = 1e6;          // until set_depth()
-  double idle_m = 1e-4;          // lower than this everywhere, and not pushed, waves come to rest; 0: never
-  double sharpening = 1.0;       // horizontal displacement, 0 to 2, 1 as linear waves have it
-  int most_steps = 8;            // of an advance; more time than that is divided among as many longer steps
-};
-
-// Throws Error naming the setting.
-void validate(const DynamicWavesSettings& settings);
 
 // Level i holds the waves of 8 to 24 texels of slice i (wave_share) and moves by itself, so that nothing is reflected where another
 // level's window ends. Towards the edge of its own, over an eighth of its side, waves are absorbed, as fast as the longest of the level
@@ -57,6 +44,9 @@ class DynamicWaves {
   // finite or whose length is not above 0, or seconds that are not 0 or more; the state is as before. While all is still and nothing
   // pushes, it does no work at all.
   int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources);
+
+  // All waves gone, as at first; depths, obstacles and the place stay.
+  void calm();
 
   bool active() const { return active_; }
   int levels() const { return int(levels_.size()); }

@@ -64,7 +64,7 @@ class LodField {
 
   // At a place (m), for a footprint (m), as lod_read() has it.
   T sample(glm::dvec2 place_m, double footprint_m) const {
-    const gpu::LodRead read = gpu::lod_read(windows_, glm::vec2(place_m - placement_.viewer), float(footprint_m));
+    const gpu::LodRead read = gpu::lod_read(windows_.reach, settings_.slices, gpu::lod_distance(glm::vec2(place_m - placement_.viewer)), float(footprint_m));
     if (!(read.present > 0.0f)) return outside_;
     T value = bilinear(read.fine, place_m);
     if (read.coarser > 0.0f) value = value + (bilinear(read.fine + 1, place_m) - value) * read.coarser;
@@ -82,7 +82,7 @@ class LodField {
 
   const LodPlacement& placement() const { return placement_; }
   const gpu::LodWindows& windows() const { return windows_; }  // places from the viewer
-  int layer(int slice) const { return gpu::lod_layer(windows_, slice); }
+  int layer(int slice) const { return gpu::lod_layer(windows_.first_layer, slice, settings_.slices); }
 
  private:
   std::size_t place(int slice, LodIndex w) const {

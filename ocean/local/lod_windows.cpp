@@ -73,10 +73,10 @@ gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacemen
     result.slice[i] = glm::vec4(at(cell.x, within.x), at(cell.y, within.y), float(1.0 / side), float(texel));
   }
   // Two texels less than half the window: half a one for the snapped middle, half a one for what is read between texels, one to spare.
-  result.reach = float((settings.resolution / 2 - 2) * lod_texel_m(settings, placement, 0));
+  const double reach = (settings.resolution / 2 - 2) * lod_texel_m(settings, placement, 0);
+  result.reach = glm::vec4(float(reach), float(reach * std::exp2(settings.slices - 2 + placement.scale.blend)), float(placement.scale.blend),
+                           float(lod_texel_m(settings, placement, 0)));
   result.viewer = glm::vec2(placement.viewer - origin);
-  result.outer = float(result.reach * std::exp2(settings.slices - 2 + placement.scale.blend));
-  result.blend = float(placement.scale.blend);
   result.slices = settings.slices;
   result.first_layer = placement.scale.octave % settings.slices;
   return result;

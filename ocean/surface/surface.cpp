@@ -33,7 +33,7 @@ RenderTarget make_points(Device& device, const RenderTarget& picture, float anis
 }  // namespace
 
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-                 std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
+                 std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
     : device_(device), waves_(waves), look_(look) {
   const EffectScope scope(device, "surface");
   const auto of_one = patch_indices(gpu::patch_quads);
@@ -49,7 +49,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   spec.fragment = look.deferred ? "surface_points.frag" : "surface.frag";
   spec.values = {{0, !picture.spec().per_eye}, {1, look.probe},  {2, look.tile_shape},
                  {3, look.foam},                           {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
-                 {7, std::uint32_t(waves.cascades())},     {10, look.deferred}};
+                 {7, std::uint32_t(waves.cascades())},     {10, look.deferred},
+                 {13, dynamic_waves != nullptr ? dynamic_waves->shift().spec().layers : 0u}};
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
     for (std::size_t i = 0; i < std::size(slots); ++i)
@@ -75,6 +76,10 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
       entries_.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
       entries_.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
     }
+  if (dynamic_waves != nullptr) {
+    entries_.push_back({.binding = 25, .view = dynamic_waves->shift().view(), .sampler = dynamic_waves->sampler()});
+    entries_.push_back({.binding = 26, .view = dynamic_waves->slope().view(), .sampler = dynamic_waves->sampler()});
+  }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

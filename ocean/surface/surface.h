@@ -1,6 +1,7 @@
 // Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
 #pragma once
 #include "engine/frame.h"
+#include "ocean/local/drawn_dynamic_waves.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/waves/drawn_source.h"
 #include "ocean/waves/wave_images.h"
@@ -27,9 +28,9 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  // `picture`: what the finished pixels go into.
+  // `picture`: what the finished pixels go into. `dynamic_waves`: null where there are none.
   Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-          std::span<const std::unique_ptr<DrawnSource>> sources, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
+          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);
@@ -51,7 +52,7 @@ class Surface {
     const char* effect;
     std::uint32_t constant;
   };
-  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}};
+  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}, {"dynamic_waves", 13}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }

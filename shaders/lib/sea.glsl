@@ -34,6 +34,11 @@ layout(binding = 12) uniform sampler2DArray particle_displacement;  // as those 
 layout(binding = 13) uniform sampler2DArray particle_derivatives;
 layout(binding = 14) uniform sampler2DArray particle_moments;
 
+// Dynamic waves: so many levels around the viewer; 0: there are none, and nothing of them is left here.
+layout(constant_id = 13) const int dynamic_levels = 0;
+layout(binding = 25) uniform sampler2DArray dynamic_shift;  // as those of displacement,
+layout(binding = 26) uniform sampler2DArray dynamic_slope;  // and of derivatives
+
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
 vec4 laid(float size) { return vec4(size, size, size, 1.0); }
 
@@ -53,9 +58,10 @@ void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, float
   sum += share * by * textureLod(tiles, vec3(at, layer), level);
 }
 
-// What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing. The compiler drops functions that nobody
-// calls, and their types' and constants' places with them: where it is called and never runs, a shader without what fades has the words of one that never had it.
+// What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing.
 float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0); }
+
+#include "lib/dynamic_waves.glsl"
 
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
@@ -66,12 +72,12 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 1.0, vec4(1.0), rest, footprint);
   if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 2.0, vec4(1.0), rest, footprint);
   if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 3.0, vec4(1.0), rest, footprint);
-  if (cascade_count < 0) sum *= near_viewer(rest);  // never: see near_viewer()
   if (baked_layings > 0) add_displacement(sum, baked_displacement, frame.sea.baked, 0.0, vec4(near_viewer(rest)), rest, footprint);
   if (gerstner_layings > 0) add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 0.0, vec4(1.0), rest, footprint);
   if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 0.0, vec4(1.0), rest, footprint);
   if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 0.0, laid(particle_size_1), rest, footprint);
   if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 0.0, laid(particle_size_2), rest, footprint);
+  if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
   return sum;
 }
 
@@ -160,6 +166,8 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
   s.variance += mix(c.moments.xyz, part.variance, near);
 }
 
+#include "lib/dynamic_slopes.glsl"
+
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
   vec4 derivatives;
@@ -180,13 +188,13 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 2.0, rest, along, across, blur, 1.0);
   if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 3.0, rest, along, across, blur, 1.0);
   SeaSlopes part = no_slopes();
-  if (cascade_count < 0) add_near(s, part, frame.sea.cascade[0], near_viewer(rest));
   if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 0.0, rest, along, across, blur, 1.0);
   if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(rest));
   if (gerstner_layings > 0) add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 0.0, rest, along, across, blur, 1.0);
+  if (dynamic_levels > 0) add_dynamic_slopes(s, rest, blur);
   return s;
 }
 

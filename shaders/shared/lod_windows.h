@@ -15,13 +15,11 @@ SEASCAPE_CONST float lod_border = 0.25f;
 // whichever way the window has moved.
 struct LodWindows {
   vec4 slice[max_lod_slices];  // x, y: the origin's coordinates in the texture; z: 1 / the window's side; w: its texel, m
+  vec4 reach;                  // x: how far from the viewer slice 0 is read, m; of each slice after it twice as far; y: how far any is; z: how far
+                               // slice 0 has given way to slice 1 for height, 0 to 1; w: the finest texel, m
   vec2 viewer;                 // not snapped: what is read changes smoothly with it
-  float reach;                 // how far from the viewer slice 0 is read, m; of each slice after it twice as far
-  float outer;                 // how far any is
-  float blend;                 // how far slice 0 has given way to slice 1 for height: 0 to 1
   int slices;
   int first_layer;             // the texture's layer of slice 0; that of slice i: (first_layer + i) modulo slices
-  int unused;
 };
 
 // Slice `fine` and, where it is above 0, for a share `coarser` the one after it; what is not `present` is the field's value outside of
@@ -33,38 +31,36 @@ struct LodRead {
   float present;
 };
 
-SEASCAPE_FUNCTION float lod_distance(LodWindows w, vec2 place) { return max(abs(place.x - w.viewer.x), abs(place.y - w.viewer.y)); }
+// The functions take what they need of LodWindows and not the whole, which a compiler might copy.
+SEASCAPE_FUNCTION float lod_distance(vec2 from_viewer) { return max(abs(from_viewer.x), abs(from_viewer.y)); }
 
-SEASCAPE_FUNCTION int lod_layer(LodWindows w, int slice) { return (w.first_layer + slice) % w.slices; }
+SEASCAPE_FUNCTION int lod_layer(int first_layer, int slice, int slices) { return (first_layer + slice) % slices; }
 
-// Of a texture that repeats.
-SEASCAPE_FUNCTION vec2 lod_coordinates(LodWindows w, int slice, vec2 place) {
-  return place * w.slice[slice].z + vec2(w.slice[slice].x, w.slice[slice].y);
-}
+// Of a texture that repeats; `slice`: LodWindows::slice.
+SEASCAPE_FUNCTION vec2 lod_coordinates(vec4 slice, vec2 place) { return place * slice.z + vec2(slice.x, slice.y); }
 
 // How much of slice i there is at a distance from the viewer: 1, and 0 from its reach on. For data of which each slice has a part of
-// its own.
-SEASCAPE_FUNCTION float lod_present(LodWindows w, int slice, float distance) {
-  float reach = min(w.reach * float(1 << slice), w.outer);
-  return clamp((reach - distance) / (lod_border * reach), 0.0f, 1.0f);
+// its own. `reach`: LodWindows::reach.
+SEASCAPE_FUNCTION float lod_present(vec4 reach, int slice, float distance) {
+  float end = min(reach.x * float(1 << slice), reach.y);
+  return clamp((end - distance) / (lod_border * end), 0.0f, 1.0f);
 }
 
 // What a place is read from, for a footprint in metres. The level is the greatest of three, each continuous: by distance, by footprint
 // (no texel finer than it) and by the viewer's height. A slice's number at which the binary logarithm rounds to either side gives the
 // same level.
-SEASCAPE_FUNCTION LodRead lod_read(LodWindows w, vec2 place, float footprint) {
-  float distance = lod_distance(w, place);
-  int number = distance > w.reach ? min(int(ceil(log2(distance / w.reach))), w.slices - 1) : 0;
-  float end = w.reach * float(1 << number);
+SEASCAPE_FUNCTION LodRead lod_read(vec4 reach, int slices, float distance, float footprint) {
+  int number = distance > reach.x ? min(int(ceil(log2(distance / reach.x))), slices - 1) : 0;
+  float end = reach.x * float(1 << number);
   // The last slice comes in with height: at a blend of 0 it is not yet read.
-  float border = number == w.slices - 2 ? lod_border * max(w.blend, 1e-6f) : lod_border;
+  float border = number == slices - 2 ? lod_border * max(reach.z, 1e-6f) : lod_border;
   float by_place = float(number) + clamp(1.0f - (end - distance) / (border * end), 0.0f, 1.0f);
-  float by_footprint = min(log2(max(footprint / w.slice[0].w, 1.0f)), float(w.slices - 2) + w.blend);
-  float level = clamp(max(max(by_place, by_footprint), w.blend), 0.0f, float(w.slices - 1));
+  float by_footprint = min(log2(max(footprint / reach.w, 1.0f)), float(slices - 2) + reach.z);
+  float level = clamp(max(max(by_place, by_footprint), reach.z), 0.0f, float(slices - 1));
   LodRead result;
   result.fine = int(level);
   result.coarser = level - float(result.fine);
-  result.present = clamp((w.outer - distance) / (lod_border * w.outer), 0.0f, 1.0f);
+  result.present = clamp((reach.y - distance) / (lod_border * reach.y), 0.0f, 1.0f);
   return result;
 }
 

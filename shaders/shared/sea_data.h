@@ -2,6 +2,7 @@
 #ifndef SEASCAPE_SEA_DATA_H
 #define SEASCAPE_SEA_DATA_H
 #include "gpu_types.h"
+#include "lod_windows.h"
 #include "wave_bin.h"
 #include "wave_particles.h"
 SEASCAPE_SHARED_BEGIN
@@ -13,11 +14,21 @@ struct CascadeData {
   vec4 moments;         // E[hx^2], E[hz^2], E[hx hz] over the whole tile; w: its longest wave in metres
 };
 
+SEASCAPE_CONST int max_dynamic_levels = 8;
+
+// Dynamic waves: level i in layer i of its textures.
+struct DynamicData {
+  LodWindows windows;
+  vec4 level[max_dynamic_levels];  // xyz: means of (dh/dx)^2, (dh/dz)^2, product over the window; w: how much it counts for, 0 where it rests
+  vec4 share;                      // x: of the sideways displacement that the textures hold
+};
+
 struct SeaData {
   CascadeData cascade[max_cascades];
   CascadeData baked;                            // of a recorded loop,
   CascadeData gerstner;                         // of Gerstner waves, and
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
+  DynamicData dynamic;                          // of dynamic waves
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
   vec4 footprint;  // x: no water is further from its rest position than this, metres; y: one over the distance at which a recorded loop has faded, 1/m, 0 for none; z: highest crest in metres, w: significant height of the drawn waves, metres
 };

@@ -12,6 +12,7 @@ namespace seascape {
 namespace {
 
 using test::DrawnMesh;
+using test::light_at;
 using test::pose;
 using test::SeaShot;
 
@@ -34,14 +35,6 @@ SeaShot shot_of(const std::string& scene, const char* preset, const char* view) 
 Viewpoint looking(const Pose& p) { return {p, {{p, symmetric_fov(70.0, double(width) / height)}}}; }
 
 // A pixel's linear light.
-glm::dvec3 light_at(const Image8& picture, std::size_t i) {
-  glm::dvec3 light;
-  for (int c = 0; c < 3; ++c) {
-    const double v = picture.pixels[4 * i + std::size_t(c)] / 255.0;
-    light[c] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-  }
-  return light;
-}
 bool is_wire(const Image8& picture, int x, int y) {
   const glm::dvec3 c = light_at(picture, std::size_t(y) * width + std::size_t(x));
   return glm::length(c - glm::dvec3(0.9)) < 0.01;

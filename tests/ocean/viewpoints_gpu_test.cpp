@@ -57,7 +57,7 @@ using Order = std::vector<std::size_t>;
 std::vector<Image8> together(SeaShot& shot, std::vector<Camera>& cameras, const Order& order, double time_s) {
   Frame& frame = shot.experience().frame();
   frame.begin();
-  shot.experience().ocean().update(frame, time_s);
+  shot.experience().ocean().update(frame, time_s, {0.0, 3.0, 0.0});
   shot.experience().sky().update(frame, shot.scene().settings.sky);
   for (const std::size_t n : order) cameras[n].select(shot);
   for (const std::size_t n : order) cameras[n].draw(shot, frame);

@@ -61,7 +61,7 @@ TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
           for (int i = 0; i < 4000; ++i) {
             const double r = 0.05 * i;
             const glm::dvec2 p(r * std::cos(angle), r * std::sin(angle));
-            const gpu::LodRead read = gpu::lod_read(w, glm::vec2(p), float(footprint));
+            const gpu::LodRead read = gpu::lod_read(w.reach, w.slices, gpu::lod_distance(glm::vec2(p) - w.viewer), float(footprint));
             const double of_coarser = double(read.present) * read.coarser, of_fine = double(read.present) * (1.0 - read.coarser), of_outside = 1.0 - read.present;
             all_one = all_one && of_coarser + of_fine + of_outside == 1.0 && of_fine >= 0.0 && of_coarser >= 0.0 && of_outside >= 0.0;
             const double level = read.fine + read.coarser;
@@ -101,7 +101,7 @@ TEST(LodWindows, DoublingTexelsChangesNothingThatIsRead) {
     for (int i = 0; i < 3000; ++i) {
       const glm::vec2 p(float(doubled * 0.013 * i), float(i % 7));
       for (const float footprint : {0.0f, 7.0f}) {
-        const gpu::LodRead fine = gpu::lod_read(a, p, footprint), coarse = gpu::lod_read(b, p, footprint);
+        const gpu::LodRead fine = gpu::lod_read(a.reach, a.slices, gpu::lod_distance(p - a.viewer), footprint), coarse = gpu::lod_read(b.reach, b.slices, gpu::lod_distance(p - b.viewer), footprint);
         out = std::max(out, double(std::abs(fine.present - coarse.present)));
         const double was = below.scale.octave + fine.fine + fine.coarser, is = above.scale.octave + coarse.fine + coarse.coarser;
         off = std::max(off, std::abs(was - is) * fine.present);
@@ -153,7 +153,7 @@ TEST(LodField, NothingPopsAsTheViewerMoves) {
     if (n < 12) { EXPECT_EQ(field.sample(fixed, 0.0), first) << n; }
     for (int i = 0; i < 200; ++i) {
       const glm::dvec2 p(-11.3 + 0.61 * i - 60.0, 7.7 + 0.37 * std::sin(3.0 * i) * i);
-      const gpu::LodRead read = gpu::lod_read(field.windows(), glm::vec2(p - viewer), 0.0f);
+      const gpu::LodRead read = gpu::lod_read(field.windows().reach, field.windows().slices, gpu::lod_distance(glm::vec2(p - viewer)), 0.0f);
       if (read.present < 1.0f) continue;
       const double value = field.sample(p, 0.0), miss = Smooth::missed(field.texel_m(read.fine + (read.coarser > 0.0f ? 1 : 0)));
       excess = std::max(excess, std::abs(value - Smooth::value(p)) - miss);
@@ -264,7 +264,7 @@ TEST(LodWindows, ShadersFindTheSameTexels) {
       for (int i = 0; i < 100; ++i) {
         const glm::vec2 p(0.37f * float(i - 50), 0.11f * float(i));
         const glm::dvec2 texels = (origin + glm::dvec2(p)) / lod_texel_m(s, placement, slice);
-        const glm::dvec2 difference = glm::dvec2(gpu::lod_coordinates(w, slice, p)) * double(s.resolution) - texels;
+        const glm::dvec2 difference = glm::dvec2(gpu::lod_coordinates(w.slice[slice], p)) * double(s.resolution) - texels;
         for (int axis = 0; axis < 2; ++axis) off = std::max(off, std::abs(difference[axis] - s.resolution * std::round(difference[axis] / s.resolution)));
       }
   }

@@ -82,6 +82,15 @@ Image8 difference_picture(const Image8& a, const Image8& b) {
   return picture;
 }
 
+glm::dvec3 light_at(const Image8& picture, std::size_t i) {
+  glm::dvec3 light;
+  for (int c = 0; c < 3; ++c) {
+    const double v = picture.pixels[4 * i + std::size_t(c)] / 255.0;
+    light[c] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  }
+  return light;
+}
+
 std::string leave(const Image8& picture, const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(SEASCAPE_BUILD_DIR) / "test_pictures";
   std::filesystem::create_directories(folder);

@@ -1,5 +1,6 @@
 // What tests ask about pictures.
 #pragma once
+#include <glm/glm.hpp>
 #include <string>
 
 #include "engine/image_file.h"
@@ -24,6 +25,9 @@ struct PictureDifference {
 PictureDifference difference(const Image8& a, const Image8& b);
 // The difference as a picture, ten times as strong.
 Image8 difference_picture(const Image8& a, const Image8& b);
+
+// The light of pixel i, row after row, 0 to 1 and linear.
+glm::dvec3 light_at(const Image8& picture, std::size_t i);
 
 // Leaves a picture in the build folder, in "test_pictures"; returns its file for a message.
 std::string leave(const Image8& picture, const std::string& name);
