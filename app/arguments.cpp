@@ -1,5 +1,7 @@
 #include "app/arguments.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
 
@@ -267,6 +269,7 @@ Arguments parse_arguments(std::span<const std::string> words) {
 
 Scene scene_from(const Arguments& arguments, std::string_view preset) {
   Scene scene = load_scene(arguments.scene, preset);
+  for (const std::string& remark : scene.remarks) spdlog::warn("{}", remark);
   for (const Override& one : arguments.overrides) set_from_text(scene.settings, one.key, one.value, one.option, 2);
   return scene;
 }

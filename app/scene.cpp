@@ -6,9 +6,11 @@
 #include "app/located_json.h"
 #include "app/loop_file.h"
 #include "app/quality.h"
+#include "app/scene_inputs.h"
 #include "engine/files.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/inputs/inputs.h"
 #include "ocean/local/dynamic_sea.h"
 #include "ocean/waves/baked.h"
 #include "ocean/waves/gerstner.h"
@@ -99,6 +101,10 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
     read_group(scene.settings, reader, group, faults);
     if (group == "camera") read_camera(scene, reader, where, faults);
     reader.finish();
+  }
+  if (const LocatedJson* inputs = file.optional("inputs")) {
+    scene.inputs = read_inputs(*inputs, scene.effects, where, faults);
+    scene.remarks = remarks_of(scene.inputs);
   }
   file.finish();
 }

@@ -9,6 +9,7 @@
 #include "app/faults.h"
 #include "app/settings.h"
 #include "engine/view.h"
+#include "ocean/inputs/input_spec.h"
 
 namespace seascape {
 
@@ -18,6 +19,8 @@ struct Scene {
   std::string title;
   std::vector<std::string> effects{"waves"};
   Settings settings;                  // defaults, then the preset, then the scene's own values
+  std::vector<InputSpec> inputs;      // in the file's order
+  std::vector<std::string> remarks;   // what gives nothing and why, a line each; no faults
   Pose start;                         // where explore begins
 };
 

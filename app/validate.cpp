@@ -24,14 +24,15 @@ std::string picture_summary(const char* kind, int width, int height) {
   return std::string(kind) + " of " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
 }
 
-std::string json_summary(const std::string& text, const std::string& where, Faults& faults) {
+std::string json_summary(const std::string& text, const std::string& where, Faults& faults, std::vector<std::string>& remarks) {
   const LocatedJson json = parse_located_json(text, where);
   if (json.member("keys") != nullptr) {
     const CameraPath path = parse_camera_path(text, where, faults);
     return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s";
   }
   const Scene scene = parse_scene(text, where, "auto", faults);
-  return "a scene with " + counted(scene.effects.size(), "effect");
+  remarks = scene.remarks;
+  return "a scene with " + counted(scene.effects.size(), "effect") + (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
 }
 
 std::string model_summary(const std::filesystem::path& file) {
@@ -50,7 +51,7 @@ FileVerdict validate_file(const std::filesystem::path& file) {
   Faults faults(true);
   faults.attempt([&] {
     if (kind == ".json") {
-      verdict.summary = json_summary(read_text(file, largest_json_bytes), file.string(), faults);
+      verdict.summary = json_summary(read_text(file, largest_json_bytes), file.string(), faults, verdict.remarks);
     } else if (kind == ".gltf" || kind == ".glb") {
       verdict.summary = model_summary(file);
     } else if (kind == ".png") {
@@ -72,6 +73,7 @@ int run_validate(const Arguments& arguments) {
   int exit_code = 0;
   for (const std::string& file : arguments.files) {
     const FileVerdict verdict = validate_file(file);
+    for (const std::string& remark : verdict.remarks) std::fprintf(stderr, "seascape: warning: %s\n", remark.c_str());
     for (const Error& fault : verdict.faults) std::fprintf(stderr, "seascape: %s\n", fault.what());
     if (verdict.faults.empty()) std::printf("%s: %s\n", file.c_str(), verdict.summary.c_str());
     if (!verdict.faults.empty()) exit_code = 1;

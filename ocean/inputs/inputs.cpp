@@ -36,6 +36,13 @@ glm::vec4 plain_value(const InputSpec& spec, glm::vec4 value) {
   return spec.blend == InputBlend::scale ? glm::vec4(value.x) : with_cover(spec, value);
 }
 
+std::vector<std::string> remarks_of(std::span<const InputSpec> specs) {
+  std::vector<std::string> remarks;
+  for (const InputSpec& spec : specs)
+    if (!std::holds_alternative<TextureInput>(spec.shape)) (void)make_input(spec, remarks);  // of a picture there is always something
+  return remarks;
+}
+
 Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs) : to_(to) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < specs.size(); ++i)
