@@ -22,6 +22,7 @@ struct InputTargetTraits {
   double least, most;       // of every channel, so that a half float holds it
   std::string_view unit;    // "" for shares of 1
   std::string_view means;
+  bool asked = false;       // the sea of this version asks for it; else an input of it changes nothing, and a remark says so
 };
 // In the order of InputTarget.
 inline constexpr std::array<InputTargetTraits, 8> input_targets{{

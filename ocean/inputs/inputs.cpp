@@ -1,5 +1,7 @@
 #include "ocean/inputs/inputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,6 +40,11 @@ glm::vec4 plain_value(const InputSpec& spec, glm::vec4 value) {
 
 std::vector<std::string> remarks_of(std::span<const InputSpec> specs) {
   std::vector<std::string> remarks;
+  for (std::size_t t = 0; t < input_targets.size(); ++t) {
+    const auto first = std::find_if(specs.begin(), specs.end(), [&](const InputSpec& spec) { return spec.to == InputTarget(t); });
+    if (first != specs.end() && !input_targets[t].asked)
+      remarks.push_back(fmt::format("{}: the sea of this version takes no inputs of {} yet, and this changes nothing; keep it for a later one", first->where, input_targets[t].name));
+  }
   for (const InputSpec& spec : specs)
     if (!std::holds_alternative<TextureInput>(spec.shape)) (void)make_input(spec, remarks);  // of a picture there is always something
   return remarks;

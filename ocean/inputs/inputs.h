@@ -48,7 +48,7 @@ class Inputs {
   std::vector<std::string> remarks_;
 };
 
-// The same remarks for inputs of every kind, which have to be valid, without keeping any.
+// The same remarks for inputs of every kind, which have to be valid, without keeping any; and of each kind of data that nobody asks for.
 std::vector<std::string> remarks_of(std::span<const InputSpec> specs);
 
 }  // namespace seascape
