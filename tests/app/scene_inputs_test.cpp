@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "app/commands.h"
 #include "app/scene.h"
@@ -27,6 +28,8 @@ std::string scene_file() {
     ImageF heights{2, 2, {}};
     for (const float height : {-4.0f, -4.0f, 2.0f, 2.0f}) heights.pixels.insert(heights.pixels.end(), {height, 0.0f, 0.0f, 1.0f});
     write_exr(folder / "bed.exr", heights);
+    heights.pixels[8] = std::numeric_limits<float>::quiet_NaN();
+    write_exr(folder / "nan.exr", heights);
     Image8 paint{1, 1, 4, {188, 0, 255, 128}};
     write_png(folder / "paint.png", paint);
     test::GltfMaker maker;
@@ -139,6 +142,7 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(fault_of(text), message) << text;
   EXPECT_THAT(fault_of("[{\"to\": \"level\", \"kind\": \"texture\",\n\"file\": \"no.exr\", \"at_m\": [0, 0], \"size_m\": 1}]"), testing::AllOf(testing::StartsWith(":2: inputs[0].file: "), testing::HasSubstr("no.exr")));
+  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "nan.exr", "at_m": [0, 0], "size_m": 1}])"), testing::AllOf(testing::HasSubstr("nan.exr: 1 of its values are NaN or infinite"), testing::HasSubstr("column 0, row 1")));
   EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "shape", "value": 1, "file": "bed.exr"}])"), testing::StartsWith(":1: inputs[0].file: "));
   EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "plane.glb", "at_m": [0, 0], "size_m": 1}])"), testing::HasSubstr("the kind '.glb' is no picture's; give an .exr or a .png"));
 }

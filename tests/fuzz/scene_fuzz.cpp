@@ -9,8 +9,8 @@ using namespace seascape;
 
 namespace {
 
-// Inputs of every effect, those too that no scene may name yet: what is read gives finite values of its range everywhere. Seen to be caught: points at one place
-// that are not left out.
+// Inputs of every effect, those too that no scene may name yet: what is read gives finite values of its range everywhere. Seen to be caught: sums that are
+// not clamped.
 void ask_inputs(std::string_view text) {
   fuzz::reads([&] {
     const LocatedJson json = parse_located_json(text, "scene.json");

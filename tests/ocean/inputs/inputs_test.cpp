@@ -2,10 +2,12 @@
 #include "ocean/inputs/inputs.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <bit>
 #include <random>
 
+#include "tests/support/allocations.h"
 #include "tests/support/input_truth.h"
 
 namespace seascape {
@@ -127,6 +129,38 @@ TEST(Inputs, ThoseThatFollowTheWavesAreAskedAtRest) {
   specs[0].follow_waves = true;
   EXPECT_EQ(at({0.0, 0.0}, {8.0, 0.0}), 0.0f);
   EXPECT_EQ(at({8.0, 0.0}, {0.0, 0.0}), 3.0f);
+}
+
+// One of every kind that needs no file.
+std::vector<InputSpec> mixed() {
+  std::vector<InputSpec> specs(4, disc(InputTarget::foam, {0.0, 0.0}, 80.0, 1.0f));
+  specs[1].shape = SplineInput{.points = {{{-50.0, 0.0}, 30.0, {1.0f, 0.0f, 0.0f, 0.0f}}, {{0.0, 20.0}, 30.0, {2.0f, 0.0f, 0.0f, 0.0f}}, {{50.0, 0.0}, 30.0, {3.0f, 0.0f, 0.0f, 0.0f}}}};
+  specs[2].shape = SplineInput{.points = {{{-50.0, -50.0}, 1.0, glm::vec4(1.0f)}, {{50.0, -50.0}, 1.0, glm::vec4(2.0f)}, {{0.0, 50.0}, 1.0, glm::vec4(3.0f)}}, .closed = true, .filled = true};
+  specs[3].shape = TrailInput{.keys = {{0.0, {-40.0, 0.0}}, {5.0, {0.0, 30.0}}, {10.0, {40.0, 0.0}}}, .radius_m = 8.0};
+  for (InputSpec& spec : specs) spec.feather_m = 3.0;
+  return specs;
+}
+
+// Control: a list of what is found at a place that is kept in a vector allocates at every place.
+TEST(Inputs, AnswerWithoutAllocations) {
+  const Inputs inputs(InputTarget::foam, mixed());
+  float sum = 0.0f;
+  const test::AllocationCounter counter;
+  for (double x = -60.0; x < 60.0; x += 1.0) sum += inputs.value({x, 5.0}, 2.0, 6.0, zero).x;
+  if (test::AllocationCounter::counts) {
+    EXPECT_EQ(counter.ours(), 0u);
+  }
+  EXPECT_GT(sum, 50.0f);
+}
+
+// Control: what is found at a place, kept in the object, differs at some places and is a race under the thread sanitizer.
+TEST(Inputs, ConcurrentAnswersAreTheSame) {
+  const Inputs inputs(InputTarget::foam, mixed());
+  const auto ask = [&](int i) { return inputs.value({i % 120 - 60.0, i / 120 % 120 - 60.0}, i % 3, 0.01 * (i % 1000), zero).x; };
+  std::vector<float> alone(40000), together(40000);
+  for (int i = 0; i < 40000; ++i) alone[std::size_t(i)] = ask(i);
+  tbb::parallel_for(0, 40000, [&](int i) { together[std::size_t(i)] = ask(i); });
+  EXPECT_EQ(alone, together);
 }
 
 }  // namespace
