@@ -36,14 +36,13 @@ std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
 void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
   planes_.resize(eyes.size() * planes_per_eye);
   for (std::vector<Across>& axis : across_) axis.resize(eyes.size());
-  all_ = none;
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const Fov& fov = eyes[e].fov;
     FrustumPlane* const planes = &planes_[e * planes_per_eye];
     const glm::dvec3 position = eyes[e].pose.position_m - origin_m;
     std::size_t count = 0;
     const auto add = [&](const glm::dvec3& n, double offset) {
-      planes[count++] = {n.x, n.z, offset, std::max(n.y, 0.0), std::min(n.y, 0.0), std::abs(n.x) + std::abs(n.z)};
+      planes[count++] = {n.x, n.z, offset, std::max(n.y, 0.0), std::min(n.y, 0.0)};
     };
     const glm::dmat3 rotation = glm::mat3_cast(eyes[e].pose.orientation);
     // A point (x, y, z) of eye space is inside while left * -z <= x <= right * -z, likewise for y, and z <= 0.
@@ -67,9 +66,8 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
       normal[axis] = all_up[axis] ? 1.0 : -1.0;
       add(normal, all_up[axis] ? -position[axis] : position[axis]);
     }
-    if (e < most_eyes) all_ |= ((Questions{1} << count) - 1) << (8 * e);
     for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes, count, axis == 1);
-    for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+    for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0};
   }
   pairs_.resize((eyes.size() + 1) / 2);
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) pairs_[pair] = two_eyes(&across_[0][2 * pair], std::min<std::size_t>(eyes.size() - 2 * pair, 2));

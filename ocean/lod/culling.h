@@ -2,8 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -61,10 +60,10 @@ struct BorderRange {
   double least, most;
 };
 
-// An upright prism over the convex hull of four points (x, z), grown by `grow` to every side.
-struct UprightPrism {
-  std::array<glm::dvec2, 4> corners;
-  double grow;
+// An upright box, in metres relative to EyeFrusta's origin.
+struct UprightBox {
+  double x, z;            // its centre
+  double half_x, half_z;  // half its sides
   double low, high;
 };
 
@@ -75,39 +74,25 @@ struct UprightPrism {
 struct FrustumPlane {
   double x, z, offset;
   double up, down;  // the normal's y where it is positive, where it is negative
-  double level;     // |x| + |z|
   static constexpr std::size_t per_eye = 8;
 };
 
 class EyeFrusta {
  public:
-  // What is still to be asked about bounds that lie inside of others: none of it once the outer ones are wholly in one
-  // eye's sight. A bit a plane, eight to an eye; an eye that sees nothing of the outer bounds has none. Beyond eight eyes
-  // everything is asked every time.
-  using Questions = std::uint64_t;
-  static constexpr Questions none = 0;
-
   // Takes the eyes' poses (unit quaternions) and fields of view; positions below are relative to `origin_m`, world axes.
   // No eyes: everything counts as seen. No allocation once as many eyes have been set before.
   void set(const std::vector<View>& eyes, const glm::dvec3& origin_m);
 
-  // All questions: what to begin with.
-  Questions all() const { return all_; }
-
-  // False only if no eye can see any point of the bounds. `questions`, not `none`: what the bounds around these left;
-  // becomes what these leave for all that lies inside of them.
-  bool may_see(const UprightPrism& prism, Questions& questions) const {
-    return ask(questions, [&prism](const FrustumPlane& plane) {
-      double least = plane.x * prism.corners[0].x + plane.z * prism.corners[0].y, most = least;
-      for (std::size_t c = 1; c < 4; ++c) {
-        const double at = plane.x * prism.corners[c].x + plane.z * prism.corners[c].y;
-        least = at < least ? at : least;
-        most = at > most ? at : most;
-      }
-      const double reach = plane.level * prism.grow;
-      return Span{least - reach + plane.offset + plane.up * prism.low + plane.down * prism.high,
-                  most + reach + plane.offset + plane.up * prism.high + plane.down * prism.low};
-    });
+  // False only if no eye can see any point of the box.
+  bool may_see(const UprightBox& box) const {
+    if (planes_.empty()) return true;
+    for (std::size_t first = 0; first < planes_.size(); first += planes_per_eye) {
+      const auto beyond = [&box](const FrustumPlane& p) {
+        return p.x * box.x + p.z * box.z + std::abs(p.x) * box.half_x + std::abs(p.z) * box.half_z + p.up * box.high + p.down * box.low + p.offset < 0.0;
+      };
+      if (std::none_of(&planes_[first], &planes_[first] + planes_per_eye, beyond)) return true;
+    }
+    return false;
   }
 
   // Lists of one range for every eye: one eye that sees everything where there are none.
@@ -123,47 +108,7 @@ class EyeFrusta {
   bool may_see(const Border& border, const BorderBand& whole, std::span<const BorderBand> bands, std::span<BorderRange> seen) const;
 
  private:
-  struct Span {
-    double least, most;  // of the distances from a plane, over all of some bounds
-  };
-  static constexpr std::size_t planes_per_eye = FrustumPlane::per_eye, most_eyes = 8;
-  static constexpr Questions of_an_eye = 0xff;
-
-  template <typename Distances>
-  bool ask(Questions& questions, const Distances& distances) const {
-    if (planes_.size() > most_eyes * planes_per_eye) return ask_all(distances);
-    Questions left = 0;
-    for (Questions asked = questions; asked != 0;) {
-      const unsigned first = static_cast<unsigned>(std::countr_zero(asked)) & ~7u;
-      unsigned open = static_cast<unsigned>((asked >> first) & of_an_eye);
-      asked &= ~(of_an_eye << first);
-      unsigned crossed = 0;
-      for (; open != 0; open &= open - 1) {
-        const unsigned p = static_cast<unsigned>(std::countr_zero(open));
-        const Span span = distances(planes_[first + p]);
-        if (span.most < 0.0) break;
-        if (span.least < 0.0) crossed |= 1u << p;
-      }
-      if (open != 0) continue;  // all of it beyond a plane: nothing more for this eye
-      if (crossed == 0) {
-        questions = none;
-        return true;
-      }
-      left |= static_cast<Questions>(crossed) << first;
-    }
-    if (left == 0) return false;
-    questions = left;
-    return true;
-  }
-  template <typename Distances>
-  bool ask_all(const Distances& distances) const {
-    for (std::size_t first = 0; first < planes_.size(); first += planes_per_eye) {
-      bool seen = true;
-      for (std::size_t p = first; seen && p < first + planes_per_eye; ++p) seen = distances(planes_[p]).most >= 0.0;
-      if (seen) return true;
-    }
-    return false;
-  }
+  static constexpr std::size_t planes_per_eye = FrustumPlane::per_eye;
 
   // An eye's planes as they cut lines along an axis: first those whose seen side is towards more of it, from `turn` on towards less, from
   // `level` to the end those that lie along it. Where a plane cuts, its offset counts `inverse` times and the other axis `slope` times.
@@ -192,7 +137,6 @@ class EyeFrusta {
   std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
   std::array<std::vector<Across>, 2> across_;  // lines along x, along z
   std::vector<TwoEyes> pairs_;
-  Questions all_ = none;
 };
 
 }  // namespace seascape

@@ -21,7 +21,7 @@ struct LodSettings {
   double cull_scale = 1.8;       // multiplies the displacement that culling grows a patch's bounds by, 1 to 4
   int levels = 0;                // splits of the ocean into such squares, 0 to 12; 0: as many as the quality needs
   double max_height_m = 0.0;     // bound of the displacement for culling; 0: taken from the spectrum
-  double skirt_multiplier = 10.0;  // patches and skirt keep their density up to this many ocean sizes, 1 to 20
+  double skirt_multiplier = 10.0;  // patches and skirt keep their density up to this many ocean sizes, 1 to 20, where motion is seen so far
   bool earth_curvature = true;
   bool freeze = false;           // keep the last selection, to look at it from elsewhere
   int drop_patch = -1;           // debug: leaves the patch of this index out, the control of every test for holes

@@ -75,23 +75,33 @@ int centre_spacing(const TreeFrame& frame) {
   return 1 << (frame.levels - coarsest);
 }
 
-// VertexMorph::spacing: where levels change, spacings over distances. Their bound is the line through the finest levels, and a parabola
-// above the others as far as slopes of waves matter.
-glm::vec4 spacing_of(const TreeFrame& frame) {
+// VertexMorph::spacing of the levels from `first` on: where levels change, spacings over distances. Their bound is the line through the finest levels, and
+// a parabola above the others as far as slopes of waves matter.
+glm::dvec3 spacing_from(const TreeFrame& frame, int first) {
   constexpr double most_m = 400.0;
   double least = 1.0, line = 0.0, growth = 0.0;
-  int counted = 0;
-  for (int n = 0; n < frame.levels; ++n) {
-    const double distance = frame.reach[static_cast<std::size_t>(n)];
+  for (int n = first; n < frame.levels; ++n) {
+    const double distance = frame.reach[static_cast<std::size_t>(n)], ratio = (2 << n) / distance;
     if (!(distance > frame.gap_y)) continue;
-    const double ratio = (2 << n) / distance;
     least = std::min(least, ratio);
-    if (++counted <= 3)
+    if (n < first + 3)
       line = std::max(line, ratio);
     else if (distance * frame.unit_m < most_m)
       growth = std::max(growth, (ratio - line) / distance);
   }
-  return glm::vec4(glm::dvec4(least, std::max(line, least), growth, 0.0));
+  return {least, std::max(line, least), growth};
+}
+
+// A viewer who rises leaves the finest levels behind one by one, each while all of its vertices slide to the next: what is averaged follows,
+// so that no frame changes the whole picture at once.
+glm::vec4 spacing_of(const TreeFrame& frame) {
+  int first = 0;
+  while (first < frame.levels && !(frame.reach[static_cast<std::size_t>(first)] > frame.gap_y)) ++first;
+  const glm::dvec3 whole = spacing_from(frame, first);
+  if (first >= frame.levels) return glm::vec4(glm::vec3(whole), 0.0f);
+  const double reach = frame.reach[static_cast<std::size_t>(first)], before = first > 0 ? frame.reach[static_cast<std::size_t>(first - 1)] : 0.5 * reach;
+  const double left = std::min(2.0 * (reach - frame.gap_y) / (reach - before), 1.0);  // as vertices slide (morphed() in vertex_morph.h)
+  return left < 1.0 ? glm::vec4(glm::vec3(glm::mix(spacing_from(frame, first + 1), whole, left)), 0.0f) : glm::vec4(glm::vec3(whole), 0.0f);
 }
 
 }  // namespace
@@ -214,7 +224,7 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
     return std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
   };
   const double needed_m = std::min(reach_of(1e9, mesh_error.known() ? mesh_error.octave_m.back() : vertical_m),
-                                   0.5 * settings_.skirt_multiplier * settings_.ocean_size_m);
+                                   settings_.skirt_multiplier * settings_.ocean_size_m);
   int levels = levels_;
   for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && levels < TreeFrame::max_levels; half_m *= 2.0) ++levels;
   const double root_m = (gpu::patch_quads << levels) * unit_m_;
@@ -294,8 +304,11 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
         for (std::size_t n = 0; n < ranges; ++n) {
           const int from = std::max(run_first, seen[n].first), to = std::min(run_last, seen[n].last);
           if (to < from) continue;
+          const std::size_t before = selection_.patches.size();
+          selection_.patches.resize(before + static_cast<std::size_t>(to - from + 1));
+          gpu::PatchInstance* patch = &selection_.patches[before];
           const auto put = [&](int x) {
-            selection_.patches.push_back({frame.least + size * glm::ivec2(x, z), stride, masked ? flags | coarser_sides(level, x, z, end) : flags});
+            *patch++ = {{frame.least.x + size * x, frame.least.y + size * z}, stride, masked ? flags | coarser_sides(level, x, z, end) : flags};
           };
           const int nearest = std::clamp(column, from, to);
           for (int x = nearest; x <= to; ++x) put(x);

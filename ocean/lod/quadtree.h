@@ -49,7 +49,7 @@ class Quadtree {
   // split_ratio * threshold. Distance in three dimensions, from the viewer to the square raised to the water's upper bound.
   // Where a mesh that coarse misses more than the water moves at all, nothing is gained by splitting: beyond the distance at which
   // all of its motion is below the error allowed, no patch splits.
-  static constexpr double split_ratio = 0.6;
+  static constexpr double split_ratio = 0.5;
   // What a mesh misses at most over its vertices' spacing, where the sea does not say (measured: 0.07 to 0.12 in a fresh breeze or a storm).
   static constexpr double error_over_spacing = 0.12;
   static constexpr int max_square_levels = 12;

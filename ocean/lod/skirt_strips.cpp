@@ -80,6 +80,7 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
   const auto bands = static_cast<std::size_t>(rows_ / gpu::patch_quads);
   const std::size_t lists = frusta.lists();
   const int half = selection.half_size;
+  const double units = 1.0 / frame.unit_m;
   // More than is usual, and no cap: once as many were there, no frame allocates.
   seen_.reserve(4 * most_bands * lists);
   bands_.reserve(most_bands);
@@ -92,10 +93,24 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
     const std::span<BorderRange> of_side = std::span(seen_).subspan(side * bands * lists, bands * lists);
     for (std::size_t band = 0; band < bands; ++band) bands_[band] = band_of(frame, border, of_band_[band].inner, of_band_[band].outer);
     if (!frusta.may_see(border, band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer), bands_, of_side)) continue;
-    for (std::size_t band = 0; lists > 1 && band < bands; ++band)
-      std::sort(&of_side[band * lists], &of_side[band * lists] + lists, [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; });
+    const auto before = [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; };
+    for (auto of_band = of_side.begin(); lists > 1 && of_band != of_side.end(); of_band += static_cast<std::ptrdiff_t>(lists))
+      if (lists > 2)
+        std::sort(of_band, of_band + static_cast<std::ptrdiff_t>(lists), before);
+      else if (before(of_band[1], of_band[0]))
+        std::swap(of_band[0], of_band[1]);
+    // Of the side only what any band needs.
+    double least = frame.root_size, most = 0.0;
+    for (const BorderRange& range : of_side) {
+      if (range.least > range.most) continue;
+      least = std::min(least, range.least * units + half);
+      most = std::max(most, range.most * units + half);
+    }
+    if (least > most) continue;
     int level = TreeFrame::least_levels;
-    for (int along = 0; along < frame.root_size; along += frame.size(level)) {
+    int along = std::clamp(static_cast<int>(std::floor(least)) - 1, 0, frame.root_size - 1);
+    level = leaf_level(frame, splits, side, along, level);
+    for (along &= -frame.size(level); along < frame.root_size && along <= most; along += frame.size(level)) {
       level = leaf_level(frame, splits, side, along, level);
       const int size = frame.size(level);
       const unsigned flags = gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) | (static_cast<unsigned>(level) << gpu::patch_level_shift);
@@ -104,7 +119,6 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
     }
   }
   const std::size_t before = selection.patches.size();
-  const double units = 1.0 / frame.unit_m;
   for (std::size_t band = 0; band < bands; ++band)
     for (unsigned side = 0; side < 4; ++side) {
       const unsigned flags = static_cast<unsigned>(band) << gpu::patch_skirt_band_shift;

@@ -1,12 +1,12 @@
 #include "ocean/lod/water_below.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
 #include "ocean/lod/culling.h"
 #include "ocean/lod/tree_frame.h"
+#include "ocean/waves/query.h"
 
 namespace seascape {
 
@@ -24,82 +24,108 @@ std::optional<DisplacementBounds::Below> water_below(const WaveField& field, con
   return result;
 }
 
-template <class Value>
-void WaterCulling::Known<Value>::begin(std::size_t count) {
-  const std::size_t size = std::bit_ceil(2 * count);
+void WaterCulling::Known::begin(std::size_t count) {
+  const std::size_t size = std::bit_ceil(count);
   if (slots.size() < size) slots.assign(size, {});
-  held = 0;
+  mask = size - 1;
+  room = size - size / 4;
 }
 
-// Beyond three quarters full nothing is added, so that a search always ends.
-template <class Value>
-template <class Make>
-Value WaterCulling::Known<Value>::find(std::uint64_t key, std::uint32_t call, const Make& make) {
-  const std::size_t mask = slots.size() - 1;
-  std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & mask;
+std::uint32_t& WaterCulling::Known::find(glm::ivec2 place, int level, std::uint32_t call) {
+  const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.x)) << 32 |
+                            static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.y)) << 5 | static_cast<std::uint64_t>(level);
+  std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 40) & mask;
   for (; slots[at].call == call; at = (at + 1) & mask)
-    if (slots[at].key == key) return slots[at].value;
-  const Value value = make();
-  if (4 * held < 3 * slots.size()) {
-    slots[at] = {key, call, value};
-    ++held;
-  }
-  return value;
+    if (slots[at].key == key) return slots[at].index;
+  if (room == 0) return none = unknown;
+  --room;
+  slots[at] = {key, call, unknown};
+  return slots[at].index;
 }
 
+// First the nodes of all patches, and the places of their corners, each once; then the water at all of these, so many at a time as vectors are wide;
+// then which nodes are seen; then the patches.
 void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const glm::dvec3& viewer_m,
                               SurfaceSelection& selection, double scale) {
   constexpr double most_m = 4.0;
   constexpr int node_patches = 4;  // along a side
   const MeshError& error = field.statistics().mesh_error;
   const glm::dvec2 viewer = glm::dvec2(viewer_m.x, viewer_m.z) - selection.grid_origin_m;
-  const WaveField::Filter filter = field.filter(0.0);  // what the patches' own vertices leave out of the waves is less than what a mesh of their size misses
   const glm::ivec2 least = selection.tree_centre - selection.half_size;
-  corners_.begin(selection.patches.size());
-  nodes_.begin(selection.patches.size());
+  std::vector<gpu::PatchInstance>& patches = selection.patches;
+  known_nodes_.begin(patches.size() + 8);
+  known_corners_.begin(patches.size() + 8);
   if (++call_ == 0) {  // what is left of calls so long ago is nothing known
-    corners_.slots.assign(corners_.slots.size(), {});
-    nodes_.slots.assign(nodes_.slots.size(), {});
+    known_nodes_.slots.assign(known_nodes_.slots.size(), {});
+    known_corners_.slots.assign(known_corners_.slots.size(), {});
     call_ = 1;
   }
-  // Of a corner's place from the tree's least corner, and of a node also its level.
-  const auto key = [](glm::ivec2 place, int level) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.x)) << 32 | static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.y)) << 5 | static_cast<std::uint64_t>(level);
-  };
-  double off_m = 0.0;
-  int stride = 0, level = 0;
-  const auto seen = [&](glm::ivec2 place) {
-    UprightPrism prism{{}, off_m, 1e30, -1e30};
-    double farthest2 = 0.0;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const glm::ivec2 corner = place + glm::ivec2(c & 1u, c >> 1) * (node_patches * stride * gpu::patch_quads);
-      const glm::dvec2 rest = glm::dvec2(least + corner) * selection.unit_m;
-      const glm::dvec3 d = corners_.find(key(corner, 0), call_, [&] { return glm::vec3(field.displacement(tiles, selection.grid_origin_m + rest, filter)); });
-      prism.corners[c] = rest + glm::dvec2(d.x, d.z);
-      prism.low = std::min(prism.low, d.y);
-      prism.high = std::max(prism.high, d.y);
-      const glm::dvec2 away = prism.corners[c] - viewer;
-      farthest2 = std::max(farthest2, glm::dot(away, away));
+  nodes_.clear();
+  corners_m_.clear();
+  runs_.clear();
+  const auto find_node = [&](glm::ivec2 place, int size, int level, double off_m) {
+    std::uint32_t& node = known_nodes_.find(place, level, call_);
+    if (node != unknown) return node;
+    Node made{{}, off_m, true};
+    for (unsigned c = 0; c < 4; ++c) {
+      const glm::ivec2 at = place + size * glm::ivec2(c & 1u, c >> 1);
+      std::uint32_t& corner = known_corners_.find(at, 0, call_);
+      if (corner == unknown) {
+        corner = static_cast<std::uint32_t>(corners_m_.size());
+        corners_m_.push_back(selection.grid_origin_m + glm::dvec2(least + at) * selection.unit_m);
+      }
+      made.corners[c] = corner;
     }
-    prism.low -= off_m + curvature_drop(farthest2);
-    prism.high += off_m;
-    EyeFrusta::Questions questions = frusta.all();
-    return frusta.may_see(prism, questions);
+    node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(made);
+    return node;
   };
-  const auto unseen = [&](const gpu::PatchInstance& patch) {
-    const double size_m = patch.stride * gpu::patch_quads * selection.unit_m;
-    if (size_m > most_m || (patch.flags & gpu::patch_skirt) != 0u) return false;
-    if (patch.stride != stride) {
+  int stride = 0, level = 0, size = 0;
+  double off_m = 0.0;
+  glm::ivec2 last_place{0};
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    const gpu::PatchInstance& patch = patches[n];
+    const bool other = patch.stride != stride || (patch.flags & gpu::patch_skirt) != 0u;
+    if (other) {
+      const double size_m = patch.stride * gpu::patch_quads * selection.unit_m;
+      if (size_m > most_m || (patch.flags & gpu::patch_skirt) != 0u) {
+        stride = 0;
+        if (runs_.empty() || runs_.back().node != unknown) runs_.push_back({n, unknown});
+        continue;
+      }
       stride = patch.stride;
       level = static_cast<int>(gpu::patch_level(patch.flags));
+      size = node_patches * stride * gpu::patch_quads;
       off_m = scale * error(node_patches * size_m) + 0.01;
     }
-    const glm::ivec2 node = (patch.corner - least) & -(node_patches * stride * gpu::patch_quads);
-    return !nodes_.find(key(node, level), call_, [&] { return seen(node); });
-  };
-  const auto end = std::remove_if(selection.patches.begin(), selection.patches.end(), unseen);
-  selection.culled_nodes += static_cast<int>(selection.patches.end() - end);
-  selection.patches.erase(end, selection.patches.end());
+    const glm::ivec2 place = (patch.corner - least) & -size;
+    if (!other && place == last_place) continue;
+    last_place = place;
+    runs_.push_back({n, find_node(place, size, level, off_m)});
+  }
+  if (nodes_.empty()) return;
+  moved_.resize(corners_m_.size());
+  displace(field, tiles, corners_m_, moved_);
+  for (Node& node : nodes_) {
+    glm::dvec3 low(1e30), high(-1e30);
+    for (const std::uint32_t corner : node.corners) {
+      const glm::dvec2 rest = corners_m_[corner] - selection.grid_origin_m;
+      const glm::dvec3 at = glm::dvec3(rest.x, 0.0, rest.y) + glm::dvec3(moved_[corner]);
+      low = glm::min(low, at);
+      high = glm::max(high, at);
+    }
+    const glm::dvec3 middle = 0.5 * (low + high), half = 0.5 * (high - low) + node.off_m;
+    const double far_x = std::abs(middle.x - viewer.x) + half.x, far_z = std::abs(middle.z - viewer.y) + half.z;
+    node.seen = frusta.may_see({middle.x, middle.z, half.x, half.z, low.y - node.off_m - curvature_drop(far_x * far_x + far_z * far_z), high.y + node.off_m});
+  }
+  auto kept = patches.begin();
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    const std::size_t end = r + 1 < runs_.size() ? runs_[r + 1].first : patches.size();
+    if (runs_[r].node != unknown && !nodes_[runs_[r].node].seen) continue;
+    kept = std::copy(patches.begin() + static_cast<std::ptrdiff_t>(runs_[r].first), patches.begin() + static_cast<std::ptrdiff_t>(end), kept);
+  }
+  selection.culled_nodes += static_cast<int>(patches.end() - kept);
+  patches.erase(kept, patches.end());
 }
 
 }  // namespace seascape

@@ -1,5 +1,6 @@
 // What the water about a viewer does now: which water stands beneath, and which patches no eye sees as it stands.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,22 +25,34 @@ class WaterCulling {
                   double scale = 1.0);
 
  private:
-  // What is known of this call's corners and nodes, found by their place: a table with open addresses.
-  template <class Value>
+  static constexpr std::uint32_t unknown = 0xffffffff;
+  // What is known of this call's corners and nodes: their numbers, found by their place from the tree's least corner, and of a node also its level.
+  // A table with open addresses; once it is three quarters full what is new is not remembered, so that a search ends.
   struct Known {
     struct Slot {
       std::uint64_t key;
-      std::uint32_t call;
-      Value value;
+      std::uint32_t call, index;
     };
     std::vector<Slot> slots;
-    std::size_t held = 0;
+    std::size_t mask = 0, room = 0;
+    std::uint32_t none = unknown;
     void begin(std::size_t count);
-    template <class Make>
-    Value find(std::uint64_t key, std::uint32_t call, const Make& make);
+    std::uint32_t& find(glm::ivec2 place, int level, std::uint32_t call);
   };
-  Known<glm::vec3> corners_;  // displacements
-  Known<bool> nodes_;         // whether an eye may see them
+  struct Node {
+    std::array<std::uint32_t, 4> corners;
+    double off_m;  // how far its water may lie off what lies between its corners
+    bool seen;
+  };
+  Known known_nodes_, known_corners_;
+  std::vector<Node> nodes_;
+  std::vector<glm::dvec2> corners_m_;  // at rest, in the world
+  std::vector<glm::vec3> moved_;       // their displacements
+  struct Run {
+    std::size_t first;   // of the patches of one node that follow each other
+    std::uint32_t node;  // unknown: they are not looked at
+  };
+  std::vector<Run> runs_;
   std::uint32_t call_ = 0;
 };
 

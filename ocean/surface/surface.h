@@ -56,7 +56,7 @@ class Surface {
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
-  static constexpr std::uint32_t probe_patches = 16384;
+  static constexpr std::uint32_t probe_patches = 65536;
 
  private:
   void bind_light();

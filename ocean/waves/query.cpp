@@ -67,4 +67,9 @@ void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::
                     [&](std::size_t i) { answer(i * block, std::min(block, places.size() - i * block)); });
 }
 
+void displace(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> rest_m, std::span<glm::vec3> displacements) {
+  assert(rest_m.size() == displacements.size());
+  displace_points(plan_of(field, tiles, {}), rest_m.data(), displacements.data(), rest_m.size());
+}
+
 }  // namespace seascape

@@ -315,6 +315,19 @@ void answer_all(const QueryPlan& plan, const glm::dvec2* places, const QueryAnsw
   }
 }
 
+void displace_all(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* displacements, std::size_t count) {
+  Group g;
+  for (std::size_t i = 0; i < count; i += group) {
+    const int some = int(std::min<std::size_t>(group, count - i));
+    begin(hn::CappedTag<float, 16>(), plan, rest_m + i, nullptr, g, some);
+    for (int point = 0; point < some; ++point) {
+      float* const shift = g.shift + 4 * point;
+      sample(plan, g, point, {shift}, &QueryLayer::shift);
+      displacements[i + std::size_t(point)] = {shift[0], shift[1], shift[2]};
+    }
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace seascape
 HWY_AFTER_NAMESPACE();
@@ -326,6 +339,12 @@ HWY_EXPORT(answer_all);
 
 void answer_points(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(answer_all)(plan, places, previous, answers, count);
+}
+
+HWY_EXPORT(displace_all);
+
+void displace_points(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* displacements, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(displace_all)(plan, rest_m, displacements, count);
 }
 
 }  // namespace seascape

@@ -34,4 +34,7 @@ struct QueryPlan {
 // order and rounded the same, whatever stands beside it and however wide the vectors are.
 void answer_points(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count);
 
+// The same for the displacements of rest positions.
+void displace_points(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* displacements, std::size_t count);
+
 }  // namespace seascape

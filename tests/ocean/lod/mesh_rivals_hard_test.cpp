@@ -27,9 +27,9 @@ class Sight {
     const glm::dvec3 least_by = glm::max(-most, d - about), most_by = glm::min(most, d + about);
     const glm::dvec2 a = low + glm::dvec2(least_by.x, least_by.z), b = high + glm::dvec2(most_by.x, most_by.z);
     const glm::dvec2 far = glm::max(glm::abs(a - viewer_), glm::abs(b - viewer_));
-    const UprightPrism box{{a, {b.x, a.y}, {a.x, b.y}, b}, 0.0, least_by.y - curvature_drop(glm::dot(far, far)), most_by.y};
-    EyeFrusta::Questions questions = frusta_.all();
-    return frusta_.may_see(box, questions);
+    const glm::dvec2 middle = 0.5 * (a + b), half = 0.5 * glm::abs(b - a);
+    const UprightBox box{middle.x, middle.y, half.x, half.y, least_by.y - curvature_drop(glm::dot(far, far)), most_by.y};
+    return frusta_.may_see(box);
   }
 
  private:

@@ -88,7 +88,7 @@ TEST(ScreenErrorHard, IsWithinThePresetsFigure) {
         }
 }
 
-// The threshold's own way, one constant for all presets. Control seen: 0.72 (ultra in the storm: 1.12).
+// The threshold's own way, one constant for all presets. Controls seen: 0.6 (ultra in the storm, third draw: 1.23) and 0.72 (1.12 in the first).
 TEST(ScreenErrorHard, IsWithinTheFigureByTheThresholdToo) {
   for (std::size_t p = 0; p < presets.size(); ++p)
     for (const char* scene : scenes)
@@ -126,7 +126,7 @@ TEST(ScreenErrorHard, SeesAMeshOfTwiceTheSpacingAndAnErrorToldTooSmall) {
       const auto too_small = [told](LodSettings&, DisplacementBounds& bounds) {
         for (double& octave : bounds.mesh_error.octave_m) octave *= told;
       };
-      EXPECT_GT(screen_error(scene, "medium", LodJoin::morphed, draws[0], 12, 16, too_small).worst, figures[1]) << scene << ", " << told;
+      EXPECT_GT(screen_error(scene, "medium", LodJoin::morphed, draws[0], 24, 16, too_small).worst, figures[1]) << scene << ", " << told;
     }
 }
 
