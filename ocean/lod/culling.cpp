@@ -69,8 +69,11 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
     for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes, count, axis == 1);
     for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0};
   }
-  pairs_.resize((eyes.size() + 1) / 2);
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) pairs_[pair] = two_eyes(&across_[0][2 * pair], std::min<std::size_t>(eyes.size() - 2 * pair, 2));
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    pairs_[axis].resize((eyes.size() + 1) / 2);
+    for (std::size_t pair = 0; pair < pairs_[axis].size(); ++pair)
+      pairs_[axis][pair] = two_eyes(&across_[axis][2 * pair], std::min<std::size_t>(eyes.size() - 2 * pair, 2));
+  }
 }
 
 EyeFrusta::TwoEyes EyeFrusta::two_eyes(const Across* eyes, std::size_t count) {
@@ -147,8 +150,8 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
   const double inverse_step = 1.0 / grid.step;
   const Pair d;
   const auto columns_from = hn::Set(d, static_cast<double>(columns.first)), columns_to = hn::Set(d, static_cast<double>(columns.last));
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-    const TwoEyes& two = pairs_[pair];
+  for (std::size_t pair = 0; pair < pairs_[0].size(); ++pair) {
+    const TwoEyes& two = pairs_[0][pair];
     const std::size_t first = 2 * pair, lanes = std::min<std::size_t>(eyes - first, 2);
     std::array<double, 2> rows_from{1e9, 1e9}, rows_to{-1e9, -1e9};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -216,32 +219,62 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span
     std::fill(seen.begin(), seen.end(), spared(-border.half, border.half));
     return true;
   }
+  const Pair d;
+  const auto zero = hn::Zero(d);
   bool any = false;
-  for (std::size_t e = 0; e < eyes.size(); ++e) {
-    const Across& eye = eyes[e];
-    std::array<double, planes_per_eye> everywhere, across;
-    for (std::size_t p = 0; p < eye.end; ++p) {
-      const Across::Plane& plane = eye.planes[p];
-      everywhere[p] = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
-      across[p] = plane.across * border.border;
-    }
-    const auto range_of = [&](const BorderBand& band) {
-      double least = -border.half, most = border.half;
-      const auto farthest = [&](std::size_t p) {
-        const double rest = everywhere[p] + eye.planes[p].up * band.high + eye.planes[p].down * band.low;
-        return rest * (rest > 0.0 ? band.per_inner : band.per_outer) + across[p];
-      };
-      std::size_t p = 0;
-      for (; p < eye.turn; ++p) least = std::max(least, farthest(p) * eye.planes[p].inverse);
-      for (; p < eye.level; ++p) most = std::min(most, farthest(p) * eye.planes[p].inverse);
-      for (; p < eye.end; ++p)
-        if (farthest(p) + std::abs(eye.planes[p].along) * border.half < 0.0) most = -2.0 * border.half;
-      return spared(least, most);
+  for (std::size_t pair = 0; pair < pairs_[0].size(); ++pair) {
+    const TwoEyes& two = pairs_[static_cast<std::size_t>(border.axis)][pair];
+    const std::size_t first = 2 * pair, lanes = std::min<std::size_t>(eyes.size() - first, 2);
+    // Of a plane what no band changes: its value at the centre, raised by what trapezoids grow, and what the border adds.
+    struct Whole {
+      TwoEyes::Lanes everywhere, across;
     };
-    const BorderRange of_whole = range_of(whole);
-    const bool sees = of_whole.least <= of_whole.most;
+    std::array<Whole, planes_per_eye> least_of, most_of;
+    const auto prepare = [&](const TwoEyes::Plane& p, Whole& to) {
+      const auto along = hn::LoadU(d, p.along.data()), across = hn::LoadU(d, p.across.data());
+      auto everywhere = hn::Add(hn::Mul(along, hn::Set(d, centre_along)), hn::Mul(across, hn::Set(d, centre_across)));
+      everywhere = hn::Add(hn::Add(everywhere, hn::LoadU(d, p.offset.data())), hn::Mul(hn::Add(hn::Abs(along), hn::Abs(across)), hn::Set(d, border.grow)));
+      hn::StoreU(everywhere, d, to.everywhere.data());
+      hn::StoreU(hn::Mul(across, hn::Set(d, border.border)), d, to.across.data());
+    };
+    for (std::size_t p = 0; p < two.least_count; ++p) prepare(two.least[p], least_of[p]);
+    for (std::size_t p = 0; p < two.most_count; ++p) prepare(two.most[p], most_of[p]);
+    const auto ranges_of = [&](const BorderBand& band, BorderRange* to) {
+      const auto high = hn::Set(d, band.high), low = hn::Set(d, band.low), per_inner = hn::Set(d, band.per_inner), per_outer = hn::Set(d, band.per_outer);
+      const auto cut = [&](const TwoEyes::Plane& p, const Whole& of) {
+        const auto rest = hn::Add(hn::Add(hn::LoadU(d, of.everywhere.data()), hn::Mul(hn::LoadU(d, p.up.data()), high)), hn::Mul(hn::LoadU(d, p.down.data()), low));
+        const auto farthest = hn::Add(hn::Mul(rest, hn::IfThenElse(hn::Gt(rest, zero), per_inner, per_outer)), hn::LoadU(d, of.across.data()));
+        return hn::Mul(farthest, hn::LoadU(d, p.inverse.data()));
+      };
+      auto least = hn::Set(d, -border.half), most = hn::Set(d, border.half);
+      for (std::size_t p = 0; p < two.least_count; ++p) least = hn::Max(least, hn::Min(cut(two.least[p], least_of[p]), hn::LoadU(d, two.least[p].limit.data())));
+      for (std::size_t p = 0; p < two.most_count; ++p) most = hn::Min(most, hn::Max(cut(two.most[p], most_of[p]), hn::LoadU(d, two.most[p].limit.data())));
+      TwoEyes::Lanes from, end;
+      hn::StoreU(least, d, from.data());
+      hn::StoreU(most, d, end.data());
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const Across& eye = eyes[first + lane];
+        for (std::size_t p = eye.level; p < eye.end; ++p) {
+          const Across::Plane& plane = eye.planes[p];
+          const double everywhere = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
+          const double rest = everywhere + plane.up * band.high + plane.down * band.low;
+          if (rest * (rest > 0.0 ? band.per_inner : band.per_outer) + plane.across * border.border + std::abs(plane.along) * border.half < 0.0) end[lane] = -2.0 * border.half;
+        }
+        to[lane] = spared(from[lane], end[lane]);
+      }
+    };
+    std::array<BorderRange, 2> of_whole;
+    ranges_of(whole, of_whole.data());
+    bool sees = false;
+    for (std::size_t lane = 0; lane < lanes; ++lane) sees = sees || of_whole[lane].least <= of_whole[lane].most;
     any = any || sees;
-    for (std::size_t b = 0; b < bands.size(); ++b) seen[b * count + e] = sees ? range_of(bands[b]) : of_whole;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      BorderRange* const to = &seen[b * count + first];
+      if (sees)
+        ranges_of(bands[b], to);
+      else
+        std::copy_n(of_whole.data(), lanes, to);
+    }
   }
   return any;
 }

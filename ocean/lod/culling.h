@@ -122,7 +122,7 @@ class EyeFrusta {
   };
   static Across across(const FrustumPlane* planes, std::size_t count, bool along_z);
 
-  // The same of two eyes side by side, for lines along x: the planes that cut from below, and from above. An eye that has fewer has some
+  // The same of two eyes side by side: the planes that cut from below, and from above. An eye that has fewer has some
   // that cut nothing: `limit` is where a plane cuts at most, or at least.
   struct TwoEyes {
     using Lanes = std::array<double, 2>;
@@ -136,7 +136,7 @@ class EyeFrusta {
 
   std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
   std::array<std::vector<Across>, 2> across_;  // lines along x, along z
-  std::vector<TwoEyes> pairs_;
+  std::array<std::vector<TwoEyes>, 2> pairs_;  // the same
 };
 
 }  // namespace seascape

@@ -91,8 +91,10 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
     leaves_[side].clear();
     const Border border = border_of(frame, selection.tree_centre, side);
     const std::span<BorderRange> of_side = std::span(seen_).subspan(side * bands * lists, bands * lists);
+    const BorderBand whole = band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer);
+    if (!frusta.may_see(border, whole, {}, of_side)) continue;
     for (std::size_t band = 0; band < bands; ++band) bands_[band] = band_of(frame, border, of_band_[band].inner, of_band_[band].outer);
-    if (!frusta.may_see(border, band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer), bands_, of_side)) continue;
+    frusta.may_see(border, whole, bands_, of_side);
     const auto before = [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; };
     for (auto of_band = of_side.begin(); lists > 1 && of_band != of_side.end(); of_band += static_cast<std::ptrdiff_t>(lists))
       if (lists > 2)
@@ -119,20 +121,29 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
     }
   }
   const std::size_t before = selection.patches.size();
+  std::array<std::size_t, 4> first_leaf{};
   for (std::size_t band = 0; band < bands; ++band)
     for (unsigned side = 0; side < 4; ++side) {
       const unsigned flags = static_cast<unsigned>(band) << gpu::patch_skirt_band_shift;
-      auto leaf = leaves_[side].cbegin();
-      const auto end = leaves_[side].cend();
-      if (leaf == end) continue;
+      const std::vector<Leaf>& leaves = leaves_[side];
+      if (leaves.empty()) continue;
+      std::size_t& first = first_leaf[side];  // a band begins about where the one before did
+      bool begun = false;
+      std::size_t leaf = 0;
       for (const BorderRange& range : std::span(seen_).subspan((side * bands + band) * lists, lists)) {
         if (range.least > range.most) continue;
         // A strip that ends where the range begins may be seen too, and the last one where the side does.
         const double least = std::min(range.least * units + half, static_cast<double>(frame.root_size)), most = range.most * units + half;
-        while (leaf != end && leaf->to < least) ++leaf;
-        for (; leaf != end && leaf->from <= most; ++leaf) {
-          selection.patches.push_back(leaf->strip);
-          selection.patches.back().flags |= flags;
+        if (!begun) {
+          begun = true;
+          while (first > 0 && (first == leaves.size() || leaves[first - 1].to >= least)) --first;
+          while (first < leaves.size() && leaves[first].to < least) ++first;
+          leaf = first;
+        }
+        while (leaf < leaves.size() && leaves[leaf].to < least) ++leaf;
+        for (; leaf < leaves.size() && leaves[leaf].from <= most; ++leaf) {
+          const gpu::PatchInstance& strip = leaves[leaf].strip;
+          selection.patches.push_back({strip.corner, strip.stride, strip.flags | flags});
         }
       }
     }
