@@ -32,15 +32,16 @@ void each_wave(const WaveBins& bins, int cascade, const Work& work) {
     }
 }
 
-glm::dvec2 middle_of_sector(int i) { return {std::cos(i * sector), std::sin(i * sector)}; }
+// None along the grid's axes or diagonals, where the shelter's lines would run from node to node without a blur and leave streaks.
+glm::dvec2 middle_of_sector(int i) { return {std::cos((i + 0.5) * sector), std::sin((i + 0.5) * sector)}; }
 
 // Variance by direction; a wave is shared between the two directions around its own.
 using Rose = std::array<double, directions>;
 Rose rose_of(const WaveBins& bins, int cascade) {
   Rose rose{};
   each_wave(bins, cascade, [&](glm::dvec2 k, double variance) {
-    const double place = std::atan2(k.y, k.x) / sector, low = std::floor(place);
-    const int i = (int(low) + directions) % directions;
+    const double place = std::atan2(k.y, k.x) / sector - 0.5, low = std::floor(place);
+    const int i = (int(low) + 2 * directions) % directions;
     rose[std::size_t(i)] += variance * (1.0 - (place - low));
     rose[std::size_t((i + 1) % directions)] += variance * (place - low);
   });
@@ -79,7 +80,7 @@ void Refraction::lay_grid(const InputBounds& shallows, const RefractionSettings&
     if (wave.wave_number > 0.0) longest = std::max(longest, 2.0 * std::numbers::pi / wave.wave_number);
   const glm::dvec2 size = shallows.most - shallows.least;
   const double wide = std::max({size.x, size.y, 1.0});
-  const InputBounds bounds = shallows.grown(std::clamp(settings.margin_waves * longest, 2.0 * wide / settings.cells, wide));
+  const InputBounds bounds = shallows.grown(std::clamp(settings.margin_waves * longest, 0.25 * wide, wide));
   const glm::dvec2 all = bounds.most - bounds.least;
   grid_.least = bounds.least;
   grid_.cell_m = std::max(all.x, all.y) / settings.cells;
@@ -146,7 +147,7 @@ Refraction::Refraction(const SeaState& sea, const WaveBins& bins, const ShallowW
     Field& field = shelters_[r];
     field.assign(sum.begin(), sum.end());
     fill_unknown(grid_, field, wet, 0.0f);
-    smooth(grid_, field);
+    for (int pass = 0; pass < 3; ++pass) smooth(grid_, field);
     for (float& share : field) share = std::clamp(share, 0.0f, 1.0f);
   });
 }

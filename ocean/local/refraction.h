@@ -16,7 +16,7 @@ using DepthOfPlace = std::function<double(glm::dvec2 place_m, double footprint_m
 
 struct RefractionSettings {
   int cells = 256;            // along the grid's longer side, 16 to 2048
-  double margin_waves = 2.0;  // around the shallows, of the longest cascade's mean wave, 0 to 100; never more than the shallows are wide
+  double margin_waves = 2.0;  // around the shallows, of the longest cascade's mean wave, 0 to 100; a quarter to once the shallows' width
 };
 
 // A cascade's waves as one, by means over its bins that are weighted by their variances.
@@ -29,8 +29,8 @@ MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade);
 
 // Bending: a cascade's pattern of waves, drawn in the open as a function of the rest place x, is drawn at x + shift(x) direction. Its phase k0 direction . x
 // becomes k0 S with |grad S| = k(h) / k0 for its mean wave (bent_fronts), so crests turn and draw together as that wave's do; shorter waves of the
-// cascade bend too much by it, longer ones too little. k(h) / k0 is at most most_shortening, reached at k h = 0.26. Slopes change with it: a gradient s of the
-// pattern becomes s + (s . direction) grad shift.
+// cascade bend too much by it, longer ones too little, and waves across its direction not at all. k(h) / k0 is at most most_shortening, reached at k h = 0.26. Slopes change with it: a gradient s of the
+// pattern becomes s + (s . direction) grad shift. A shift may be hundreds of metres: half floats are too coarse for it.
 //
 // Shelter: the share of a cascade's energy that reaches a place on straight lines from outside, over the directions that its waves have, of what breaking
 // (ShallowWater) lets stand at the place: what broke on a reef stays gone in the lagoon. Heights go with its root.
@@ -39,13 +39,13 @@ MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade);
 // shelter's lines, energy that bending gathers or spreads, reflection, and the fronts that come later where several meet.
 //
 // Outside of the grid a field goes on as it was on the grid's edge and fades away (shift: over eight times its most, so slowly that the fading bends
-// nothing by more than a fifth; shelter: over the grid's longer side). Immutable; any thread. Made in 0.15 s with 256 cells a side over ten
+// nothing by more than a fifth; shelter: over the grid's longer side). Immutable; any thread. Made in 0.2 s with 256 cells a side over ten
 // islands, 0.7 s with 512 (two busy cores, tests/bench/shallows_bench.cpp), of which the depths' share is the scene's; read in some 20 ns.
 class Refraction {
  public:
   static constexpr int bent_cascades = 3;  // the longest ones; the others' waves are too short to show it
   static constexpr double most_shortening = 4.0;
-  static constexpr int directions = 48;
+  static constexpr int directions = 64;
 
   // `shallows`: outside of these bounds the depth is the sea's own; empty: nothing bends and nothing is sheltered. Throws Error when the depth is no
   // number or infinite somewhere, or a setting is out of range.
