@@ -67,25 +67,25 @@ std::vector<Step> on_a_way(const Sea& sea, double height_m, int eyes) {
 }
 
 // Selects along the way, an iteration once along it. A patch of the result is what the issue calls a selected node. `by_water`: near patches are
-// culled by the water that stands there too. "ns/patch" is of the quietest rounds: of each quarter of the way the least of all iterations.
+// culled by the water that stands there too. "ns/patch" is of the quietest rounds: of each of 32 parts of the way the least of all iterations.
 void select_along(benchmark::State& state, const LodSettings& settings, std::string_view preset, double height_m, int eyes, bool by_water = false) {
   Quadtree tree(settings);
   const Sea& sea = sea_of(preset);
   const std::vector<Step> way = on_a_way(sea, height_m, eyes);
-  constexpr std::size_t quarters = 4;
-  std::array<double, quarters> least_s;
+  constexpr std::size_t parts = 32;
+  std::array<double, parts> least_s;
   least_s.fill(1e9);
   std::int64_t visited = 0, patches = 0;
   for (auto _ : state)
-    for (std::size_t quarter = 0; quarter < quarters; ++quarter) {
+    for (std::size_t part = 0; part < parts; ++part) {
       const auto from = std::chrono::steady_clock::now();
-      for (std::size_t at = quarter * way.size() / quarters; at < (quarter + 1) * way.size() / quarters; ++at) {
+      for (std::size_t at = part * way.size() / parts; at < (part + 1) * way.size() / parts; ++at) {
         const SurfaceSelection& selection = tree.select(way[at].viewpoint, way[at].bounds, by_water ? &sea.field : nullptr, by_water ? &sea.tiles : nullptr);
         benchmark::DoNotOptimize(selection.patches.data());
         visited += selection.visited_nodes;
         patches += std::int64_t(selection.patches.size());
       }
-      least_s[quarter] = std::min(least_s[quarter], std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
+      least_s[part] = std::min(least_s[part], std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
     }
   const double steps = double(way.size()), selections = steps * double(state.iterations());
   const double least = std::accumulate(least_s.begin(), least_s.end(), 0.0);

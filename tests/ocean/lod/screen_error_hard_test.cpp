@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -104,18 +105,22 @@ TEST(ScreenErrorHard, IsWithinTheFigureByTheThresholdToo) {
 }
 
 // Triangles against pixels: what is missed follows lod.pixel_error, at one preset's waves. With SEASCAPE_LONG=1, or "follows", 20 poses of more figures
-// (the table of docs/accuracy.md).
+// (the table of docs/accuracy.md). Controls seen: reaches of 2 pixels whatever is asked for (80,000 triangles at 4 where 88,000 are asked for, and 1.36 pixels at 1), and
+// `fewer` of the inverse root of the pixels in place of their logarithm (4.74 at 4, 8.04 at 8).
 TEST(ScreenErrorHard, FollowsThePixelsAskedFor) {
   if (!chosen("follows")) GTEST_SKIP() << "another row is asked for";
-  double triangles = 0.0;
+  double triangles = 0.0, before = 0.0;
   for (const double pixels : long_run() ? std::vector<double>{16.0, 8.0, 4.0, 2.0, 1.0, 0.5} : std::vector<double>{16.0, 4.0}) {
     const auto of_pixels = [pixels](LodSettings& lod, DisplacementBounds&) { lod.pixel_error = pixels; };
     ScreenError e = screen_error("open_sea", "high", LodJoin::morphed, draws[0], long_run() ? 20 : 2, 8, of_pixels);
     print("high open_sea, follows " + std::to_string(pixels), e);
     EXPECT_LE(e.worst, pixels);
     EXPECT_GT(e.worst, 0.2 * pixels);
-    EXPECT_GT(e.triangles / e.poses, 1.25 * triangles) << "half the pixels take more";
+    if (before > 0.0) {
+      EXPECT_GT(e.triangles / e.poses, std::pow(1.25, std::log2(before / pixels)) * triangles) << "half the pixels take more";
+    }
     triangles = e.triangles / e.poses;
+    before = pixels;
   }
 }
 
