@@ -9,6 +9,7 @@
 #include "app/frame.h"
 #include "app/quality.h"
 #include "app/sea_time.h"
+#include "app/place_inputs.h"
 #include "app/tile_sources.h"
 #include "engine/error.h"
 #include "engine/files.h"
@@ -117,7 +118,7 @@ void Explorer::apply(const Settings& wanted) {
 }
 
 void Explorer::feel_water() {
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()));
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()), place_inputs(experience_->scene()));
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/csv.h"
+#include "app/place_inputs.h"
 #include "app/progress.h"
 #include "app/tile_sources.h"
 #include "engine/files.h"
@@ -40,6 +41,7 @@ void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer
 
 std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dvec2> points) {
   const WaveField field(sea_of(scene), scene.settings.waves, tile_sources(scene));
+  const PlaceSea place(place_inputs(scene));
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(time_s), tiles);
 
@@ -53,7 +55,7 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
       const std::size_t first = std::min(points.size(), begin + i * block);
       const auto asked = points.subspan(first, std::min(block, points.size() - first));
       std::vector<QueryAnswer> answers(asked.size());
-      query(field, tiles, asked, answers);
+      place.query(field, tiles, asked, answers);
       for (std::size_t p = 0; p < asked.size(); ++p) append_answer(rows[i], asked[p], answers[p]);
     });
     for (const std::string& part : rows) text += part;

@@ -32,6 +32,8 @@ template <auto member> constexpr auto particles = &at<&Settings::wave_particles,
 template <auto member> constexpr auto dynamic = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, member>;
 template <auto member> constexpr auto dynamic_windows = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, &DynamicWavesSettings::windows, member>;
 template <auto member> constexpr auto rain = &at<&Settings::dynamic_waves, &DynamicSeaSettings::rain, member>;
+template <auto member> constexpr auto place = &at<&Settings::place, member>;
+template <auto member> constexpr auto place_windows = &at<&Settings::place, &PlaceSettings::windows, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
 template <auto member> constexpr auto water = &at<&Settings::water, member>;
 template <auto member> constexpr auto sky = &at<&Settings::sky, member>;
@@ -180,6 +182,21 @@ const std::vector<Setting>& table() {
        10.0, {}, false, rebuild},
       {"dynamic_waves.drop_height_m", "m", "Height of the hump that a drop leaves.", rain<&RainSettings::drop_height_m>, -1.0, 1.0, {}, false, rebuild},
       {"dynamic_waves.seed", "", "Which drops fall, of the same statistics.", rain<&RainSettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},
+
+      {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.", place<&PlaceSettings::level_m>, -10000.0, 10000.0,
+       {}, false, rebuild},
+      {"flow.to_deg", "deg", "Where a current everywhere goes to, clockwise from -z seen from above.", place<&PlaceSettings::flow_to_deg>, 0.0, 360.0, {}, false,
+       rebuild},
+      {"flow.speed_mps", "m/s", "How fast that current is; inputs add theirs.", place<&PlaceSettings::flow_mps>, 0.0, 20.0, {}, false, rebuild},
+      {"flow.period_s", "s", "How long a pattern of waves is carried along before another takes its place: longer is calmer, and draws patterns out more.",
+       place<&PlaceSettings::flow_period_s>, 0.1, 60.0, {}, false, rebuild},
+      {"clip.by_default", "", "Whether there is water only where an input takes the clipping away.", place<&PlaceSettings::clip_by_default>, 0.0, 1.0, {}, false,
+       rebuild},
+      {"place.resolution", "", "Texels a side of each window of data of places; more reach farther from the viewer.",
+       place_windows<&LodWindowSettings::resolution>, 64.0, 512.0, {"64", "128", "256", "512"}, quality, rebuild},
+      {"place.levels", "", "Windows of data of places, each twice as wide as the one before.", place_windows<&LodWindowSettings::slices>, 2.0, 12.0, {}, false,
+       rebuild},
+      {"place.texel_m", "m", "Texel of the finest window of data of places.", place_windows<&LodWindowSettings::texel_m>, 0.01, 100.0, {}, false, rebuild},
 
       {"baked.loop", "", "The loop of waves that is played: a folder that `seascape bake` wrote, or the name of one in content/loops.",
        TextMember{&at<&Settings::baked, &BakedSettings::loop>}, 0.0, 0.0, {}, false, rebuild},

@@ -27,8 +27,8 @@ WaveBins longest(const WaveBins& drawn) {
 
 }  // namespace
 
-WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others)
-    : field_(sea, coarse(quality), longest(drawn), std::move(others)) {}
+WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others, PlaceInputs place)
+    : field_(sea, coarse(quality), longest(drawn), std::move(others)), place_(std::move(place)) {}
 
 double WaterHeight::at(glm::dvec2 place_m, double time_s) {
   const std::int64_t ticks = ticks_from_seconds(time_s);
@@ -37,7 +37,7 @@ double WaterHeight::at(glm::dvec2 place_m, double time_s) {
   QueryAnswer answer;
   QueryOptions options;
   options.footprint_m = footprint_m;
-  query(field_, tiles_, std::span(&place_m, 1), std::span(&answer, 1), options);
+  place_.query(field_, tiles_, std::span(&place_m, 1), std::span(&answer, 1), options);
   return answer.height_m;
 }
 

@@ -1,5 +1,6 @@
 // How high the water stands at the camera, for riding it and for staying above it. Pure.
 #pragma once
+#include "ocean/local/place_sea.h"
 #include "ocean/waves/query.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_tiles.h"
@@ -11,7 +12,7 @@ namespace seascape {
 class WaterHeight {
  public:
   // The waves that the sea draws.
-  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {});
+  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {}, PlaceInputs place = {});
   // Other amplitudes of the same waves, as the drawn sea has them while it changes.
   void follow(const WaveBins& drawn, double chop) {
     field_.take(drawn, chop, field_.statistics());
@@ -22,6 +23,7 @@ class WaterHeight {
 
  private:
   WaveField field_;
+  PlaceSea place_;
   WaveTiles tiles_;
   bool evaluated_ = false;
 };

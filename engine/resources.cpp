@@ -137,11 +137,14 @@ Owned<VkSampler> make_sampler(Device& device, std::string_view name, const Sampl
 
 std::uint32_t bytes_per_texel(VkFormat format) {
   switch (format) {
-    case VK_FORMAT_R32G32B32A32_SFLOAT: return 16;
-    case VK_FORMAT_R16G16B16A16_SFLOAT: return 8;
-    case VK_FORMAT_R32G32_SFLOAT: return 8;
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+    case VK_FORMAT_R32G32B32A32_UINT: return 16;
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+    case VK_FORMAT_R32G32_SFLOAT:
+    case VK_FORMAT_R32G32_UINT: return 8;
+    case VK_FORMAT_R16_SFLOAT: return 2;
     case VK_FORMAT_R8_UNORM: return 1;
-    default: return 4;
+    default: return 4;  // all others that are used here
   }
 }
 

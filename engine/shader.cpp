@@ -129,6 +129,12 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
       .RegisterPass(spvtools::CreateCCPPass())
       .RegisterPass(spvtools::CreateSimplificationPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      // What dead branches might have changed is now seen to be what it was before them: their variables go too.
+      .RegisterPass(spvtools::CreateBlockMergePass())
+      .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+      .RegisterPass(spvtools::CreateSSARewritePass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
       .RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass())
       .RegisterPass(spvtools::CreateDeadVariableEliminationPass())

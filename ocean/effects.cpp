@@ -17,9 +17,9 @@ struct Effect {
 constexpr Effect effects[] = {
     {"waves", true, ""},           {"gerstner", true, "waves"},  {"wave_particles", true, "waves"},
     {"baked", true, "waves"},     {"dynamic_waves", true, ""}, {"foam", true, "waves"},
-    {"spray", false, "foam"},      {"flow", false, ""},          {"sea_depth", false, ""},
-    {"level", false, ""},          {"clip", false, ""},          {"shadow", false, ""},
-    {"albedo", false, ""},         {"reflections", false, ""},   {"refraction", false, ""},
+    {"spray", false, "foam"},      {"flow", true, ""},          {"sea_depth", false, ""},
+    {"level", true, ""},          {"clip", true, ""},          {"shadow", true, ""},
+    {"albedo", true, ""},         {"reflections", false, ""},   {"refraction", false, ""},
     {"caustics", false, ""},       {"underwater", false, ""},    {"portals", false, ""},
     {"boats", false, ""},          {"clouds", false, ""},        {"sound", false, ""},
     {"planet", false, ""},

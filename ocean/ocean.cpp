@@ -46,6 +46,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     else of_unknown_curvature_m_ += s.largest_height_m;
   }
   if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
+  if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place);
 }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
@@ -59,15 +60,18 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
     long_ticks_ = ticks;
   }
   if (dynamic_waves_) dynamic_waves_->update(frame, time_s, viewer_m);
+  if (place_) place_->update(frame, time_s, viewer_m);
+  time_s_ = time_s;
 }
 
-double Ocean::others_height_m() const { return of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0); }
+double Ocean::others_height_m() const { return of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) + (place_ ? place_->level_m() : 0.0); }
 double Ocean::others_shift_m() const { return of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
 
 void Ocean::add_uses(Uses& uses) const {
   waves_.add_reads(uses);
   for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
   if (dynamic_waves_) dynamic_waves_->add_uses(uses, Access::surface_read);
+  if (place_) place_->add_uses(uses, Access::surface_read);
 }
 
 void Ocean::change(const SeaState& sea, double over_s) {
@@ -116,7 +120,7 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   const WaveField* field = upload_ ? &upload_->field() : long_waves_.get();
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
   if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
-  if (sources_.empty() && !dynamic_waves_) return result;
+  if (sources_.empty() && !dynamic_waves_ && !place_) return result;
   // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal. Of sources that do not know how they are bent
   // it misses a share of its spacing; and water anywhere may be off by all sources.
   const double of_known_curvature_m = of_sources_.largest_height_m - of_unknown_curvature_m_;
@@ -140,7 +144,7 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
   patches.apply(settings_.lod);
-  const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_;
+  const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_ && !place_;
   return patches.select(viewpoint, bounds(viewpoint), all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
 }
 
@@ -171,6 +175,7 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   }
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
   if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
+  if (place_) place_->describe(data.sea.place, s.grid_origin_m, time_s_);
   data.sea.footprint.z += float(others_height_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + others_shift_m()), 0.01));

@@ -5,6 +5,7 @@
 
 #include "engine/frame.h"
 #include "ocean/local/drawn_dynamic_waves.h"
+#include "ocean/local/drawn_place.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
@@ -32,6 +33,7 @@ struct OceanSettings {
   bool has_waves = true;  // or else only what `sources` do moves the water
   TileSources sources;  // what feeds the sea beside its waves
   std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
+  PlaceInputs place;  // of the effects whose data belong to places
 };
 
 class Ocean {
@@ -76,6 +78,8 @@ class Ocean {
   std::span<const std::unique_ptr<DrawnSource>> sources() const { return sources_; }
   // Null where the scene has none, or nothing that could ever push the water.
   const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_.get(); }
+  // Null where nothing belongs to places.
+  const DrawnPlace* place() const { return place_.get(); }
   // Adds every image that the surface samples.
   void add_uses(Uses& uses) const;
   const SeaStatistics& statistics() const { return statistics_; }
@@ -90,6 +94,8 @@ class Ocean {
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
   std::vector<std::unique_ptr<DrawnSource>> sources_;
   std::unique_ptr<DrawnDynamicWaves> dynamic_waves_;
+  std::unique_ptr<DrawnPlace> place_;
+  double time_s_ = 0.0;  // of the last update
   double others_height_m() const;  // of all but the waves, no more than that
   double others_shift_m() const;
   SourceStatistics of_sources_;  // all of them together

@@ -1,6 +1,7 @@
 #version 460
 // Lights the sea's pixels where its triangles are drawn.
 #extension GL_GOOGLE_include_directive : require
+#include "shared/earth_curve.h"
 #include "shared/frame_data.h"
 #include "shared/patch_instance.h"
 #include "lib/view.glsl"
@@ -39,8 +40,13 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
 }
 
 void main() {
+  const vec2 place = frame.viewer.xy + flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w).xz;
+  const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
+  bool dry = false;
+  if (water_clip) dry = water_clipped(place);
+  if (dry) discard;
   vec3 normal;
-  const SurfacePoint p = SurfacePoint(relative, rest, dFdx(rest), dFdy(rest), height_shear, derivatives);
+  const SurfacePoint p = SurfacePoint(relative, rest, place, along, across, height_shear, derivatives);
   vec3 lit = sea_light(p, frame.view[eye_index()], normal);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);

@@ -32,7 +32,8 @@ void main() {
     // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own measure.
     p.relative = view.eye.xyz + pixel_ray * (frame.air.z / depth);
     const vec3 flat_place = flattened(p.relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w);
-    p.rest = frame.viewer.xy + flat_place.xz - frame.sea.footprint.x * unpackSnorm2x16(kept.x);
+    p.place = frame.viewer.xy + flat_place.xz;
+    p.rest = p.place - frame.sea.footprint.x * unpackSnorm2x16(kept.x);
     p.derivatives = vec4(unpackHalf2x16(kept.y), unpackHalf2x16(kept.z));
     const vec2 shear_footprint = unpackHalf2x16(kept.w);
     p.height_shear = vec2(flat_place.y, shear_footprint.x);

@@ -3,22 +3,24 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 
-layout(constant_id = 5) const float anisotropy = 1.0;
-
 layout(binding = 0) uniform Frame { FrameData frame; };
+#include "lib/sea.glsl"
 
 layout(location = 1) in vec2 rest;
 layout(location = 3) in vec4 derivatives;
 layout(location = 5) in vec3 shift_shear;
 
 // Bits: a float may not pass through a picture unchanged, an integer does. What is not drawn is known by its depth.
-layout(location = 0) out uvec4 kept;       // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
+layout(location = 0) out uvec4 kept_point; // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
 layout(location = 1) out uvec2 footprint;  // as half floats the rest position's change along x and along y, where samplers make use of both
 
 void main() {
+  bool dry = false;
+  if (water_clip) dry = water_clipped(rest + shift_shear.xy);
   const vec2 along = dFdx(rest), across = dFdy(rest);
+  if (dry) discard;
   const float longest = sqrt(max(dot(along, along), dot(across, across)));
-  kept = uvec4(packSnorm2x16(shift_shear.xy / frame.sea.footprint.x), packHalf2x16(derivatives.xy), packHalf2x16(derivatives.zw),
+  kept_point = uvec4(packSnorm2x16(shift_shear.xy / frame.sea.footprint.x), packHalf2x16(derivatives.xy), packHalf2x16(derivatives.zw),
                packHalf2x16(vec2(shift_shear.z, min(longest, 6e4))));
   if (anisotropy > 1.0) footprint = uvec2(packHalf2x16(clamp(along, -6e4, 6e4)), packHalf2x16(clamp(across, -6e4, 6e4)));
 }

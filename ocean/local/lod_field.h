@@ -82,6 +82,7 @@ class LodField {
 
   const LodPlacement& placement() const { return placement_; }
   const gpu::LodWindows& windows() const { return windows_; }  // places from the viewer
+  int slices() const { return settings_.slices; }
   int layer(int slice) const { return gpu::lod_layer(windows_.first_layer, slice, settings_.slices); }
 
  private:

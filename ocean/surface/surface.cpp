@@ -16,6 +16,13 @@ struct SourceSlot {
 };
 constexpr SourceSlot slots[] = {{"baked", 12, 22}, {"gerstner", 11, 19}, {"wave_particles", 8, 12}};
 
+// The same of the data of places.
+struct PlaceSlot {
+  InputTarget kind;
+  std::uint32_t constant, binding;
+};
+constexpr PlaceSlot place_slots[] = {{InputTarget::level, 14, 27}, {InputTarget::flow, 16, 29}, {InputTarget::clip, 17, 30}, {InputTarget::albedo, 18, 31}, {InputTarget::shadow, 19, 32}};
+
 // What surface_points.frag writes, for pictures like `picture`.
 RenderTarget make_points(Device& device, const RenderTarget& picture, float anisotropy) {
   TargetSpec spec;
@@ -33,7 +40,7 @@ RenderTarget make_points(Device& device, const RenderTarget& picture, float anis
 }  // namespace
 
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-                 std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
+                 std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
     : device_(device), waves_(waves), look_(look) {
   const EffectScope scope(device, "surface");
   const auto of_one = patch_indices(gpu::patch_quads);
@@ -51,6 +58,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
                  {3, look.foam},                           {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
                  {7, std::uint32_t(waves.cascades())},     {10, look.deferred},
                  {13, dynamic_waves != nullptr ? dynamic_waves->shift().spec().layers : 0u}};
+  for (const PlaceSlot& slot : place_slots) spec.values.push_back({slot.constant, place != nullptr && place->image(slot.kind) != nullptr});
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
     for (std::size_t i = 0; i < std::size(slots); ++i)
@@ -80,6 +88,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
     entries_.push_back({.binding = 25, .view = dynamic_waves->shift().view(), .sampler = dynamic_waves->sampler()});
     entries_.push_back({.binding = 26, .view = dynamic_waves->slope().view(), .sampler = dynamic_waves->sampler()});
   }
+  for (const PlaceSlot& slot : place_slots)
+    if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view(), .sampler = place->sampler()});
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

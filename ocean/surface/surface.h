@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/frame.h"
 #include "ocean/local/drawn_dynamic_waves.h"
+#include "ocean/local/drawn_place.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/waves/drawn_source.h"
 #include "ocean/waves/wave_images.h"
@@ -28,9 +29,9 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  // `picture`: what the finished pixels go into. `dynamic_waves`: null where there are none.
+  // `picture`: what the finished pixels go into. `dynamic_waves`, `place`: null where there are none.
   Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
+          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);
@@ -52,7 +53,8 @@ class Surface {
     const char* effect;
     std::uint32_t constant;
   };
-  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}, {"dynamic_waves", 13}};
+  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}, {"dynamic_waves", 13},
+                                                {"level", 14}, {"flow", 16}, {"clip", 17}, {"albedo", 18}, {"shadow", 19}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }

@@ -65,11 +65,11 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     plans_.push_back(make_fft_plan(samples, std::min(samples, bins_of(i))));
     tables_.push_back(make_table(sea, bins_, i, samples, plans_.back().band));
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
-                       cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade)});
+                       cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade), shortest_wave(cascade)});
   }
   for (std::size_t s = 0; s < others_.size(); ++s)
     for (const Laying& laying : others_[s]->layings())
-      places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m});
+      places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m, laying.shortest_m});
   assert(places_.size() <= std::size_t(most_places));
 }
 

@@ -159,7 +159,7 @@ class WaveField {
     double cosine, sine, inverse_side, texel_m;
     int tile;                          // whose: cascades, then sources
     double offset = 0.0, size = 1.0;   // of a laying (tile_source.h)
-    double longest_m = 0.0;
+    double longest_m = 0.0, shortest_m = 0.0;
   };
   std::span<const Place> places() const { return places_; }  // of each cascade, then of each laying of the other sources
   const TileSources& others() const { return others_; }

@@ -39,6 +39,14 @@ layout(constant_id = 13) const int dynamic_levels = 0;
 layout(binding = 25) uniform sampler2DArray dynamic_shift;  // as those of displacement,
 layout(binding = 26) uniform sampler2DArray dynamic_slope;  // and of derivatives
 
+// Data of places; false: there is none, and nothing of it is left here.
+layout(constant_id = 14) const bool sea_level = false;
+layout(binding = 27) uniform sampler2DArray sea_level_windows;  // the still water's height, m
+layout(constant_id = 16) const bool sea_flow = false;
+layout(binding = 29) uniform sampler2DArray sea_flow_windows;   // the water's velocity along x and z, m/s
+layout(constant_id = 17) const bool water_clip = false;
+layout(binding = 30) uniform sampler2DArray water_clip_windows;  // 1 where there is no water
+
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
 vec4 laid(float size) { return vec4(size, size, size, 1.0); }
 
@@ -49,13 +57,18 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
 // How much of a cascade a footprint keeps: from half the cascade's longest wave on it fades, and at the whole it is gone.
 float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint / c.moments.w, 0.0, 1.0); }
 
+#include "lib/place.glsl"
+#include "lib/flow.glsl"
+
 // `by`: what the texels' four numbers count for, beside what the footprint keeps.
 void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, float layer, vec4 by, vec2 rest, float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
   const vec2 at = tile_vector(c, rest) + c.origin.xy;
-  sum += share * by * textureLod(tiles, vec3(at, layer), level);
+  vec4 texel = textureLod(tiles, vec3(at, layer), level);
+  if (sea_flow) texel = flow_texel(tiles, c, vec3(at, layer), level);
+  sum += share * by * texel;
 }
 
 // What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing.
@@ -66,6 +79,7 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
+  if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, footprint), rest, frame.sea.place.outside.zwzw).xy;
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
   if (cascade_count > 0) add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0.0, vec4(1.0), rest, footprint);
   if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 0.0, vec4(1.0), rest, footprint);
@@ -78,6 +92,7 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 0.0, laid(particle_size_1), rest, footprint);
   if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 0.0, laid(particle_size_2), rest, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
+  if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   return sum;
 }
 
@@ -101,7 +116,9 @@ void add_carried(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float f
   const float share = carried(c, footprint, blur);
   if (share <= 0.0) return;
   const vec2 at = tile_vector(c, rest) + c.origin.xy;
-  sum += share * textureLod(tiles, vec3(at, float(max(i - 1, 0))), 0.0);
+  vec4 texel = textureLod(tiles, vec3(at, float(max(i - 1, 0))), 0.0);
+  if (sea_flow) texel = flow_texel(tiles, c, vec3(at, float(max(i - 1, 0))), 0.0);
+  sum += share * texel;
 }
 
 // Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are too short for all
@@ -134,6 +151,14 @@ vec4 tile_mean(sampler2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
   return textureLod(tiles, at, level);
 }
 
+#include "lib/flow_mean.glsl"
+
+vec4 pattern_mean(sampler2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv, float level) {
+  vec4 mean = tile_mean(tiles, at, du, dv, level);
+  if (sea_flow) mean = flow_mean(tiles, c, at, du, dv, level);
+  return mean;
+}
+
 // `left`: the share that the vertices have not carried.
 void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, float layer, vec2 rest, vec2 along, vec2 across,
                 float blur, float left) {
@@ -147,7 +172,7 @@ void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray mo
   const vec2 du = 0.5 * tile_vector(c, along), dv = 0.5 * tile_vector(c, across);
   const float level = mip_level(0.5 * blur / c.origin.z);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
-  const vec4 d = share * tile_mean(derivatives, at, du, dv, level);
+  const vec4 d = share * pattern_mean(derivatives, c, at, du, dv, level);
   s.gradient += left * d.xy;
   s.shift.xy += left * d.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to twice that.
@@ -168,6 +193,12 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
 
 #include "lib/dynamic_slopes.glsl"
 
+// Whether there is no water at a place (not a rest position), metres from the grid origin.
+bool water_clipped(vec2 place) { return place_value(water_clip_windows, place_read(place, 0.0), place, frame.sea.place.outside.yyyy).x > 0.5; }
+
+// The height of the still water.
+float sea_level_at(vec2 rest) { return place_value(sea_level_windows, place_read(rest, 0.0), rest, frame.sea.place.outside).x; }
+
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
   vec4 derivatives;
@@ -182,6 +213,7 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
+  if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
   if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
   if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
   if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
@@ -195,6 +227,7 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 0.0, rest, along, across, blur, 1.0);
   if (dynamic_levels > 0) add_dynamic_slopes(s, rest, blur);
+  if (sea_level) s.gradient += place_gradient(sea_level_windows, rest, blur, frame.sea.place.outside);
   return s;
 }
 

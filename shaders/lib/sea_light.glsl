@@ -7,11 +7,19 @@
 #include "lib/water_light.glsl"
 
 layout(constant_id = 3) const bool foam = false;
+// Data of places (lib/sea.glsl).
+layout(constant_id = 18) const bool water_albedo = false;
+layout(binding = 31) uniform sampler2DArray water_albedo_windows;  // a colour that lies on the water, times its cover; the cover
+layout(constant_id = 19) const bool water_shadow = false;
+layout(binding = 32) uniform sampler2DArray water_shadow_windows;  // light kept away from within the water, and from its surface
+
+#include "lib/albedo.glsl"
 
 // What the drawn surface says of one pixel.
 struct SurfacePoint {
   vec3 relative;      // metres from the viewer, world axes
   vec2 rest;          // rest position, metres from the grid origin
+  vec2 place;         // where it stands, metres from the grid origin
   vec2 along, across; // of the rest position, a pixel to the right and a pixel down
   vec2 height_shear;  // x: above the curved still sea, metres; y: dDx/dz
   vec4 derivatives;   // of the cascades that vertices carry
@@ -19,7 +27,11 @@ struct SurfacePoint {
 
 // Radiance towards the eye, haze included; `normal` is the one it was lit by.
 vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
-  const float height = clamp(p.height_shear.x, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
+  float above = p.height_shear.x;
+  if (sea_level) above -= sea_level_at(p.rest);
+  vec2 sunlit = vec2(1.0);  // within the water, on its surface
+  if (water_shadow) sunlit -= place_value(water_shadow_windows, place_read(p.place, 0.0), p.place, vec4(0.0)).xy;
+  const float height = clamp(above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
   const vec3 to_eye = view.eye.xyz - p.relative;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
@@ -70,7 +82,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   }
 
   // Light from below: irradiance that enters, scattered back and out again.
-  const vec3 down = light.sky_irradiance.rgb * 0.93 + light.sun_irradiance.rgb * frame.water_reflectance.w;
+  const vec3 down = light.sky_irradiance.rgb * 0.93 + sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;
   const vec3 absorption = frame.water_absorption.rgb, backscatter = frame.water_backscatter.rgb;
   const vec3 below = frame.water_reflectance.rgb * down;
 
@@ -89,16 +101,21 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
               smoothstep(-0.05, 0.15, l.y);
   }
 
-  vec3 lit = reflected + (1.0 - mean_fresnel) * (below + through) + glitter;
+  vec3 lit = reflected + (1.0 - mean_fresnel) * (below + sunlit.x * through) + sunlit.y * glitter;
+
+  // Of a white cloth on the water.
+  const vec3 lit_white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
 
   if (foam) {
     // Share of the footprint whose Jacobian is below the threshold, taken as Gaussian (Dupuy and Bruneton 2012). The spread
     // of the divergence of a linear choppy sea is chop times that of its slope.
     const float sigma = frame.sea.tail.w * sqrt(max(var.x + var.y - frame.sea.tail.x - frame.sea.tail.y, 0.0)) + 0.06;
     const float cover = 0.5 * erfc_approx((sea_jacobian(s) - frame.whitecap.y) / (1.4142136 * sigma));
-    const vec3 white = 0.7 * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
+    const vec3 white = 0.7 * lit_white;
     lit = mix(lit, white, clamp(cover * frame.whitecap.x, 0.0, 0.9));
   }
+
+  if (water_albedo) lay_albedo(lit, p.place, lit_white);
 
   // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the
   // viewer, where no horizon lies behind, the mean of the sky's.

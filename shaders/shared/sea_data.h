@@ -23,12 +23,20 @@ struct DynamicData {
   vec4 share;                      // x: of the sideways displacement that the textures hold
 };
 
+// What belongs to places: windows that all of its textures share, and what there is beyond them.
+struct PlaceData {
+  LodWindows windows;
+  vec4 outside;  // x: the still water's height, m; y: 1 where there is no water; z, w: its velocity along x and z, m/s
+  vec4 flow;     // two phases of water that is carried along: x, y: how long each has been, s; z: the first one's share; w: half of a phase's time, s
+};
+
 struct SeaData {
   CascadeData cascade[max_cascades];
   CascadeData baked;                            // of a recorded loop,
   CascadeData gerstner;                         // of Gerstner waves, and
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   DynamicData dynamic;                          // of dynamic waves
+  PlaceData place;                              // of what belongs to places
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
   vec4 footprint;  // x: no water is further from its rest position than this, metres; y: one over the distance at which a recorded loop has faded, 1/m, 0 for none; z: highest crest in metres, w: significant height of the drawn waves, metres
 };

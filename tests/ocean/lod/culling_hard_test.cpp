@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "tests/ocean/lod/lod_support.h"
+#include "tests/support/sanitized.h"
 
 namespace seascape {
 namespace {
@@ -130,16 +131,18 @@ Sight watch(int views, double shrink, bool only_left) {
 // Hard case 23 and the 10,000 views: straight down, straight up, rolled, grazing, any; heights 0.2 m to 20 km and under
 // water; asymmetric, mirrored and canted eyes.
 TEST(CullingHard, hard_23_down_up_rolled_never_drops_what_brute_force_sees) {
-  const Sight sight = watch(10000, 1.0, false);
-  EXPECT_EQ(sight.views, 10000);
+  constexpr int views = test::sanitized ? 500 : 10000;
+  const Sight sight = watch(views, 1.0, false);
+  EXPECT_EQ(sight.views, views);
   EXPECT_EQ(sight.missed, 0);
   EXPECT_GT(sight.culled, sight.patches / 3);  // and it does cull
 }
 
 // The controls: bounds half as large as the displacement, and an eye that culling does not know of.
 TEST(CullingHard, BruteForceSeesShrunkenBoundsAndAForgottenEye) {
-  EXPECT_GT(watch(2000, 0.5, false).missed, 0);
-  EXPECT_GT(watch(2000, 1.0, true).missed, 0);
+  constexpr int views = test::sanitized ? 200 : 2000;
+  EXPECT_GT(watch(views, 0.5, false).missed, 0);
+  EXPECT_GT(watch(views, 1.0, true).missed, 0);
 }
 
 // An eye that looks through a keyhole at one vertex of the curved, still sea has that vertex's patch in its list. Near
@@ -191,7 +194,7 @@ TEST(CullingHard, hard_40_asymmetric_fov) {
     Quadtree tree(settings), whole(settings);
     Random random(40);
     Sight sight, forgotten;
-    for (int n = 0; n < 200; ++n) {
+    for (int n = 0; n < (test::sanitized ? 20 : 200); ++n) {
       Viewpoint view;
       view.viewer = {{uniform(random, -99, 99), 1.7, uniform(random, -99, 99)}, random_orientation(random, 3)};
       view.eyes = stereo_views(view.viewer, {-1.5, -0.2, 0.3, -0.9}, 0.064);

@@ -17,6 +17,7 @@ SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), 
   Scene scene = load_scene(options.scene, options.preset);
   if (options.preset == "ultra") scene.settings.render.shape = FrameShape::desktop;  // so that both shapes are drawn
   if (options.effects) scene.effects = *options.effects;
+  if (!options.inputs.empty()) scene.inputs = options.inputs;
   for (const auto& [key, value] : options.set) set_from_text(scene.settings, key, value, "test");
   experience_ = std::make_unique<Experience>(
       device, shaders(), scene, ExperienceOptions{options.width, options.height, options.views, options.per_eye, options.probe});
