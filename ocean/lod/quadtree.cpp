@@ -255,7 +255,7 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
   const bool masked = settings_.join == LodJoin::masked;
   const std::size_t lists = frusta_.lists();
   int considered = 1;
-  for (int level = frame.levels - 1; level >= 0; --level) {
+  for (int level = splits_.levels() - 1; level >= 0; --level) {
     SplitMap::Interval rows = splits_.rows(level), columns{1 << level, -1};
     int nodes = 0;
     for (int z = rows.first; z <= rows.last; ++z) {

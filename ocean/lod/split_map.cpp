@@ -9,6 +9,7 @@ namespace seascape {
 void SplitMap::find(const TreeFrame& frame) {
   assert(frame.levels <= max_levels);
   levels_ = frame.levels;
+  while (levels_ > 0 && !(frame.split_reach(levels_ - 1) > frame.gap_y)) --levels_;  // from high above the finest do not split
   int cells = -1;  // that balance may add one level up
   for (int level = levels_ - 1; level >= 0; --level) cells = (find_by_distance(frame, level, cells) + 2) / 2;
   for (int level = levels_ - 1; level > 0; --level) balance(level);

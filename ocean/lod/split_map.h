@@ -32,7 +32,9 @@ class SplitMap {
     const int at = z - l.z0;
     return at >= 0 && at < static_cast<int>(l.rows.size()) ? l.rows[static_cast<std::size_t>(at)] : Interval{};
   }
-  // From the first row that may have any to the last.
+  // Of coarser levels than this alone some node may split.
+  int levels() const { return levels_; }
+  // From the first row that may have any to the last, of such a level.
   Interval rows(int level) const {
     const Level& l = rows_[static_cast<std::size_t>(level)];
     return {l.z0, l.z0 + static_cast<int>(l.rows.size()) - 1};
