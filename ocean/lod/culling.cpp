@@ -256,9 +256,11 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span
         const Across& eye = eyes[first + lane];
         for (std::size_t p = eye.level; p < eye.end; ++p) {
           const Across::Plane& plane = eye.planes[p];
-          const double everywhere = plane.along * centre_along + plane.across * centre_across + plane.offset + (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
+          const double everywhere = plane.along * centre_along + plane.across * centre_across + plane.offset +
+                                    (std::abs(plane.along) + std::abs(plane.across)) * border.grow;
           const double rest = everywhere + plane.up * band.high + plane.down * band.low;
-          if (rest * (rest > 0.0 ? band.per_inner : band.per_outer) + plane.across * border.border + std::abs(plane.along) * border.half < 0.0) end[lane] = -2.0 * border.half;
+          const double farthest = rest * (rest > 0.0 ? band.per_inner : band.per_outer) + plane.across * border.border;
+          if (farthest + std::abs(plane.along) * border.half < 0.0) end[lane] = -2.0 * border.half;
         }
         to[lane] = spared(from[lane], end[lane]);
       }

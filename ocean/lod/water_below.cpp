@@ -63,6 +63,11 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
   nodes_.clear();
   corners_m_.clear();
   runs_.clear();
+  // More than is usual, and no cap: once lists have been as long, no frame allocates.
+  nodes_.reserve(patches.size());
+  corners_m_.reserve(patches.size());
+  moved_.reserve(patches.size());
+  runs_.reserve(patches.size());
   const auto find_node = [&](glm::ivec2 place, int size, int level, double off_m) {
     std::uint32_t& node = known_nodes_.find(place, level, call_);
     if (node != unknown) return node;
