@@ -125,7 +125,7 @@ TEST_F(DrawnPlaces, ClipWhatStandsWithinTheInput) {
 }
 
 // A colour laid on the water makes it as bright as that, and a shadow takes the sun's glitter and light from it, within the input and nowhere else. Controls
-// seen: albedo not multiplied by its cover; shadow of the water alone.
+// seen: what lies beneath the colour left as bright; a shadow that leaves the glitter.
 TEST_F(DrawnPlaces, ColourAndShadeOnlyWhatLiesWithinTheInput) {
   constexpr int width = 160, height = 120;
   const Viewpoint view = SeaShot({.scene = "calm", .preset = "high", .width = width, .height = height}).viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
