@@ -57,7 +57,7 @@ const EffectUnderProof table[] = {
       {"dynamic_waves.levels", "2"}, {"dynamic_waves.settle_s", "1"}},
      {"dynamic_waves.rain_per_m2_s", "0"}, {25, 26}, true, true},
     {"level", {"waves"}, {"waves", "level"}, {}, {"", ""}, {27}, true, true, "level", {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
-    {"flow", {"waves"}, {"waves", "flow"}, {}, {"", ""}, {29}, true, true, "flow", {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
+    {"flow", {"waves"}, {"waves", "flow"}, {{"flow.period_s", "1.7"}}, {"", ""}, {29}, true, true, "flow", {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
     {"clip", {"waves"}, {"waves", "clip"}, {}, {"", ""}, {30}, true, true, "clip", {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f})}},
     {"albedo", {"waves"}, {"waves", "albedo"}, {}, {"", ""}, {31}, true, true, "albedo", {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},
     {"shadow", {"waves"}, {"waves", "shadow"}, {}, {"", ""}, {32}, true, true, "shadow", {pool(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f})}},
