@@ -88,7 +88,7 @@ void Experience::build() {
     dynamic_waves->waves.depth_m = s.sea.depth_m;
   }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, calls_for(scene_.effects, "foam"), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, place_inputs(scene_)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, place_inputs(scene_)});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -100,7 +100,7 @@ void Experience::build() {
   look.deferred = deferred();
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
-  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), ocean_->place(), frame_->ring(),
+  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), ocean_->place(), ocean_->foam(), frame_->ring(),
                                        SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea

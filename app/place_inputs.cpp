@@ -14,4 +14,12 @@ PlaceInputs place_inputs(const Scene& scene) {
   return result;
 }
 
+std::optional<FoamSpec> foam_spec(const Scene& scene) {
+  if (!calls_for(scene.effects, "foam")) return std::nullopt;
+  FoamSpec spec{scene.settings.foam, std::make_shared<const Inputs>(InputTarget::foam, scene.inputs), nullptr, scene.settings.place};
+  for (const auto& kind : place_inputs(scene).kinds)
+    if (kind->target() == InputTarget::flow) spec.flow = kind;
+  return spec;
+}
+
 }  // namespace seascape

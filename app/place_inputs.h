@@ -1,11 +1,15 @@
 // What a scene says of the sea's places, as the effects it calls for ask for it.
 #pragma once
 #include "app/scene.h"
+#include "ocean/local/foam_sea.h"
 #include "ocean/local/place_sea.h"
 
 namespace seascape {
 
 // Of the built effects only, and none of a kind that nothing feeds and that would be the same everywhere as without the effect.
 PlaceInputs place_inputs(const Scene& scene);
+
+// What it says of foam; none without the effect.
+std::optional<FoamSpec> foam_spec(const Scene& scene);
 
 }  // namespace seascape

@@ -17,6 +17,7 @@ constexpr PresetRow rows[] = {
     {"waves.cascades",       "4",     "4",     "5",       "5"},
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"dynamic_waves.resolution", "128", "128", "256",     "256"},
+    {"foam.resolution",      "128",   "128",   "256",     "256"},
     {"place.resolution",     "128",   "128",   "256",     "256"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
     {"lod.pixel_error",      "8",     "4",     "2",       "1"},

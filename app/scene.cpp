@@ -132,6 +132,7 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   check("baked", [&] { Baked(read_loop(loop_folder(scene.settings.baked.loop, where)), scene.settings.baked); });
   check("gerstner", [&] { Gerstner(scene.settings.gerstner, sea.gravity_mps2, sea.depth_m); });
   check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
+  check("foam", [&] { validate(scene.settings.foam); });
   for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"}) check(effect, [&] { validate(scene.settings.place); });
   check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;

@@ -11,6 +11,7 @@
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
 #include "ocean/local/dynamic_sea_settings.h"
+#include "ocean/local/foam_settings.h"
 #include "ocean/local/place_settings.h"
 #include "ocean/lod/lod_settings.h"
 #include "ocean/surface/water_settings.h"
@@ -30,6 +31,7 @@ struct Settings {
   GerstnerSettings gerstner;            // keys gerstner.*
   WaveParticleSettings wave_particles;  // keys wave_particles.*
   DynamicSeaSettings dynamic_waves;     // keys dynamic_waves.*
+  FoamSettings foam;                    // keys foam.*
   PlaceSettings place;                  // keys place.*, level.*, flow.*, clip.*
   LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*

@@ -32,6 +32,8 @@ template <auto member> constexpr auto particles = &at<&Settings::wave_particles,
 template <auto member> constexpr auto dynamic = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, member>;
 template <auto member> constexpr auto dynamic_windows = &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, &DynamicWavesSettings::windows, member>;
 template <auto member> constexpr auto rain = &at<&Settings::dynamic_waves, &DynamicSeaSettings::rain, member>;
+template <auto member> constexpr auto foam = &at<&Settings::foam, member>;
+template <auto member> constexpr auto foam_windows = &at<&Settings::foam, &FoamSettings::windows, member>;
 template <auto member> constexpr auto place = &at<&Settings::place, member>;
 template <auto member> constexpr auto place_windows = &at<&Settings::place, &PlaceSettings::windows, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
@@ -182,6 +184,19 @@ const std::vector<Setting>& table() {
        10.0, {}, false, rebuild},
       {"dynamic_waves.drop_height_m", "m", "Height of the hump that a drop leaves.", rain<&RainSettings::drop_height_m>, -1.0, 1.0, {}, false, rebuild},
       {"dynamic_waves.seed", "", "Which drops fall, of the same statistics.", rain<&RainSettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},
+
+      {"foam.simulated", "", "Foam outlives the crest that made it and is left behind in streaks; inputs of foam and wakes have it simulated in any case.",
+       foam<&FoamSettings::simulated>, 0.0, 1.0, {}, false, rebuild},
+      {"foam.breaking", "", "What breaking waves leave: 1 as photographs of the sea have it, 0 none.", foam<&FoamSettings::breaking>, 0.0, 4.0, {}, false, rebuild},
+      {"foam.life_s", "s", "Foam that nothing feeds falls to 1/e in this time.", foam<&FoamSettings::life_s>, 0.1, 1000.0, {}, false, rebuild},
+      {"foam.resolution", "", "Texels a side of each window of foam; more reach farther from the viewer.",
+       foam_windows<&LodWindowSettings::resolution>, 64.0, 512.0, {"64", "128", "256", "512"}, quality, rebuild},
+      {"foam.levels", "", "Windows of foam, each twice as wide as the one before.", foam_windows<&LodWindowSettings::slices>, 2.0, 8.0, {}, false, rebuild},
+      {"foam.texel_m", "m", "Texel of the finest window of foam.", foam_windows<&LodWindowSettings::texel_m>, 0.05, 100.0, {}, false, rebuild},
+      {"foam.rate_hz", "1/s", "Steps of the foam a second; any rate gives the same decay, a lower one leaves stripes behind fast crests.", foam<&FoamSettings::rate_hz>, 1.0,
+       240.0, {}, false, rebuild},
+      {"foam.settle_s", "s", "Simulated before the first moment shown and after each jump of the time, so that foam lies there already.", foam<&FoamSettings::settle_s>, 0.0,
+       60.0, {}, false, rebuild},
 
       {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.", place<&PlaceSettings::level_m>, -10000.0, 10000.0,
        {}, false, rebuild},

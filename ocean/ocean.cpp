@@ -47,6 +47,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   }
   if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
   if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place);
+  if (settings.foam && keeps_foam(*settings.foam, false, dynamic_waves_ != nullptr)) foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
 }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
@@ -61,6 +62,7 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   }
   if (dynamic_waves_) dynamic_waves_->update(frame, time_s, viewer_m);
   if (place_) place_->update(frame, time_s, viewer_m);
+  if (foam_) foam_->update(frame, time_s, viewer_m, dynamic_waves_ ? &dynamic_waves_->sea().surface() : nullptr);
   time_s_ = time_s;
 }
 
@@ -72,6 +74,7 @@ void Ocean::add_uses(Uses& uses) const {
   for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
   if (dynamic_waves_) dynamic_waves_->add_uses(uses, Access::surface_read);
   if (place_) place_->add_uses(uses, Access::surface_read);
+  if (foam_) foam_->add_uses(uses, Access::surface_read);
 }
 
 void Ocean::change(const SeaState& sea, double over_s) {
@@ -103,6 +106,7 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
   waves_.take(bins_, chop_, statistics_);
   if (compute_) compute_->take(frame, bins_, chop_);
   if (upload_) upload_->take(bins_, chop_, statistics_);
+  if (foam_) foam_->sea().take(bins_, chop_, statistics_, settings_.sea.wind_speed_mps);
   if (long_waves_) {
     long_waves_->take(bins_, chop_, statistics_);
     long_ticks_.reset();
@@ -176,6 +180,7 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
   if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
   if (place_) place_->describe(data.sea.place, s.grid_origin_m, time_s_);
+  if (foam_) foam_->describe(data.foam, s.grid_origin_m);
   data.sea.footprint.z += float(others_height_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + others_shift_m()), 0.01));

@@ -5,6 +5,7 @@
 
 #include "engine/frame.h"
 #include "ocean/local/drawn_dynamic_waves.h"
+#include "ocean/local/drawn_foam.h"
 #include "ocean/local/drawn_place.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
@@ -28,7 +29,7 @@ struct OceanSettings {
   WavePlace wave_place = WavePlace::automatic;
   LodSettings lod;
   WaterSettings water;
-  bool foam = false;
+  std::optional<FoamSpec> foam;  // none: the effect is not called for
   double baked_fade_m = 0.0;  // BakedSettings::fade_m
   bool has_waves = true;  // or else only what `sources` do moves the water
   TileSources sources;  // what feeds the sea beside its waves
@@ -78,6 +79,8 @@ class Ocean {
   std::span<const std::unique_ptr<DrawnSource>> sources() const { return sources_; }
   // Null where the scene has none, or nothing that could ever push the water.
   const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_.get(); }
+  // Null where no foam is kept, but at most what breaks at the moment is drawn.
+  const DrawnFoam* foam() const { return foam_.get(); }
   // Null where nothing belongs to places.
   const DrawnPlace* place() const { return place_.get(); }
   // Adds every image that the surface samples.
@@ -95,6 +98,7 @@ class Ocean {
   std::vector<std::unique_ptr<DrawnSource>> sources_;
   std::unique_ptr<DrawnDynamicWaves> dynamic_waves_;
   std::unique_ptr<DrawnPlace> place_;
+  std::unique_ptr<DrawnFoam> foam_;
   double time_s_ = 0.0;  // of the last update
   double others_height_m() const;  // of all but the waves, no more than that
   double others_shift_m() const;

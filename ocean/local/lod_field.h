@@ -51,6 +51,7 @@ class LodField {
   const T& texel(int slice, LodIndex w) const { return texels_[place(slice, w)]; }
   // All texels of a slice, resolution rows of as many: number w of the world at w modulo resolution, by row and column.
   const T* texels(int slice) const { return texels_.data() + std::size_t(layer(slice)) * side_ * side_; }
+  T* texels(int slice) { return texels_.data() + std::size_t(layer(slice)) * side_ * side_; }
   LodIndex first(int slice) const { return placement_.first[std::size_t(slice)]; }
   double texel_m(int slice) const { return lod_texel_m(settings_, placement_, slice); }
   glm::dvec2 middle(int slice, LodIndex w) const { return (glm::dvec2(w) + 0.5) * texel_m(slice); }

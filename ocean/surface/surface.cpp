@@ -40,7 +40,7 @@ RenderTarget make_points(Device& device, const RenderTarget& picture, float anis
 }  // namespace
 
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-                 std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
+                 std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const DrawnFoam* foam, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look)
     : device_(device), waves_(waves), look_(look) {
   const EffectScope scope(device, "surface");
   const auto of_one = patch_indices(gpu::patch_quads);
@@ -58,6 +58,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
                  {3, look.foam},                           {4, look.debug}, {5, std::bit_cast<std::uint32_t>(look.anisotropy)},
                  {7, std::uint32_t(waves.cascades())},     {10, look.deferred},
                  {13, dynamic_waves != nullptr ? dynamic_waves->shift().spec().layers : 0u}};
+  spec.values.push_back({21, foam != nullptr});
   for (const PlaceSlot& slot : place_slots) spec.values.push_back({slot.constant, place != nullptr && place->image(slot.kind) != nullptr});
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
@@ -87,6 +88,10 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   if (dynamic_waves != nullptr) {
     entries_.push_back({.binding = 25, .view = dynamic_waves->shift().view(), .sampler = dynamic_waves->sampler()});
     entries_.push_back({.binding = 26, .view = dynamic_waves->slope().view(), .sampler = dynamic_waves->sampler()});
+  }
+  if (foam != nullptr) {
+    entries_.push_back({.binding = 34, .view = foam->windows().view(), .sampler = foam->sampler()});
+    entries_.push_back({.binding = 35, .view = foam->lace().view(), .sampler = foam->sampler()});
   }
   for (const PlaceSlot& slot : place_slots)
     if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view(), .sampler = place->sampler()});

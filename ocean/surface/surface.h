@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/frame.h"
 #include "ocean/local/drawn_dynamic_waves.h"
+#include "ocean/local/drawn_foam.h"
 #include "ocean/local/drawn_place.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/waves/drawn_source.h"
@@ -29,9 +30,9 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  // `picture`: what the finished pixels go into. `dynamic_waves`, `place`: null where there are none.
+  // `picture`: what the finished pixels go into. `dynamic_waves`, `place`, `foam`: null where there are none.
   Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
+          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const DrawnFoam* foam, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);

@@ -25,6 +25,8 @@ struct SurfacePoint {
   vec4 derivatives;   // of the cascades that vertices carry
 };
 
+#include "lib/foam.glsl"
+
 // Radiance towards the eye, haze included; `normal` is the one it was lit by.
 vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   float above = p.height_shear.x;
@@ -106,15 +108,9 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   // Of a white cloth on the water.
   const vec3 lit_white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
 
-  if (foam) {
-    // Share of the footprint whose Jacobian is below the threshold, taken as Gaussian (Dupuy and Bruneton 2012). The spread
-    // of the divergence of a linear choppy sea is chop times that of its slope.
-    const float sigma = frame.sea.tail.w * sqrt(max(var.x + var.y - frame.sea.tail.x - frame.sea.tail.y, 0.0)) + 0.06;
-    const float cover = 0.5 * erfc_approx((sea_jacobian(s) - frame.whitecap.y) / (1.4142136 * sigma));
-    const vec3 white = 0.7 * lit_white;
-    lit = mix(lit, white, clamp(cover * frame.whitecap.x, 0.0, 0.9));
-  }
-
+  FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
+  if (foam_kept && sea_flow) foam_way = FoamWay(flow_velocity * frame.sea.place.flow.x, flow_velocity * frame.sea.place.flow.y, frame.sea.place.flow.z);
+  if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, lit_white, foam_way);
   if (water_albedo) lay_albedo(lit, p.place, lit_white);
 
   // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the

@@ -1,6 +1,7 @@
 // What every shader of a frame is told: the eyes, the light, the place.
 #ifndef SEASCAPE_FRAME_DATA_H
 #define SEASCAPE_FRAME_DATA_H
+#include "foam_data.h"
 #include "gpu_types.h"
 #include "sea_data.h"
 #include "vertex_morph.h"
@@ -25,6 +26,7 @@ struct FrameData {
   vec4 skirt;           // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
   VertexMorph morph;
   SeaData sea;
+  FoamData foam;        // where it is simulated
 };
 
 // Values of grid.w, in the order of app/render_settings.h's DebugView.

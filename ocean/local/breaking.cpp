@@ -1,0 +1,148 @@
+#include "ocean/local/breaking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "ocean/local/place_sea.h"
+
+namespace seascape {
+
+namespace {
+
+// As much is never known of a Jacobian between texels.
+constexpr double least_sigma = 0.01;
+// The Jacobian has the product of two strains besides their sum, and less in its tail than a Gaussian of the divergence: measured of seas of 5 to 23 m/s.
+constexpr double thinner = 0.94;
+constexpr double least_threshold = 0.6, most_threshold = 0.78;
+
+// What a normal number is below in a share of cases.
+double quantile(double share) {
+  double low = -9.0, high = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < share ? low : high) = middle;
+  }
+  return low;
+}
+
+WaveQuality of_breakers(const WaveQuality& quality) { return {std::min(quality.resolution, 128), std::min(quality.cascades, 4)}; }
+
+// Between texels of a level, at tile coordinates in texels: dDx/dx, dDz/dz, dDx/dz.
+glm::vec3 gradient(const WaveTiles& tiles, int tile, int level, double u, double v) {
+  const int size = tiles.layout().level(tile, level).size, stride = tiles.stride(tile, level);
+  const double x = u - std::floor(u / size) * size, z = v - std::floor(v / size) * size;
+  const int x0 = int(x) & (size - 1), z0 = int(z) & (size - 1), x1 = (x0 + 1) & (size - 1), z1 = (z0 + 1) & (size - 1);
+  const float fx = float(x - int(x)), fz = float(z - int(z));
+  const glm::vec4 *slope = tiles.texels(tile, WavePlane::slope, level), *shift = tiles.texels(tile, WavePlane::shift, level);
+  const auto texel = [&](int i, int j) {
+    const std::ptrdiff_t at = std::ptrdiff_t(j) * stride + i;
+    return glm::vec3(slope[at].z, slope[at].w, shift[at].w);
+  };
+  const glm::vec3 low = glm::mix(texel(x0, z0), texel(x1, z0), fx), high = glm::mix(texel(x0, z1), texel(x1, z1), fx);
+  return glm::mix(low, high, fz);
+}
+
+}  // namespace
+
+Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s)
+    : field_(sea, of_breakers(quality), std::move(others)), wind_mps_(sea.wind_speed_mps), life_s_(life_s) {
+  for (const auto& source : field_.others()) {
+    const SourceStatistics s = source->statistics();
+    others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
+  }
+  const glm::dvec3 moments = field_.statistics().slope_moments;
+  slope_variance_ = sea.chop * sea.chop * (moments.x + moments.y);
+}
+
+void Breaking::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
+  wind_mps_ = wind_mps;
+  field_.take(bins, chop, statistics);
+  slope_variance_ = chop * chop * (statistics.slope_moments.x + statistics.slope_moments.y);
+}
+
+bool Breaking::ever() const { return 1.0 - most_threshold < 6.0 * std::sqrt(slope_variance_ + others_variance_); }
+
+double Breaking::below(double jacobian, double variance) const {
+  const double sigma = thinner * std::sqrt(variance) + least_sigma, z = (jacobian - threshold_) / sigma;
+  return z > 4.0 ? 0.0 : 0.5 * std::erfc(z / std::numbers::sqrt2);
+}
+
+void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
+  field_.evaluate(ticks, tiles_);
+  variance_ = 0.0;
+  for (const WaveField::Place& place : field_.places()) variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
+  // In balance W = gain / (gain + 1 / life); a third more, for where it breaks is covered already.
+  const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5), breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
+  threshold_ = std::clamp(1.0 + quantile(std::min(breaking, 0.5)) * (thinner * std::sqrt(variance_) + least_sigma), least_threshold, most_threshold);
+  slices_.resize(std::size_t(slices));
+  for (int i = 0; i < slices; ++i) {
+    const double footprint = std::ldexp(texel_m, i);
+    const WaveField::Filter filter = field_.filter(footprint);
+    Slice& slice = slices_[std::size_t(i)];
+    slice.readings.clear();
+    slice.variance = 0.0;
+    for (std::size_t p = 0; p < field_.places().size(); ++p) {
+      const int tile = field_.places()[p].tile, last = tiles_.levels(tile) - 1;
+      // One level, the nearer of two.
+      const int level = std::min(filter.level[p] + (filter.between[p] > 0.5f ? 1 : 0), last);
+      const float share = level == last ? 0.0f : filter.share[p];
+      const double all = double(tiles_.texels(tile, WavePlane::moments, last)->w);
+      double kept = 0.0;
+      if (share > 0.0f && level > 0) {
+        const int size = tiles_.layout().level(tile, level).size;
+        for (int z = 0; z < size; ++z)
+          for (int x = 0; x < size; ++x) {
+            const glm::vec4& s = tiles_.texels(tile, WavePlane::slope, level)[std::ptrdiff_t(z) * tiles_.stride(tile, level) + x];
+            kept += double((s.z + s.w) * (s.z + s.w));
+          }
+        kept /= double(size) * size;
+      } else if (share > 0.0f) {
+        kept = all;
+      }
+      slice.variance += std::max(all - double(share) * double(share) * kept, 0.0);
+      slice.readings.push_back({level, share});
+    }
+  }
+}
+
+void Breaking::add_gradient(const Slice& slice, glm::dvec2 rest, double first, double way_m, glm::vec3& sum) const {
+  for (std::size_t p = 0; p < slice.readings.size(); ++p) {
+    const Reading& reading = slice.readings[p];
+    if (!(reading.share > 0.0f)) continue;
+    const WaveField::Place& place = field_.places()[p];
+    const double size = double(tiles_.layout().level(place.tile, reading.level).size);
+    const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side + place.offset, v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side + place.offset;
+    // Of a coarser level a texel's middle lies between those it is the mean of.
+    const double middle = 0.5 / double(tiles_.samples(place.tile)) * size - 0.5;
+    const double times = way_m == 0.0 ? first : first * flow_height(place.longest_m, place.shortest_m, way_m, first);
+    sum += float(times) * reading.share * gradient(tiles_, place.tile, reading.level, u * size + middle, v * size + middle);
+  }
+}
+
+double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const {
+  const Slice& slice = slices_[std::size_t(row.slice)];
+  const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), flow(water.flow_mps);
+  glm::vec3 g(0.0f);
+  if (flow == glm::dvec2(0.0)) {
+    add_gradient(slice, rest, 1.0, 0.0, g);
+  } else {  // two patterns that the flow carries along in turn (place_sea.h)
+    const double way = glm::length(flow) * (phase.second_s - phase.first_s);
+    add_gradient(slice, rest - phase.first_s * flow, phase.first, way, g);
+    add_gradient(slice, rest - phase.second_s * flow, 1.0 - phase.first, way, g);
+  }
+  const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
+  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance);
+}
+
+void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) const {
+  const Slice& slice = slices_[std::size_t(row.slice)];
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    glm::vec3 g(0.0f);
+    add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), 1.0, 0.0, g);
+    gains[i] += per_s * float(below(double((1.0f + g.x) * (1.0f + g.y) - g.z * g.z), slice.variance));
+  }
+}
+
+}  // namespace seascape

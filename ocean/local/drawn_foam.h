@@ -1,0 +1,41 @@
+// Foam as images that the surface samples: windows of which what has changed is copied, and the lace that it breaks up into.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "engine/frame.h"
+#include "ocean/local/foam_sea.h"
+#include "shaders/shared/foam_data.h"
+
+namespace seascape {
+
+class DrawnFoam {
+ public:
+  // Throws as validate() does.
+  DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others);
+
+  // Has the foam of a time and a viewer (m) in the images; records nothing where it has not changed, or where there is and was none. `wakes`: null for none.
+  void update(Frame& frame, double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes);
+  // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
+  void describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const;
+  void add_uses(Uses& uses, Access access) const;
+
+  FoamSea& sea() { return sea_; }
+  const FoamSea& sea() const { return sea_; }
+  const Image& windows() const { return windows_; }
+  const Image& lace() const { return lace_; }
+  VkSampler sampler() const { return sampler_.get(); }
+
+ private:
+  void fill_lace(Device& device);
+  FoamSea sea_;
+  LodWindowSettings settings_;
+  Image windows_, lace_;
+  std::array<Buffer, Frame::slots> staging_;
+  Owned<VkSampler> sampler_;
+  std::vector<VkBufferImageCopy> regions_;
+  std::uint32_t drawn_ = 0;  // slices whose images may have foam
+  bool begun_ = false;  // or else nothing is in them yet
+};
+
+}  // namespace seascape
