@@ -13,7 +13,7 @@
 namespace seascape {
 
 namespace {
-constexpr std::uint32_t lace_side = 256;
+constexpr auto lace_side = std::uint32_t(gpu::foam_lace_texels);
 
 ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels, VkFormat format) {
   ImageSpec spec;

@@ -115,16 +115,16 @@ void Foam::carry(int slice, double dt) {
     }
     const glm::vec4 along = cubic(float(at.x - cell.x)), across = cubic(float(at.y - cell.y));
     const std::int64_t i0 = std::int64_t(cell.x) - 1, j0 = std::int64_t(cell.y) - 1;
-    float value = 0.0f, low = 1.0f, high = 0.0f;
+    float value = 0.0f;
     for (int j = 0; j < 4; ++j)
-      for (int i = 0; i < 4; ++i) {
-        const float texel = from(i0 + i, j0 + j);
-        value += along[i] * across[j] * texel;
-        if ((i == 1 || i == 2) && (j == 1 || j == 2)) low = std::min(low, texel), high = std::max(high, texel);
-      }
-    return std::clamp(value, low, high);
+      for (int i = 0; i < 4; ++i) value += along[i] * across[j] * from(i0 + i, j0 + j);
+
+    return value;
   };
+  // What cubics have below nothing is taken off what they have above, in the order of rows: the sum stays theirs.
+  std::vector<glm::dvec2> sums(std::size_t(side), glm::dvec2(0.0));
   tbb::parallel_for(std::int64_t(0), side, [&](std::int64_t z) {
+    glm::dvec2& sum = sums[std::size_t(z)];
     for (std::int64_t x = 0; x < side; ++x) {
       const glm::dvec2 speed(speeds(x, z));
       double meets = 0.0;  // minus the flow's divergence, 1/s
@@ -136,12 +136,19 @@ void Foam::carry(int slice, double dt) {
         const glm::dvec2 back = -0.5 * dt / (2.0 * texel_m) * speed;
         midway += back.x * along_x + back.y * along_z;
       }
-      if (midway == glm::dvec2(0.0) && meets == 0.0) continue;
-      to(x, z) = std::clamp(there(x, z, -dt / texel_m * midway) * float(std::exp(std::clamp(meets * dt, -4.0, 4.0))), 0.0f, 1.0f);
+      float value = to(x, z);
+      if (midway != glm::dvec2(0.0)) value = there(x, z, -dt / texel_m * midway);
+      if (meets != 0.0) value *= float(std::exp(std::clamp(meets * dt, -4.0, 4.0)));
+      (value < 0.0f ? sum.x : sum.y) += double(value);
+      to(x, z) = std::clamp(value, 0.0f, 1.0f);
     }
   });
+  glm::dvec2 sum(0.0);
+  for (const glm::dvec2& row : sums) sum += row;
+  if (!(sum.x < 0.0 && sum.y > 0.0)) return;
+  const float left = float(std::max(1.0 + sum.x / sum.y, 0.0));
+  for (std::int64_t i = 0; i < side * side; ++i) field_.texels(slice)[i] *= left;
 }
-
 
 std::uint32_t Foam::step(double dt, const Gain& gain) {
   const std::uint32_t had = foamy_;

@@ -27,7 +27,7 @@ float foam_covered(vec2 rest, float footprint) {
 
 // A laying's share of the tile that is covered before this place, its slope along the tile's axes, 1/m, and fine bubbles.
 vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
-  const float a_metre = float(textureSize(foam_lace, 0).x) / side;
+  const float a_metre = foam_lace_texels / side;
   vec4 texel = textureLod(foam_lace, vec3(rest / side + origin, 0.0), log2(max(footprint * a_metre, 1.0)));
   texel.yz = (texel.yz - 128.0 / 255.0) * (255.0 / 1024.0) * a_metre;
   return texel;

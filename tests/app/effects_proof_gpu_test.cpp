@@ -48,7 +48,8 @@ InputSpec pool(InputTarget to, glm::vec4 value) {
 
 const EffectUnderProof table[] = {
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
-    {"foam", {"waves"}, {"waves", "foam"}, {{"waves.wind_speed_mps", "18"}}, {"", ""}, {}, false, false},
+    {"foam", {"waves"}, {"waves", "foam"},
+     {{"waves.wind_speed_mps", "18"}, {"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "2"}, {"foam.settle_s", "0.5"}}, {"foam.breaking", "0"}, {34, 35}, true, true},
     {"baked", {"waves"}, {"waves", "baked"}, {{"baked.loop", "fresh_sea"}}, {"baked.weight", "0"}, {22, 23, 24}, true, true},
     {"gerstner", {"waves"}, {"waves", "gerstner"}, {{"gerstner.set1_height_m", "0.5"}}, {"gerstner.set1_height_m", "0"}, {19, 20, 21}, true, true},
     {"wave_particles", {"waves"}, {"waves", "wave_particles"}, {{"wave_particles.height_m", "0.2"}}, {"wave_particles.height_m", "0"}, {12, 13, 14}, true, true},
