@@ -6,7 +6,7 @@ namespace seascape {
 
 PlaceInputs place_inputs(const Scene& scene) {
   PlaceInputs result{scene.settings.place, {}};
-  for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
+  for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
     if (!calls_for(scene.effects, traits(kind).name)) continue;
     auto inputs = std::make_shared<const Inputs>(kind, scene.inputs);
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));

@@ -41,7 +41,7 @@ void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer
 
 std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dvec2> points) {
   const WaveField field(sea_of(scene), scene.settings.waves, tile_sources(scene));
-  const PlaceSea place(place_inputs(scene));
+  const PlaceSea place(place_inputs(scene), field);
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(time_s), tiles);
 

@@ -200,6 +200,10 @@ const std::vector<Setting>& table() {
 
       {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.", place<&PlaceSettings::level_m>, -10000.0, 10000.0,
        {}, false, rebuild},
+      {"sea_depth.sand", "", "How bright the sand of the bed and the beaches is: 1 as coral sand, 0.4 as that of old rock.", place<&PlaceSettings::sand>, 0.0, 1.8, {}, false,
+       rebuild},
+      {"sea_depth.growth_m", "m", "Height above the still water from which green covers the land; 0 leaves it bare.", place<&PlaceSettings::growth_m>, 0.0, 1000.0, {},
+       false, rebuild},
       {"flow.to_deg", "deg", "Where a current everywhere goes to, clockwise from -z seen from above.", place<&PlaceSettings::flow_to_deg>, 0.0, 360.0, {}, false,
        rebuild},
       {"flow.speed_mps", "m/s", "How fast that current is; inputs add theirs.", place<&PlaceSettings::flow_mps>, 0.0, 20.0, {}, false, rebuild},

@@ -46,7 +46,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     else of_unknown_curvature_m_ += s.largest_height_m;
   }
   if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
-  if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place);
+  if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
   if (settings.foam && keeps_foam(*settings.foam, false, dynamic_waves_ != nullptr)) foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
 }
 
@@ -66,8 +66,10 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   time_s_ = time_s;
 }
 
-double Ocean::others_height_m() const { return of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) + (place_ ? place_->level_m() : 0.0); }
-double Ocean::others_shift_m() const { return of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
+double Ocean::others_height_m() const { return most_share() * of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) + (place_ ? place_->level_m() : 0.0); }
+double Ocean::most_share() const { return place_ && place_->shallows() != nullptr ? place_->shallows()->most_share() : 1.0; }
+double Ocean::land_m() const { return place_ ? place_->land_m() : 0.0; }
+double Ocean::others_shift_m() const { return most_share() * of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
 
 void Ocean::add_uses(Uses& uses) const {
   waves_.add_reads(uses);
@@ -118,8 +120,8 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
 
 DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   DisplacementBounds result;
-  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : statistics_.largest_height_m + others_height_m();
-  result.horizontal_m = statistics_.largest_shift_m + others_shift_m();
+  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : most_share() * statistics_.largest_height_m + others_height_m() + land_m();
+  result.horizontal_m = most_share() * statistics_.largest_shift_m + others_shift_m();
   result.mesh_error = statistics_.mesh_error;
   const WaveField* field = upload_ ? &upload_->field() : long_waves_.get();
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
@@ -137,6 +139,11 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   if (result.below) {
     for (double& off : result.below->motion.vertical_m) off += others_height_m();
     for (double& off : result.below->motion.horizontal_m) off += others_shift_m();
+    // Shallow water stands anywhere between none of its waves and the most that a bed makes of them.
+    for (std::size_t n = 0; place_ && place_->shallows() != nullptr && n < result.below->off.vertical_m.size(); ++n) {
+      result.below->off.vertical_m[n] = most_share() * statistics_.largest_height_m + place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n)));
+      result.below->off.horizontal_m[n] = most_share() * statistics_.largest_shift_m;
+    }
   }
   return result;
 }
@@ -156,8 +163,8 @@ bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   constexpr double margin_m = 0.5;  // the near plane reaches less far
   return std::all_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
     const glm::dvec3& place = eye.pose.position_m;
-    if (place.y > statistics_.largest_height_m + others_height_m() + margin_m) return true;
-    if (!upload_ || place.y < margin_m) return false;
+    if (place.y > most_share() * statistics_.largest_height_m + others_height_m() + land_m() + margin_m) return true;
+    if (!upload_ || place.y < margin_m || most_share() > 1.0) return false;
     const QueryAnswer water = upload_->query({place.x, place.z});
     return water.converged && place.y > water.height_m + others_height_m() + margin_m;
   });
@@ -181,9 +188,9 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
   if (place_) place_->describe(data.sea.place, s.grid_origin_m, time_s_);
   if (foam_) foam_->describe(data.foam, s.grid_origin_m);
-  data.sea.footprint.z += float(others_height_m());
+  data.sea.footprint.z += float(others_height_m() + land_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
-  data.sea.footprint.x = float(std::max(2.0 * (statistics_.largest_shift_m + others_shift_m()), 0.01));
+  data.sea.footprint.x = float(std::max(2.0 * (most_share() * statistics_.largest_shift_m + others_shift_m()), 0.01));
   data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);

@@ -102,6 +102,8 @@ class Ocean {
   double time_s_ = 0.0;  // of the last update
   double others_height_m() const;  // of all but the waves, no more than that
   double others_shift_m() const;
+  double land_m() const;  // how far it stands above the still sea at most
+  double most_share() const;  // by which a bed may raise waves, 1 without one
   SourceStatistics of_sources_;  // all of them together
   double of_unknown_curvature_m_ = 0.0;  // height of those that do not know how they are bent
   void follow_change(Frame& frame, std::int64_t ticks);

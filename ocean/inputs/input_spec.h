@@ -27,7 +27,7 @@ struct InputTargetTraits {
 // In the order of InputTarget.
 inline constexpr std::array<InputTargetTraits, 8> input_targets{{
     {"level", 1, -10000.0, 10000.0, "m", "the still water's height above y = 0", true},
-    {"sea_depth", 1, -12000.0, 12000.0, "m", "the bed's height above the still sea, above 0 on land"},
+    {"sea_depth", 1, -12000.0, 12000.0, "m", "the bed's height above the still sea, above 0 on land", true},
     {"flow", 2, -100.0, 100.0, "m/s", "the water's velocity along x and z", true},
     {"foam", 1, 0.0, 100.0, "1/s", "the share of the water that foam comes to cover in a second", true},
     {"clip", 1, 0.0, 1.0, "", "1 where there is no water", true},

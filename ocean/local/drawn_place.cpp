@@ -1,53 +1,50 @@
 #include "ocean/local/drawn_place.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string>
 
 #include "ocean/local/flow_phase.h"
-#include "ocean/waves/half_floats.h"
 
 namespace seascape {
 
 namespace {
 
-struct Format {
-  VkFormat format;
-  int channels;
-  bool half;
-};
-
 // Heights of lakes in mountains need whole floats, where the device samples those.
-Format format_of(InputTarget kind, bool whole) {
+VkFormat format_of(InputTarget kind, bool whole) {
   switch (kind) {
-    case InputTarget::level: return whole ? Format{VK_FORMAT_R32_SFLOAT, 1, false} : Format{VK_FORMAT_R16_SFLOAT, 1, true};
-    case InputTarget::clip: return {VK_FORMAT_R16_SFLOAT, 1, true};
-    case InputTarget::albedo: return {VK_FORMAT_R16G16B16A16_SFLOAT, 4, true};
-    default: return {VK_FORMAT_R16G16_SFLOAT, 2, true};
+    case InputTarget::level: return whole ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT;
+    case InputTarget::clip: return VK_FORMAT_R16_SFLOAT;
+    case InputTarget::albedo: return VK_FORMAT_R16G16B16A16_SFLOAT;
+    default: return VK_FORMAT_R16G16_SFLOAT;
   }
 }
 
+std::uint32_t all_slices(const PlaceSettings& settings) { return (1u << settings.windows.slices) - 1u; }
+
+// A row of a slice's texels.
+template <class T>
+std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) { return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)}; }
+
 }  // namespace
 
-DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs) : settings_(inputs.settings) {
+DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m)
+    : settings_(inputs.settings), depth_m_(depth_m), shallows_(std::move(shallows)) {
   validate(settings_);
+  const bool whole = device.facts().float32_linear;
   for (const auto& kind : inputs.kinds) {
+    if (kind->target() == InputTarget::sea_depth) continue;
     const std::string name(traits(kind->target()).name);
     const EffectScope scope(device, name);
-    const Format format = format_of(kind->target(), device.facts().float32_linear);
-    ImageSpec spec;
-    spec.width = spec.height = std::uint32_t(settings_.windows.resolution);
-    spec.layers = std::uint32_t(settings_.windows.slices);
-    spec.format = format.format;
-    spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-    Drawn drawn{kind->target(), nullptr, kind, format.channels, format.half, Image(device, name + ", windows", spec), {}};
-    const std::size_t bytes = std::size_t(spec.layers) * spec.width * spec.height * bytes_per_texel(spec.format);
-    for (Buffer& staging : drawn.staging) staging = Buffer(device, name + ", staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
-    drawn_.push_back(std::move(drawn));
+    drawn_.push_back({kind->target(), nullptr, kind, DrawnWindows(device, name, settings_.windows, format_of(kind->target(), whole))});
   }
-  const EffectScope scope(device, traits(drawn_.front().kind).name);
+  if (shallows_) {
+    const EffectScope scope(device, traits(InputTarget::sea_depth).name);
+    // Shifts of hundreds of metres are too much for halves: where the device has nothing else they are left out (update()).
+    bed_ = std::make_unique<Bed>(Bed{nullptr, DrawnWindows(device, "sea_depth", settings_.windows, whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
+                                     DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2)});
+  }
+  const EffectScope scope(device, traits(drawn_.empty() ? InputTarget::sea_depth : drawn_.front().kind).name);
   sampler_ = make_sampler(device, "places", {});
 }
 
@@ -56,39 +53,39 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
   for (Drawn& drawn : drawn_) {
-    std::uint32_t changed = (1u << settings_.windows.slices) - 1u;
+    std::uint32_t changed = all_slices(settings_);
     if (drawn.field) changed = drawn.field->follow(placement_, time_s);
-    else drawn.field = std::make_unique<PlaceField>(drawn.inputs, settings_, placement_, time_s);
-    if (changed != 0) copy(frame, drawn, changed);
-  }
-}
-
-void DrawnPlace::copy(Frame& frame, Drawn& drawn, std::uint32_t slices) {
-  const LodField<glm::vec4>& field = drawn.field->field();
-  const std::uint32_t side = drawn.image.spec().width;
-  const std::size_t texels = std::size_t(side) * side, texel_bytes = bytes_per_texel(drawn.image.spec().format);
-  const auto channels = std::size_t(drawn.channels);
-  const Buffer& staging = drawn.staging[std::size_t(frame.slot())];
-  std::vector<VkBufferImageCopy> regions;
-  for (int i = 0; i < field.slices(); ++i) {
-    if ((slices >> i & 1u) == 0) continue;
-    VkBufferImageCopy region{};
-    region.bufferOffset = std::size_t(i) * texels * texel_bytes;
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(field.layer(i)), 1};
-    region.imageExtent = {side, side, 1};
-    regions.push_back(region);
-    tbb::parallel_for(0u, side, [&](std::uint32_t row) {
-      const glm::vec4* from = field.texels(i) + std::size_t(row) * side;
-      std::byte* to = staging.mapped<std::byte>() + region.bufferOffset + std::size_t(row) * side * texel_bytes;
-      std::array<float, 4 * 2048> line;
-      for (std::uint32_t x = 0; x < side; ++x)
-        for (std::size_t c = 0; c < channels; ++c) line[x * channels + c] = from[x][int(c)];
-      if (drawn.half) halves_from_floats(line.data(), reinterpret_cast<std::uint16_t*>(to), side * channels);
-      else std::memcpy(to, line.data(), side * channels * sizeof(float));
+    else drawn.field = std::make_unique<PlaceField<glm::vec4>>(place_values(drawn.inputs, settings_), settings_, placement_, time_s);
+    if (changed == 0) continue;
+    const LodField<glm::vec4>& field = drawn.field->field();
+    const int channels = drawn.windows.channels();
+    drawn.windows.copy(frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int, int z, std::span<float> texels) {
+      std::size_t at = 0;
+      for (const glm::vec4& texel : row_of(field, slice, z, settings_.windows.resolution))
+        for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
     });
   }
-  frame.pass(traits(drawn.kind).name.data(), {use(staging, Access::transfer_read), use(drawn.image, Access::transfer_write)},
-             [&](Commands& c) { c.copy(staging, drawn.image, regions); });
+  if (bed_) update(frame, *bed_, time_s);
+}
+
+void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
+  std::uint32_t changed = all_slices(settings_);
+  if (bed.field) changed = bed.field->follow(placement_, time_s);
+  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values(shallows_, depth_m_), settings_, placement_, time_s);
+  if (changed == 0) return;
+  const LodField<BedTexel>& field = bed.field->field();
+  const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& part) {
+    windows.copy(frame, pass, changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int layer, int z, std::span<float> texels) {
+      std::size_t at = 0;
+      for (const BedTexel& texel : row_of(field, slice, z, settings_.windows.resolution)) {
+        const glm::vec4 value = part(texel, layer);
+        for (int c = 0; c < 4; ++c) texels[at++] = value[c];
+      }
+    });
+  };
+  const float shifted = bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f;
+  copy(bed.heights, "sea_depth", [&](const BedTexel& texel, int) { return texel.bed * glm::vec4(1.0f, shifted, shifted, shifted); });
+  copy(bed.waves, "sea_depth waves", [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
 }
 
 void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const {
@@ -96,11 +93,20 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
   const glm::vec4 current = place_outside(settings_, InputTarget::flow);
   data.outside = glm::vec4(float(settings_.level_m), settings_.clip_by_default ? 1.0f : 0.0f, current.x, current.y);
   const FlowPhase phase = flow_phase(time_s, settings_.flow_period_s);
+  if (shallows_) {
+    constexpr double noise_m = 512.0;  // after which the ground's pattern comes again
+    data.outside_bed = glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
+    const double of_ground[] = {shallows_->run_up_m(), settings_.growth_m, settings_.sand};
+    for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_->direction(i)), float(of_ground[i]), 0.0f);
+  }
   data.flow = glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
 }
 
 void DrawnPlace::add_uses(Uses& uses, Access access) const {
-  for (const Drawn& drawn : drawn_) uses.add(use(drawn.image, access));
+  for (const Drawn& drawn : drawn_) uses.add(use(drawn.windows.image(), access));
+  if (!bed_) return;
+  uses.add(use(bed_->heights.image(), access));
+  uses.add(use(bed_->waves.image(), access));
 }
 
 const DrawnPlace::Drawn* DrawnPlace::drawn(InputTarget kind) const {
@@ -108,17 +114,27 @@ const DrawnPlace::Drawn* DrawnPlace::drawn(InputTarget kind) const {
   return found == drawn_.end() ? nullptr : &*found;
 }
 const Image* DrawnPlace::image(InputTarget kind) const {
+  if (kind == InputTarget::sea_depth) return bed_ ? &bed_->heights.image() : nullptr;
   const Drawn* found = drawn(kind);
-  return found == nullptr ? nullptr : &found->image;
+  return found == nullptr ? nullptr : &found->windows.image();
 }
-const PlaceField* DrawnPlace::field(InputTarget kind) const {
+const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
   const Drawn* found = drawn(kind);
   return found == nullptr ? nullptr : found->field.get();
 }
 
 double DrawnPlace::level_m() const {
-  const PlaceField* level = field(InputTarget::level);
+  const PlaceField<glm::vec4>* level = field(InputTarget::level);
   return level == nullptr ? 0.0 : std::max(std::abs(level->least()), std::abs(level->most()));
 }
+
+double DrawnPlace::land_m(double within_m) const {
+  if (!bed_ || !bed_->field) return 0.0;
+  for (int i = 0; i < settings_.windows.slices; ++i)
+    if (within_m < (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i)) return std::max(bed_->field->most(i), 0.0);
+  return land_m();
+}
+
+double DrawnPlace::land_m() const { return bed_ && bed_->field ? std::max(bed_->field->most(), 0.0) : 0.0; }
 
 }  // namespace seascape

@@ -1,10 +1,10 @@
 // Data that belong to places as images that the surface samples: windows that move with the viewer, of which only what has changed is copied.
 #pragma once
-#include <array>
 #include <memory>
 #include <vector>
 
-#include "engine/frame.h"
+#include "ocean/local/bed_field.h"
+#include "ocean/local/drawn_windows.h"
 #include "ocean/local/place_sea.h"
 #include "shaders/shared/sea_data.h"
 
@@ -12,8 +12,8 @@ namespace seascape {
 
 class DrawnPlace {
  public:
-  // Every field is made under the name of its effect. Throws as validate() does.
-  DrawnPlace(Device& device, const PlaceInputs& inputs);
+  // Every field is made under the name of its effect. `shallows`: what the bed makes of the sea's waves; null where no bed is known. Throws as validate() does.
+  DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m);
 
   // Has the data around a viewer (m) at a time in the images; records nothing where nothing has changed.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
@@ -21,28 +21,37 @@ class DrawnPlace {
   void describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const;
   void add_uses(Uses& uses, Access access) const;
 
-  // The images of a kind; null where there is none.
+  // The image of a kind, null where there is none; that of the bed, and of what it makes of the waves.
   const Image* image(InputTarget kind) const;
+  const Image* bed_waves() const { return bed_ ? &bed_->waves.image() : nullptr; }
   VkSampler sampler() const { return sampler_.get(); }
-  const PlaceField* field(InputTarget kind) const;
+  const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
   double level_m() const;
+  // How far land stands above y = 0 at most: within a distance of the viewer (along x and z), and anywhere, of what has been around the viewer.
+  double land_m(double within_m) const;
+  double land_m() const;
+  const Shallows* shallows() const { return shallows_.get(); }
 
  private:
   struct Drawn {
     InputTarget kind;
-    std::unique_ptr<PlaceField> field;  // from the first update on
+    std::unique_ptr<PlaceField<glm::vec4>> field;  // from the first update on
     std::shared_ptr<const Inputs> inputs;
-    int channels;
-    bool half;
-    Image image;
-    std::array<Buffer, Frame::slots> staging;
+    DrawnWindows windows;
+  };
+  struct Bed {
+    std::unique_ptr<PlaceField<BedTexel>> field;  // from the first update on
+    DrawnWindows heights, waves;
   };
   const Drawn* drawn(InputTarget kind) const;
-  void copy(Frame& frame, Drawn& drawn, std::uint32_t slices);
+  void update(Frame& frame, Bed& bed, double time_s);
   PlaceSettings settings_;
+  double depth_m_;
   LodPlacement placement_;
   std::vector<Drawn> drawn_;
+  std::shared_ptr<const Shallows> shallows_;
+  std::unique_ptr<Bed> bed_;
   Owned<VkSampler> sampler_;
 };
 

@@ -7,16 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/error.h"
-#include "engine/text.h"
+#include "engine/require.h"
 
 namespace seascape {
 
 namespace {
-
-void require(bool holds, double value, const char* name, const char* range) {
-  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
-}
 
 void require(const WaveSource& s, std::size_t index) {
   const double all = s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps;

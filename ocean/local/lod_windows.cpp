@@ -4,16 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "engine/error.h"
-#include "engine/text.h"
+#include "engine/require.h"
 
 namespace seascape {
 
 namespace {
-
-void require(bool holds, double value, const char* name, const char* range) {
-  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
-}
 
 constexpr double most_texels = 1125899906842624.0;  // 2^50: a half, a quarter and an eighth of a texel are still exact
 

@@ -24,64 +24,140 @@ double flow_height(double longest_m, double shortest_m, double way_m, double fir
   return 1.0 / std::sqrt(first * first + second * second + 2.0 * first * second * std::exp(-0.5 * way * way));
 }
 
-PlaceSea::PlaceSea(PlaceInputs inputs)
-    : inputs_(std::move(inputs)), level_(find(InputTarget::level)), flow_(find(InputTarget::flow)), clip_(find(InputTarget::clip)) {
+PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field)
+    : inputs_(std::move(inputs)), level_(inputs_.of(InputTarget::level)), flow_(inputs_.of(InputTarget::flow)), clip_(inputs_.of(InputTarget::clip)) {
   validate(inputs_.settings);
-}
-
-const Inputs* PlaceSea::find(InputTarget kind) const {
-  for (const auto& inputs : inputs_.kinds)
-    if (inputs->target() == kind) return inputs.get();
-  return nullptr;
+  shallows_ = make_shallows(field.state(), field.bins(), field.others(), inputs_);
 }
 
 double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
-  return level_ == nullptr ? 0.0 : double(level_->value(rest, footprint, place_time_s(inputs_.settings, *level_, time), place_outside(inputs_.settings, InputTarget::level)).x);
+  return level_ == nullptr ? 0.0 : double(level_->value(rest, footprint, place_time_s(inputs_.settings, level_->still(), time), place_outside(inputs_.settings, InputTarget::level)).x);
 }
 
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
-  return flow_ == nullptr ? glm::dvec2(0.0) : glm::dvec2(flow_->value(rest, footprint, place_time_s(inputs_.settings, *flow_, time), place_outside(inputs_.settings, InputTarget::flow)));
+  return flow_ == nullptr ? glm::dvec2(0.0) : glm::dvec2(flow_->value(rest, footprint, place_time_s(inputs_.settings, flow_->still(), time), place_outside(inputs_.settings, InputTarget::flow)));
 }
 
 bool PlaceSea::clipped(glm::dvec2 place, double time) const {
-  return clip_ != nullptr && clip_->value(place, 0.0, place_time_s(inputs_.settings, *clip_, time), place_outside(inputs_.settings, InputTarget::clip)).x > 0.5f;
+  return clip_ != nullptr && clip_->value(place, 0.0, place_time_s(inputs_.settings, clip_->still(), time), place_outside(inputs_.settings, InputTarget::clip)).x > 0.5f;
 }
 
-PlaceSea::Carried PlaceSea::carried(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint, double time) const {
-  Carried result{rest, rest, filter, filter, false};
-  if (flow_ == nullptr) return result;
-  const glm::dvec2 velocity = flow_mps(rest, footprint, time);
-  const double period = inputs_.settings.flow_period_s;
-  const FlowPhase phase = flow_phase(time, period);
-  result.first = rest - velocity * phase.first_s;
-  result.second = rest - velocity * phase.second_s;
-  result.two = true;
-  for (std::size_t i = 0; i < field.places().size(); ++i) {
-    const WaveField::Place& place = field.places()[i];
-    const double height = flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
-    result.of_first.share[i] *= float(height * phase.first);
-    result.of_second.share[i] *= float(height * (1.0 - phase.first));
-  }
+namespace {
+// d f / d x and d f / d z of what lies at a place, over `e` to either side.
+template <class Value>
+glm::dvec2 gradient(const Value& value, glm::dvec2 at, double e) {
+  return glm::dvec2(value(at + glm::dvec2(e, 0.0)) - value(at - glm::dvec2(e, 0.0)), value(at + glm::dvec2(0.0, e)) - value(at - glm::dvec2(0.0, e))) / (2.0 * e);
+}
+
+double smoothstep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Of a cascade, or of the other sources from the number of cascades on.
+double lifted(const PlaceWaves& waves, int cascade, int cascades) {
+  if (cascade >= cascades) return double(waves.others);
+  const double share = double(waves.share[std::size_t(cascade)]);
+  return cascade < Shallows::swash_cascades ? std::hypot(share, double(waves.swash)) : share;
+}
+}  // namespace
+
+PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint, double time, bool gradients) const {
+  Here result;
+  result.parts.push_back({rest, filter});
+  result.level_m = level_m(rest, footprint, time);
+  const double e = std::max(gradient_m, 0.5 * footprint);
+  if (gradients && level_ != nullptr) result.level_gradient = gradient([&](glm::dvec2 at) { return level_m(at, footprint, time); }, rest, e);
+  if (shallows_ != nullptr) add_shallows(field, result, rest, footprint, time, gradients);
+  if (flow_ != nullptr) add_current(field, result, rest, footprint, time);
   return result;
 }
 
-SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint) const {
-  const double time = seconds(tiles);
-  const Carried c = carried(field, field.filter(footprint), rest, footprint, time);
-  SeaSample result = field.sea(tiles, c.first, c.of_first);
-  if (c.two) {
-    const SeaSample second = field.sea(tiles, c.second, c.of_second);
-    result.displacement += second.displacement;
-    result.height_gradient += second.height_gradient;
-    result.shift_gradient += second.shift_gradient;
-  }
-  result.slope_moments = glm::dvec3(0.0);
-  result.divergence_moment = 0.0;
-  if (level_ == nullptr) return result;
-  result.displacement.y += level_m(rest, footprint, time);
+// A pattern for each cascade and one for all that is no cascade, for each counts for something else.
+void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest, double footprint, double time, bool gradients) const {
+  const auto bed = [&](glm::dvec2 at) { return shallows_->bed_m(at, footprint, time); };
+  const auto waves_at = [&](glm::dvec2 at) { return shallows_->waves(at, level_m(at, footprint, time) - bed(at)); };
   const double e = std::max(gradient_m, 0.5 * footprint);
-  const auto slope = [&](glm::dvec2 way) { return (level_m(rest + e * way, footprint, time) - level_m(rest - e * way, footprint, time)) / (2.0 * e); };
-  result.height_gradient += glm::dvec2(slope({1.0, 0.0}), slope({0.0, 1.0}));
+  here.bed_m = bed(rest);
+  here.wet = smoothstep(-0.1, 0.2, here.level_m - here.bed_m);
+  const PlaceWaves waves = waves_at(rest);
+  std::array<PlaceWaves, 4> around;
+  if (gradients) {
+    here.bed_gradient = gradient(bed, rest, e);
+    around = {waves_at(rest + glm::dvec2(e, 0.0)), waves_at(rest - glm::dvec2(e, 0.0)), waves_at(rest + glm::dvec2(0.0, e)), waves_at(rest - glm::dvec2(0.0, e))};
+  }
+  const int cascades = field.quality().cascades;
+  const WaveField::Filter all = here.parts.front().filter;
+  here.parts.clear();
+  for (int i = 0; i <= cascades; ++i) {
+    if (i == cascades && field.places().size() == std::size_t(cascades)) break;
+    Part part{rest, all};
+    for (std::size_t place = 0; place < field.places().size(); ++place)
+      if (std::min(int(place), cascades) != i) part.filter.share[place] = 0.0f;
+    part.share = i < cascades ? double(waves.share[std::size_t(i)]) : double(waves.others);
+    part.lift = lifted(waves, i, cascades);
+    const auto slope = [&](const auto& value) { return glm::dvec2(value(around[0]) - value(around[1]), value(around[2]) - value(around[3])) / (2.0 * e); };
+    if (gradients) part.lift_gradient = slope([&](const PlaceWaves& w) { return lifted(w, i, cascades); });
+    if (i < std::min(Refraction::bent_cascades, cascades)) {
+      part.along = shallows_->direction(i);
+      part.place += double(waves.shift_m[std::size_t(i)]) * part.along;
+      if (gradients) part.bend = slope([&](const PlaceWaves& w) { return double(w.shift_m[std::size_t(i)]); });
+    }
+    here.parts.push_back(part);
+  }
+}
+
+// Two of each pattern, which the current has brought from elsewhere.
+void PlaceSea::add_current(const WaveField& field, Here& here, glm::dvec2 rest, double footprint, double time) const {
+  const glm::dvec2 velocity = flow_mps(rest, footprint, time);
+  const double period = inputs_.settings.flow_period_s;
+  const FlowPhase phase = flow_phase(time, period);
+  const std::size_t count = here.parts.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    Part second = here.parts[n];
+    Part& first = here.parts[n];
+    first.place -= velocity * phase.first_s;
+    second.place -= velocity * phase.second_s;
+    for (std::size_t i = 0; i < field.places().size(); ++i) {
+      const WaveField::Place& place = field.places()[i];
+      const double height = flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
+      first.filter.share[i] *= float(height * phase.first);
+      second.filter.share[i] *= float(height * (1.0 - phase.first));
+    }
+    here.parts.push_back(second);
+  }
+}
+
+glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
+  glm::dvec3 sum(0.0, here.level_m, 0.0);
+  for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
+  if (shallows_ == nullptr) return sum;
+  return {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
+}
+
+SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint) const {
+  const Here here = this->here(field, field.filter(footprint), rest, footprint, seconds(tiles), true);
+  SeaSample result;
+  result.height_gradient = here.level_gradient;
+  result.displacement.y = here.level_m;
+  for (const Part& part : here.parts) {
+    const SeaSample s = field.sea(tiles, part.place, part.filter);
+    result.displacement += glm::dvec3(part.share, part.lift, part.share) * s.displacement;
+    // A pattern's phase is bent by what its shift changes by; along x and z its shift's two halves of shear then differ, and have their mean.
+    const auto bent = [&](glm::dvec2 gradient) { return gradient + glm::dot(gradient, part.along) * part.bend; };
+    const glm::dvec3& d = s.shift_gradient;
+    const glm::dvec2 of_x = bent({d.x, d.z}), of_z = bent({d.z, d.y});
+    result.height_gradient += part.lift * bent(s.height_gradient) + s.displacement.y * part.lift_gradient;
+    result.shift_gradient += part.share * glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
+  }
+  if (shallows_ == nullptr) return result;
+  result.displacement.x *= here.wet;
+  result.displacement.z *= here.wet;
+  result.shift_gradient *= here.wet;
+  if (result.displacement.y < here.bed_m) {
+    result.displacement.y = here.bed_m;
+    result.height_gradient = here.bed_gradient;
+  }
   return result;
 }
 
@@ -89,16 +165,10 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
   QueryAnswer answer;
   if (!std::isfinite(place.x + place.y)) return answer;
   const double time = seconds(tiles), footprint = options.footprint_m;
-  const auto moved = [&](glm::dvec2 rest) {
-    const Carried c = carried(field, filter, rest, footprint, time);
-    glm::dvec3 d = field.displacement(tiles, c.first, c.of_first);
-    if (c.two) d += field.displacement(tiles, c.second, c.of_second);
-    return d;
-  };
   glm::dvec2 rest = place, nearest = place;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= options.most_iterations; ++i) {
-    const glm::dvec3 d = moved(rest);
+    const glm::dvec3 d = displacement(field, tiles, here(field, filter, rest, footprint, time, false));
     const double residual = glm::length(rest + glm::dvec2(d.x, d.z) - place);
     if (residual < least) least = residual, nearest = rest;
     answer.iterations = i;
@@ -115,14 +185,14 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
   const double half = 0.5 * (s.shift_gradient.x - s.shift_gradient.y), middle = 0.5 * (s.shift_gradient.x + s.shift_gradient.y);
   answer.contraction = std::abs(middle) + std::hypot(half, s.shift_gradient.z);
   answer.converged = least <= options.tolerance_m && s.jacobian() > 0.0;
-  if (tiles.has_velocity()) {
-    const Carried c = carried(field, filter, nearest, footprint, time);
-    glm::dvec3 v = field.velocity(tiles, c.first, c.of_first);
-    if (c.two) v += field.velocity(tiles, c.second, c.of_second);
-    const glm::dvec2 flow = flow_mps(nearest, footprint, time);
-    answer.orbital_velocity_mps = v + glm::dvec3(flow.x, flow.x * s.height_gradient.x + flow.y * s.height_gradient.y, flow.y);
-    answer.eulerian_velocity_mps = answer.orbital_velocity_mps.y - answer.orbital_velocity_mps.x * slope.x - answer.orbital_velocity_mps.z * slope.y;
-  }
+  if (!tiles.has_velocity()) return answer;
+  const Here there = here(field, filter, nearest, footprint, time, false);
+  if (shallows_ != nullptr && s.displacement.y <= there.bed_m) return answer;  // land stands still
+  glm::dvec3 v(0.0);
+  for (const Part& part : there.parts) v += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) * field.velocity(tiles, part.place, part.filter);
+  const glm::dvec2 flow = flow_mps(nearest, footprint, time);
+  answer.orbital_velocity_mps = v + glm::dvec3(flow.x, flow.x * s.height_gradient.x + flow.y * s.height_gradient.y, flow.y);
+  answer.eulerian_velocity_mps = answer.orbital_velocity_mps.y - answer.orbital_velocity_mps.x * slope.x - answer.orbital_velocity_mps.z * slope.y;
   return answer;
 }
 

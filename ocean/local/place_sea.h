@@ -1,51 +1,61 @@
-// The sea with what belongs to places, on the processor: levels and currents, straight from their inputs, without windows and without a GPU.
+// The sea with what belongs to places, on the processor: levels, currents and the bed, straight from their inputs, without windows and without a GPU.
 #pragma once
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "ocean/local/place_fields.h"
+#include "ocean/local/shallows.h"
 #include "ocean/waves/query.h"
 
 namespace seascape {
-
-// What of a scene belongs to places: the inputs of each kind that an effect calls for.
-struct PlaceInputs {
-  PlaceSettings settings;
-  std::vector<std::shared_ptr<const Inputs>> kinds;  // each kind once at most
-};
 
 // The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl), which it has between texels (LodField tells how far off that is).
 // Immutable: any number of threads may ask.
 class PlaceSea {
  public:
-  explicit PlaceSea(PlaceInputs inputs);
+  // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays, however the waves change.
+  PlaceSea(PlaceInputs inputs, const WaveField& field);
 
   // Whether the surface moves otherwise than the waves alone.
-  bool moves() const { return level_ != nullptr || flow_ != nullptr; }
+  bool moves() const { return level_ != nullptr || flow_ != nullptr || shallows_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;           // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   bool clipped(glm::dvec2 place_m, double time_s) const;                                // no water there
 
-  // The surface at a rest position (m), for a footprint (m), of the tiles' time. Second moments are left out.
+  // Null where no bed is known.
+  const Shallows* shallows() const { return shallows_.get(); }
+
+  // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of the tiles' time. Second moments are left out.
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m) const;
 
-  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds. Velocities have the current in
-  // them, and what comes of waves that it carries past.
+  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds, over a bed some tens of them. Velocities have
+  // the current in them, and what comes of waves that it carries past. On land the answer is the ground, at rest.
   void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, const QueryOptions& options = {}) const;
 
  private:
-  // The waves' patterns that a current has brought to a place: their own places, and what they count for.
-  struct Carried {
-    glm::dvec2 first, second;
-    WaveField::Filter of_first, of_second;
-    bool two = false;  // or else only the first is there
+  // A pattern of waves: where in its own places it is taken, and what it counts for.
+  struct Part {
+    glm::dvec2 place;
+    WaveField::Filter filter;
+    double share = 1.0, lift = 1.0;                 // of its displacement; of its height
+    glm::dvec2 lift_gradient{0.0};                  // a metre
+    glm::dvec2 along{0.0}, bend{0.0};               // Refraction: the pattern's direction, and the gradient of its shift
   };
-  Carried carried(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint_m, double time_s) const;
+  // All of a rest position's, and what stands still there.
+  struct Here {
+    std::vector<Part> parts;
+    double level_m = 0.0, bed_m = 0.0, wet = 1.0;
+    glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
+  };
+  Here here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint_m, double time_s, bool gradients) const;
+  void add_shallows(const WaveField& field, Here& here, glm::dvec2 rest, double footprint_m, double time_s, bool gradients) const;
+  void add_current(const WaveField& field, Here& here, glm::dvec2 rest, double footprint_m, double time_s) const;
+  glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;
   QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place, const QueryOptions& options) const;
-  const Inputs* find(InputTarget kind) const;
   PlaceInputs inputs_;
-  const Inputs *level_, *flow_, *clip_;
+  std::shared_ptr<const Inputs> level_, flow_, clip_;
+  std::shared_ptr<const Shallows> shallows_;
 };
 
 // How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts for `first` and the second for the

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/error.h"
-#include "engine/text.h"
+#include "engine/require.h"
 #include "ocean/waves/gaussian.h"
 
 namespace seascape {
-
-namespace {
-void require(bool holds, double value, const char* name, const char* range) {
-  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
-}
-}  // namespace
 
 void validate(const RainSettings& s) {
   require(s.drops_per_m2_s >= 0.0 && s.drops_per_m2_s <= 100.0, s.drops_per_m2_s, "drops_per_m2_s", "from 0 to 100");

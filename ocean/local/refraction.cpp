@@ -66,6 +66,7 @@ MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade) {
     all += variance;
   });
   MeanWave result;
+  result.variance = all;
   if (!(all > 0.0) || !(frequency > 0.0)) return result;
   result.frequency = frequency / all;
   result.wave_number = airy_wave_number(result.frequency, sea.gravity_mps2, sea.depth_m);

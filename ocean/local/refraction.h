@@ -24,6 +24,7 @@ struct MeanWave {
   glm::dvec2 direction{0.0};  // along which they travel, x and z: a unit vector; 0 where there are none, or none prevails
   double frequency = 0.0;     // rad/s
   double wave_number = 0.0;   // of that frequency in the sea's own depth, rad/m
+  double variance = 0.0;      // of their heights, m^2
 };
 MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade);
 

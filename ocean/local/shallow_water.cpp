@@ -74,6 +74,17 @@ Waves waves_of(const SeaState& sea, const WaveBins& bins, int index) {
 }
 }  // namespace
 
+OtherWaves other_waves(const TileSources& sources) {
+  double variance = 0.0, length = 0.0;
+  for (const auto& source : sources) {
+    const double of_one = source->statistics().height_variance;
+    variance += of_one;
+    const std::span<const Laying> layings = source->layings();
+    for (const Laying& laying : layings) length += of_one / double(layings.size()) * 0.5 * std::log(laying.longest_m * laying.shortest_m);
+  }
+  return variance > 0.0 ? OtherWaves{std::exp(length / variance), 4.0 * std::sqrt(variance)} : OtherWaves{};
+}
+
 ShallowWater::ShallowWater(const SeaState& sea, const WaveBins& bins, OtherWaves others) {
   std::vector<Waves> trains;
   for (int i = 0; i < bins.cascades; ++i) trains.push_back(waves_of(sea, bins, i));

@@ -12,6 +12,9 @@ struct OtherWaves {
   double height_m = 0.0;      // significant
 };
 
+// Those of all sources together: of their variance, as long as their waves are in the middle (of logarithms).
+OtherWaves other_waves(const TileSources& sources);
+
 // What the waves of a sea, made for its depth_m, come to in water of another depth. Two laws, one after the other:
 //
 // Shoaling: the flux of energy of each frequency stays, so heights go with Ks = sqrt(cg0 / cg), cg the speed of energy of linear theory at the

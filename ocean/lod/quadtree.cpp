@@ -153,7 +153,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   if (bounds.below) {
     centre_m = bounds.below->rest_m;
     const double over_m = std::abs(eye.y - bounds.below->displacement_m.y);
-    frame.gap_y = std::max(frame.gap_y, (over_m - crest_deviations * bounds.below->motion(over_m).x) / unit_m_);
+    frame.gap_y = std::max(frame.gap_y, (over_m - crest_deviations * bounds.below->motion(over_m).x - bounds.below->off(over_m).x) / unit_m_);
   }
   const glm::i64vec2 centre(std::llround(centre_m.x / unit_m_), std::llround(centre_m.y / unit_m_));
   const glm::ivec2 to_viewer(static_cast<int>(centre.x - grid_x), static_cast<int>(centre.y - grid_z));
@@ -275,7 +275,7 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
     if (bounds.below) {
       const int row = frame.viewer_z / (2 * size);
       const double around_m = std::max({rows.last / 2 + 1 - row, row + 1 - rows.first / 2, 2}) * 2.0 * size_m;
-      const glm::dvec2 off = near_deviations * bounds.below->motion(1.42 * around_m) + 0.01;
+      const glm::dvec2 off = near_deviations * bounds.below->motion(1.42 * around_m) + bounds.below->off(1.42 * around_m) + 0.01;
       const glm::dvec3 here = bounds.below->displacement_m, about(off.y, off.x, off.y);
       low = glm::max(low, glm::min(here - about, high));
       high = glm::min(high, glm::max(here + about, low));

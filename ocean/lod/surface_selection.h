@@ -21,6 +21,7 @@ struct DisplacementBounds {
     glm::dvec2 rest_m{0.0};
     glm::dvec3 displacement_m{0.0};
     NearMotion motion;
+    NearMotion off;  // how far water may stand off it besides, at most, and land with it; by distances as in `motion`
   };
   std::optional<Below> below;
 };

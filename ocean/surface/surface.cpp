@@ -21,7 +21,7 @@ struct PlaceSlot {
   InputTarget kind;
   std::uint32_t constant, binding;
 };
-constexpr PlaceSlot place_slots[] = {{InputTarget::level, 14, 27}, {InputTarget::flow, 16, 29}, {InputTarget::clip, 17, 30}, {InputTarget::albedo, 18, 31}, {InputTarget::shadow, 19, 32}};
+constexpr PlaceSlot place_slots[] = {{InputTarget::level, 14, 27}, {InputTarget::sea_depth, 15, 15}, {InputTarget::flow, 16, 29}, {InputTarget::clip, 17, 30}, {InputTarget::albedo, 18, 31}, {InputTarget::shadow, 19, 32}};
 
 // What surface_points.frag writes, for pictures like `picture`.
 RenderTarget make_points(Device& device, const RenderTarget& picture, float anisotropy) {
@@ -95,6 +95,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   }
   for (const PlaceSlot& slot : place_slots)
     if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view(), .sampler = place->sampler()});
+  if (place != nullptr && place->bed_waves() != nullptr) entries_.push_back({.binding = 28, .view = place->bed_waves()->view(), .sampler = place->sampler()});
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

@@ -44,6 +44,9 @@ layout(constant_id = 14) const bool sea_level = false;
 layout(binding = 27) uniform sampler2DArray sea_level_windows;  // the still water's height, m
 layout(constant_id = 16) const bool sea_flow = false;
 layout(binding = 29) uniform sampler2DArray sea_flow_windows;   // the water's velocity along x and z, m/s
+layout(constant_id = 15) const bool sea_bed = false;
+layout(binding = 15) uniform sampler2DArray sea_bed_windows;    // BedTexel::bed (ocean/local/bed_field.h),
+layout(binding = 28) uniform sampler2DArray sea_bed_waves;      // and its other two, two layers a slice
 layout(constant_id = 17) const bool water_clip = false;
 layout(binding = 30) uniform sampler2DArray water_clip_windows;  // 1 where there is no water
 
@@ -59,15 +62,18 @@ float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint 
 
 #include "lib/place.glsl"
 #include "lib/flow.glsl"
+#include "lib/sea_bed.glsl"
 
-// `by`: what the texels' four numbers count for, beside what the footprint keeps.
-void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, float layer, vec4 by, vec2 rest, float footprint) {
+// `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other sources.
+void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest, float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
-  const vec2 at = tile_vector(c, rest) + c.origin.xy;
+  vec2 at = tile_vector(c, rest) + c.origin.xy;
+  if (sea_bed) at += sea_bed_shift(c, number);
   vec4 texel = textureLod(tiles, vec3(at, layer), level);
   if (sea_flow) texel = flow_texel(tiles, c, vec3(at, layer), level);
+  if (sea_bed) texel *= sea_bed_displaced(number);
   sum += share * by * texel;
 }
 
@@ -79,20 +85,23 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
+  if (sea_bed) sea_bed_read(rest, footprint);
   if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, footprint), rest, frame.sea.place.outside.zwzw).xy;
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
-  if (cascade_count > 0) add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 0.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 1.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 2.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 3.0, vec4(1.0), rest, footprint);
-  if (baked_layings > 0) add_displacement(sum, baked_displacement, frame.sea.baked, 0.0, vec4(near_viewer(rest)), rest, footprint);
-  if (gerstner_layings > 0) add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 0.0, vec4(1.0), rest, footprint);
-  if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 0.0, vec4(1.0), rest, footprint);
-  if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 0.0, laid(particle_size_1), rest, footprint);
-  if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 0.0, laid(particle_size_2), rest, footprint);
+  if (cascade_count > 0) add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 2, 1.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 3, 2.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 4, 3.0, vec4(1.0), rest, footprint);
+  if (baked_layings > 0) add_displacement(sum, baked_displacement, frame.sea.baked, 5, 0.0, vec4(near_viewer(rest)), rest, footprint);
+  if (gerstner_layings > 0) add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 5, 0.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), rest, footprint);
+  if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), rest, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
   if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
+  if (sea_bed && sea_level) sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
+  if (sea_bed) sum = sea_bed_land(sum);
   return sum;
 }
 
@@ -115,9 +124,11 @@ void add_carried(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float f
   const CascadeData c = frame.sea.cascade[i];
   const float share = carried(c, footprint, blur);
   if (share <= 0.0) return;
-  const vec2 at = tile_vector(c, rest) + c.origin.xy;
+  vec2 at = tile_vector(c, rest) + c.origin.xy;
+  if (sea_bed) at += sea_bed_shift(c, i);
   vec4 texel = textureLod(tiles, vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_flow) texel = flow_texel(tiles, c, vec3(at, float(max(i - 1, 0))), 0.0);
+  if (sea_bed) texel = sea_bed_derivatives(texel, i);
   sum += share * texel;
 }
 
@@ -160,26 +171,33 @@ vec4 pattern_mean(sampler2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv
 }
 
 // `left`: the share that the vertices have not carried.
-void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, float layer, vec2 rest, vec2 along, vec2 across,
+void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, int number, float layer, vec2 rest, vec2 along, vec2 across,
                 float blur, float left) {
   if (left <= 0.0) return;
   const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
-    s.variance += c.moments.xyz;
+    vec3 all = c.moments.xyz;
+    if (sea_bed) all *= sea_bed_energy(number);
+    s.variance += all;
     return;
   }
-  const vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, layer);
+  vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, layer);
+  if (sea_bed) at.xy += sea_bed_shift(c, number);
   const vec2 du = 0.5 * tile_vector(c, along), dv = 0.5 * tile_vector(c, across);
   const float level = mip_level(0.5 * blur / c.origin.z);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
   const vec4 d = share * pattern_mean(derivatives, c, at, du, dv, level);
-  s.gradient += left * d.xy;
-  s.shift.xy += left * d.zw;
+  vec4 drawn = d;
+  if (sea_bed) drawn = sea_bed_derivatives(d, number);
+  s.gradient += left * drawn.xy;
+  s.shift.xy += left * drawn.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to twice that.
   const float coarse = clamp(blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
   const vec3 m = mix(c.moments.xyz, tile_mean(moments, at, du, dv, level).xyz, share);
-  s.variance += coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
+  vec3 rough = coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
+  if (sea_bed) rough *= sea_bed_energy(number);
+  s.variance += rough;
 }
 
 SeaSlopes no_slopes() { return SeaSlopes(vec2(0.0), vec3(0.0), vec3(0.0)); }
@@ -213,19 +231,21 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
+  if (sea_bed) sea_bed_read(rest, blur);
+  if (sea_bed) s.variance *= sea_bed_energy(4);
   if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
-  if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
-  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
-  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
-  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 2.0, rest, along, across, blur, 1.0);
-  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 3.0, rest, along, across, blur, 1.0);
+  if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
+  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 2, 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
+  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 3, 2.0, rest, along, across, blur, 1.0);
+  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 4, 3.0, rest, along, across, blur, 1.0);
   SeaSlopes part = no_slopes();
-  if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 0.0, rest, along, across, blur, 1.0);
+  if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 5, 0.0, rest, along, across, blur, 1.0);
   if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(rest));
-  if (gerstner_layings > 0) add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 0.0, rest, along, across, blur, 1.0);
+  if (gerstner_layings > 0) add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 5, 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, rest, along, across, blur, 1.0);
   if (dynamic_levels > 0) add_dynamic_slopes(s, rest, blur);
   if (sea_level) s.gradient += place_gradient(sea_level_windows, rest, blur, frame.sea.place.outside);
   return s;

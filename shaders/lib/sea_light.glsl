@@ -26,6 +26,7 @@ struct SurfacePoint {
 };
 
 #include "lib/foam.glsl"
+#include "lib/sea_bed_light.glsl"
 
 // Radiance towards the eye, haze included; `normal` is the one it was lit by.
 vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
@@ -86,7 +87,12 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   // Light from below: irradiance that enters, scattered back and out again.
   const vec3 down = light.sky_irradiance.rgb * 0.93 + sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;
   const vec3 absorption = frame.water_absorption.rgb, backscatter = frame.water_backscatter.rgb;
-  const vec3 below = frame.water_reflectance.rgb * down;
+  vec3 below = frame.water_reflectance.rgb * down;
+  const float sea_bed_footprint = max(length(p.along), length(p.across));
+  if (sea_bed && sea_level) sea_bed_still = sea_level_at(p.rest);
+  Bed sea_bed_below;
+  if (sea_bed) sea_bed_below = bed_at(p, sea_bed_still, above, sea_bed_footprint);
+  if (sea_bed) below = bed_through_water(sea_bed_below, below, down, p.place, v, normal, above, sea_bed_footprint);
 
   // Sunlight through a crest: it enters the far side and leaves towards the eye, dimmed by the water between. The thickness
   // shrinks towards the crest and on steep faces.
@@ -111,6 +117,9 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
   if (foam_kept && sea_flow) foam_way = FoamWay(flow_velocity * frame.sea.place.flow.x, flow_velocity * frame.sea.place.flow.y, frame.sea.place.flow.z);
   if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, lit_white, foam_way);
+
+  if (sea_bed) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, sea_bed_below.water);
+
   if (water_albedo) lay_albedo(lit, p.place, lit_white);
 
   // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the

@@ -27,6 +27,9 @@ struct DynamicData {
 struct PlaceData {
   LodWindows windows;
   vec4 outside;  // x: the still water's height, m; y: 1 where there is no water; z, w: its velocity along x and z, m/s
+  vec4 outside_bed;     // x: the bed's height in the open, m; y, z: where the grid origin lies in the ground's pattern, m
+  vec4 shift_along[3];  // x, y: along which the patterns of the longest cascades are shifted over a bed; z of the first: how high run-up wets a beach, m; of the
+                        // second: from which height above the water land is green, m, 0 never; of the third: how bright sand is
   vec4 flow;     // two phases of water that is carried along: x, y: how long each has been, s; z: the first one's share; w: half of a phase's time, s
 };
 

@@ -16,7 +16,7 @@ double least_clearance(const std::string& name, double lowered_m) {
   const Scene scene = load_scene(name, "low");
   const CameraPath path = load_camera_path(name);
   const WaveField field(scene.settings.sea, WaveQuality{.resolution = 64, .cascades = 3}, tile_sources(scene));
-  const PlaceSea places(place_inputs(scene));
+  const PlaceSea places(place_inputs(scene), field);
   WaveTiles tiles;
   double least = 1e9;
   for (double t = 0.0; t <= path.duration_s(); t += 0.25) {
@@ -32,7 +32,7 @@ double least_clearance(const std::string& name, double lowered_m) {
 
 // Control: the same paths flown 3 m lower dip under the water.
 TEST(Content, PathsStayAboveTheirSeas) {
-  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool"}) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool", "lagoon"}) {
     EXPECT_GT(least_clearance(name, 0.0), 0.3) << name;
     RecordProperty(name, std::to_string(least_clearance(name, 0.0)));
   }

@@ -46,6 +46,13 @@ InputSpec pool(InputTarget to, glm::vec4 value) {
   return spec;
 }
 
+InputSpec bank() {
+  InputSpec spec = pool(InputTarget::sea_depth, {-0.5f, 0.0f, 0.0f, 0.0f});
+  spec.blend = InputBlend::replace;
+  spec.feather_m = 0.0;
+  return spec;
+}
+
 const EffectUnderProof table[] = {
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
     {"foam", {"waves"}, {"waves", "foam"},
@@ -58,6 +65,7 @@ const EffectUnderProof table[] = {
       {"dynamic_waves.levels", "2"}, {"dynamic_waves.settle_s", "1"}},
      {"dynamic_waves.rain_per_m2_s", "0"}, {25, 26}, true, true},
     {"level", {"waves"}, {"waves", "level"}, {}, {"", ""}, {27}, true, true, "level", {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
+    {"sea_depth", {"waves"}, {"waves", "sea_depth"}, {}, {"", ""}, {15, 28}, true, true, "sea_depth", {bank()}},
     {"flow", {"waves"}, {"waves", "flow"}, {{"flow.period_s", "1.7"}}, {"", ""}, {29}, true, true, "flow", {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
     {"clip", {"waves"}, {"waves", "clip"}, {}, {"", ""}, {30}, true, true, "clip", {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f})}},
     {"albedo", {"waves"}, {"waves", "albedo"}, {}, {"", ""}, {31}, true, true, "albedo", {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},

@@ -57,7 +57,7 @@ class PlaceSeaTest : public ::testing::Test {
 // A query finds the point of the surface that stands at the place: where it stands, rest and displacement add up to it, level and all; its normal is that of
 // points around it.
 TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
-  const PlaceSea place(inputs_of({hill(6.0)}, current(70.0, 1.5)));
+  const PlaceSea place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
   ASSERT_TRUE(place.moves());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-60.0, 60.0);
@@ -84,7 +84,7 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
 
 // The level is that of the rest place, and nothing else of the waves changes but their slopes, by its own. Control seen: the level where the water stands.
 TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
-  const PlaceSea place(inputs_of({hill(6.0)}));
+  const PlaceSea place(inputs_of({hill(6.0)}), field);
   const Inputs alone(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
   for (int i = 0; i < 40; ++i) {
     const glm::dvec2 rest(-45.0 + 2.3 * i, 12.0 - 0.7 * i);
@@ -97,7 +97,7 @@ TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
 
 // Without anything of places it is the query of the waves, to the bit.
 TEST_F(PlaceSeaTest, WithoutPlacesItIsTheWavesQuery) {
-  const PlaceSea place(PlaceInputs{});
+  const PlaceSea place(PlaceInputs{}, field);
   EXPECT_FALSE(place.moves());
   const glm::dvec2 asked(3.0, 7.0);
   QueryAnswer ours, theirs;
@@ -111,7 +111,7 @@ TEST_F(PlaceSeaTest, WithoutPlacesItIsTheWavesQuery) {
 TEST_F(PlaceSeaTest, ATideLiftsEverything) {
   PlaceSettings tide;
   tide.level_m = 2.5;
-  const PlaceSea place(inputs_of({}, tide));
+  const PlaceSea place(inputs_of({}, tide), field);
   for (const glm::dvec2 rest : {glm::dvec2(0.0), glm::dvec2(1e5, -3e4)}) {
     const SeaSample with = place.sea(field, tiles, rest, 0.5), without = field.sea(tiles, rest, 0.5);
     EXPECT_NEAR(with.displacement.y - without.displacement.y, 2.5, 1e-6);
@@ -121,7 +121,7 @@ TEST_F(PlaceSeaTest, ATideLiftsEverything) {
 
 // What floats goes with the current. Control seen: the flow's x and z changed about.
 TEST_F(PlaceSeaTest, ACurrentCarriesWhatFloats) {
-  const PlaceSea place(inputs_of({}, current(90.0, 2.0)));  // to +x
+  const PlaceSea place(inputs_of({}, current(90.0, 2.0)), field);  // to +x
   std::vector<glm::dvec2> asked;
   for (int i = 0; i < 400; ++i) asked.emplace_back(7.3 * (i % 20), 9.1 * (i / 20));
   std::vector<QueryAnswer> answers(asked.size());
@@ -136,7 +136,7 @@ TEST_F(PlaceSeaTest, ACurrentCarriesWhatFloats) {
 // swings by 1.7), and one raised as if the patterns had nothing in common (slow water, 2.0).
 TEST_F(PlaceSeaTest, CarriedWavesDoNotPulse) {
   for (const double speed : {0.2, 1.0, 6.0, 80.0}) {
-    const PlaceSea place(inputs_of({}, current(30.0, speed)));
+    const PlaceSea place(inputs_of({}, current(30.0, speed)), field);
     std::vector<double> variances;
     for (int moment = 0; moment < 8; ++moment) {
       field.evaluate(ticks_from_seconds(100.0 + 0.25 * moment), tiles);
@@ -158,7 +158,7 @@ TEST_F(PlaceSeaTest, CarriedWavesDoNotPulse) {
 // Control seen: the patterns carried the other way.
 TEST_F(PlaceSeaTest, WavesGoWithTheWater) {
   const double speed = 15.0, later = 0.8;
-  const PlaceSea place(inputs_of({}, current(90.0, speed, 8.0)));  // to +x
+  const PlaceSea place(inputs_of({}, current(90.0, speed, 8.0)), field);  // to +x
   field.evaluate(ticks_from_seconds(52.0 + later), tiles);         // at 52 s the first pattern is in its place, and alone
   const auto alike = [&](double behind_m) {
     double xy = 0.0, xx = 0.0, yy = 0.0;
@@ -188,11 +188,12 @@ TEST(FlowPhase, PatternsComeAndGoUnseen) {
 }
 
 TEST_F(PlaceSeaTest, NoNumberIsNoAnswer) {
-  const PlaceSea place(inputs_of({hill(6.0)}));
+  const PlaceSea place(inputs_of({hill(6.0)}), field);
   const glm::dvec2 asked(std::nan(""), 1.0);
   QueryAnswer answer;
   place.query(field, tiles, {&asked, 1}, {&answer, 1});
   EXPECT_FALSE(answer.converged);
+  EXPECT_EQ(answer.height_m, 0.0);
 }
 
 // Windows hold what the inputs give at their texels' middles, and follow the viewer: the same as if made anew. Control seen: texels that come in left as they
@@ -202,11 +203,11 @@ TEST(PlaceField, FollowsTheViewer) {
   settings.windows = {.resolution = 64, .slices = 4, .texel_m = 0.5};
   const auto inputs = std::make_shared<const Inputs>(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
   const auto placed = [&](glm::dvec2 at, double height) { return lod_placement(settings.windows, at, lod_scale(settings.windows, height)); };
-  PlaceField follows(inputs, settings, placed({0.0, 0.0}, 2.0), 0.0);
+  PlaceField follows(place_values(inputs, settings), settings, placed({0.0, 0.0}, 2.0), 0.0);
   for (int i = 1; i <= 30; ++i) {
     const LodPlacement next = placed({1.3 * i, -0.7 * i}, 2.0 + i);
     follows.follow(next, 0.0);
-    const PlaceField anew(inputs, settings, next, 0.0);
+    const PlaceField anew(place_values(inputs, settings), settings, next, 0.0);
     for (int slice = 0; slice < 4; ++slice) {
       double worst = 0.0;
       follows.field().each(slice, [&](LodIndex w) { worst = std::max(worst, double(std::abs(follows.field().texel(slice, w).x - anew.field().texel(slice, w).x))); });
@@ -229,7 +230,7 @@ TEST(PlaceField, TakesWhatChangesWithTime) {
   const auto inputs = std::make_shared<const Inputs>(InputTarget::level, std::vector<InputSpec>{trail});
   ASSERT_FALSE(inputs->still());
   const LodPlacement here = lod_placement(settings.windows, {0.0, 0.0}, {});
-  PlaceField field(inputs, settings, here, 0.0);
+  PlaceField field(place_values(inputs, settings), settings, here, 0.0);
   EXPECT_NE(field.follow(here, 5.0), 0u);
   EXPECT_GT(field.field().sample({0.0, 0.0}, 0.0).x, 0.5f);
   EXPECT_EQ(field.follow(here, 5.05), 0u) << "within a tenth of a second";
