@@ -193,8 +193,9 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   selection_.visited_nodes = selection_.culled_nodes = selection_.skirt_strips = 0;
   frusta_.set(viewpoint.eyes, {selection_.grid_origin_m.x, 0.0, selection_.grid_origin_m.y});
   splits_.find(frame);
-  select_tree(frame, bounds);
-  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water_(*field, *tiles, frusta_, eye, selection_);
+  find_leaves(frame, bounds);
+  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty()) cull_by_water_(*field, *tiles, frusta_, frame, selection_.grid_origin_m, runs_, leaves_);
+  list_leaves(frame);
   skirt_.select(frame, splits_, frusta_, selection_);
   const int drop = settings_.drop_patch;
   if (drop >= 0 && drop < static_cast<int>(selection_.patches.size())) {
@@ -248,32 +249,33 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
 
 // The leaves of a level are the quarters of the nodes split one level up that do not split themselves: in a row of them two runs, one to
 // either side of the viewer's column. A level is culled as a whole: each plane cuts its rows where one sum says. Finer leaves, which are
-// nearer, come first, rows from the viewer's outwards and each from its column outwards: nearer water hides what follows.
+// nearer, come first, and rows from the viewer's outwards: nearer water hides what follows.
 // A leaf's bounds are its square grown by the displacement times cull_scale, and lowered by the sea's fall from the nearest of the level's
 // leaves to the farthest.
-void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bounds) {
-  const bool masked = settings_.join == LodJoin::masked;
+void Quadtree::find_leaves(const TreeFrame& frame, const DisplacementBounds& bounds) {
   const std::size_t lists = frusta_.lists();
+  runs_.clear();
+  leaves_.clear();
+  std::size_t count = 0;
   int considered = 1;
   for (int level = splits_.levels() - 1; level >= 0; --level) {
-    SplitMap::Interval rows = splits_.rows(level), columns{1 << level, -1};
+    const SplitMap::Interval split_rows = splits_.rows(level);
+    SplitMap::Interval split_columns{1 << level, -1};
     int nodes = 0;
-    for (int z = rows.first; z <= rows.last; ++z) {
+    for (int z = split_rows.first; z <= split_rows.last; ++z) {
       const SplitMap::Interval row = splits_.row(level, z);
       if (row.last < row.first) continue;
-      columns = {std::min(columns.first, row.first), std::max(columns.last, row.last)};
+      split_columns = {std::min(split_columns.first, row.first), std::max(split_columns.last, row.last)};
       nodes += row.last - row.first + 1;
     }
     if (nodes == 0) continue;
     considered += 3 * nodes;  // each node that splits is one leaf less and four more
-    rows = {2 * rows.first, 2 * rows.last + 1};
-    columns = {2 * columns.first, 2 * columns.last + 1};
-    const int size = frame.size(level + 1), stride = size / gpu::patch_quads, end = (2 << level) - 1;
+    const BoxRange rows{2 * split_rows.first, 2 * split_rows.last + 1}, columns{2 * split_columns.first, 2 * split_columns.last + 1};
+    const int size = frame.size(level + 1), shift = std::countr_zero(static_cast<unsigned>(size));
     const double size_m = size * frame.unit_m;
-    const unsigned flags = static_cast<unsigned>(level + 1) << gpu::patch_level_shift;
     glm::dvec3 low(-frame.shift_m, -frame.rise_m, -frame.shift_m), high = -low;
     if (bounds.below) {
-      const int row = frame.viewer_z / (2 * size);
+      const int row = frame.viewer_z >> (shift + 1);
       const double around_m = std::max({rows.last / 2 + 1 - row, row + 1 - rows.first / 2, 2}) * 2.0 * size_m;
       const glm::dvec2 off = near_deviations * bounds.below->motion(1.42 * around_m) + bounds.below->off(1.42 * around_m) + 0.01;
       const glm::dvec3 here = bounds.below->displacement_m, about(off.y, off.x, off.y);
@@ -284,7 +286,7 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
     const glm::dvec2 first_m = (glm::dvec2(frame.least) + 0.5 * size) * frame.unit_m + glm::dvec2(middle_m.x, middle_m.z);
     BoxGrid grid{first_m.x, first_m.y, size_m, 0.5 * size_m + half_m.x, 0.5 * size_m + half_m.z, low.y, high.y};
     if (frame.curved) {
-      const auto away = [size_m](double first, double viewer, double half, SplitMap::Interval all) {
+      const auto away = [size_m](double first, double viewer, double half, BoxRange all) {
         const double from = first + all.first * size_m - viewer, to = first + all.last * size_m - viewer;
         return glm::dvec2(std::max({from - half, -to - half, 0.0}), std::max(std::abs(from), std::abs(to)) + half);
       };
@@ -292,42 +294,56 @@ void Quadtree::select_tree(const TreeFrame& frame, const DisplacementBounds& bou
       grid.high -= curvature_drop(x[0] * x[0] + z[0] * z[0]);
       grid.low -= curvature_drop(x[1] * x[1] + z[1] * z[1]);
     }
-    frusta_.may_see(grid, {rows.first, rows.last}, {columns.first, columns.last}, seen_);
-    const int column = frame.viewer_x / size;
-    const auto emit_row = [&](int z) {
+    frusta_.may_see(grid, rows, columns, seen_);
+    const std::size_t first_run = count;
+    const auto room = count + 2 * lists * static_cast<std::size_t>(rows.last - rows.first + 1) + 1;  // and one that is written in vain
+    if (runs_.size() < room) runs_.resize(room + 64);
+    const auto add_row = [&](int z) {
       BoxRange* const seen = &seen_[static_cast<std::size_t>(z - rows.first) * lists];
       const std::size_t ranges = lists == 2 ? join_two(seen) : join_ranges(seen, lists);
       if (ranges == 0) return;
       const SplitMap::Interval parents = splits_.row(level, z >> 1), split = splits_.row(level + 1, z);
       const int first = 2 * parents.first, last = 2 * parents.last + 1;
-      const auto emit = [&](int run_first, int run_last) {
+      const auto add = [&](int from, int to) {
         for (std::size_t n = 0; n < ranges; ++n) {
-          const int from = std::max(run_first, seen[n].first), to = std::min(run_last, seen[n].last);
-          if (to < from) continue;
-          const std::size_t before = selection_.patches.size();
-          selection_.patches.resize(before + static_cast<std::size_t>(to - from + 1));
-          gpu::PatchInstance* patch = &selection_.patches[before];
-          const auto put = [&](int x) {
-            *patch++ = {{frame.least.x + size * x, frame.least.y + size * z}, stride, masked ? flags | coarser_sides(level, x, z, end) : flags};
-          };
-          const int nearest = std::clamp(column, from, to);
-          for (int x = nearest; x <= to; ++x) put(x);
-          for (int x = nearest - 1; x >= from; --x) put(x);
+          const int run_first = std::max(from, seen[n].first), run_last = std::min(to, seen[n].last);
+          runs_[count] = {z, run_first, run_last};
+          count += run_first <= run_last ? 1u : 0u;
         }
       };
-      if (split.last < split.first) return emit(first, last);
-      emit(first, split.first - 1);
-      emit(split.last + 1, last);
+      if (split.last < split.first) return add(first, last);
+      add(first, split.first - 1);
+      add(split.last + 1, last);
     };
-    const int middle = std::clamp(frame.viewer_z / size, rows.first, rows.last);
-    emit_row(middle);
+    const int middle = std::clamp(frame.viewer_z >> shift, rows.first, rows.last);
+    add_row(middle);
     for (int off = 1; middle - off >= rows.first || middle + off <= rows.last; ++off) {
-      if (middle + off <= rows.last) emit_row(middle + off);
-      if (middle - off >= rows.first) emit_row(middle - off);
+      if (middle + off <= rows.last) add_row(middle + off);
+      if (middle - off >= rows.first) add_row(middle - off);
+    }
+    if (count > first_run) leaves_.push_back({level + 1, size, rows, columns, frame.viewer_x >> shift, first_run, count});
+  }
+  runs_.resize(count);
+  selection_.visited_nodes += considered;
+  selection_.culled_nodes += considered;
+}
+
+void Quadtree::list_leaves(const TreeFrame& frame) {
+  std::vector<gpu::PatchInstance>& patches = selection_.patches;
+  std::size_t count = 0;
+  for (const LeafLevel& leaves : leaves_) {
+    const std::size_t before = count;
+    write_leaves(leaves, std::span(runs_).subspan(leaves.first_run, leaves.end_run - leaves.first_run), frame.least,
+                 static_cast<unsigned>(leaves.level) << gpu::patch_level_shift, patches, count);
+    if (settings_.join != LodJoin::masked) continue;
+    const int end = (1 << leaves.level) - 1;
+    for (gpu::PatchInstance& patch : std::span(patches).subspan(before, count - before)) {
+      const glm::ivec2 place = (patch.corner - frame.least) / leaves.size;
+      patch.flags |= coarser_sides(leaves.level - 1, place.x, place.y, end);
     }
   }
-  selection_.visited_nodes += considered;
-  selection_.culled_nodes += considered - static_cast<int>(selection_.patches.size());
+  patches.resize(count);
+  selection_.culled_nodes -= static_cast<int>(count);
 }
 
 // The edge bits of a leaf, a quarter of a node of `level`: the sides beyond which no node of that level splits. Outside the root

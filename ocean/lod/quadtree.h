@@ -8,6 +8,7 @@
 
 #include "engine/view.h"
 #include "ocean/lod/culling.h"
+#include "ocean/lod/leaf_runs.h"
 #include "ocean/lod/lod_settings.h"
 #include "ocean/lod/skirt_strips.h"
 #include "ocean/lod/split_map.h"
@@ -80,7 +81,8 @@ class Quadtree {
     double border_spacing = 1.0, visible = 0.0;
   };
   void find_reaches(const Reaches::Asked& asked);
-  void select_tree(const TreeFrame& frame, const DisplacementBounds& bounds);
+  void find_leaves(const TreeFrame& frame, const DisplacementBounds& bounds);
+  void list_leaves(const TreeFrame& frame);
   unsigned coarser_sides(int level, int x, int z, int end) const;
   void move_frozen(std::int64_t grid_x, std::int64_t grid_z);
 
@@ -94,6 +96,8 @@ class Quadtree {
   std::vector<BoxRange> seen_;  // of the rows of a level
   Reaches reaches_;
   SkirtStrips skirt_;
+  std::vector<LeafRun> runs_;       // of all levels, finer ones first
+  std::vector<LeafLevel> leaves_;   // that have any
   WaterCulling cull_by_water_;
   SurfaceSelection selection_;
 };

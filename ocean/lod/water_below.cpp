@@ -1,12 +1,10 @@
 #include "ocean/lod/water_below.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
-#include "ocean/lod/culling.h"
 #include "ocean/lod/tree_frame.h"
-#include "ocean/waves/query.h"
+#include "ocean/waves/query_simd.h"
 
 namespace seascape {
 
@@ -24,113 +22,105 @@ std::optional<DisplacementBounds::Below> water_below(const WaveField& field, con
   return result;
 }
 
-void WaterCulling::Known::begin(std::size_t count) {
-  const std::size_t size = std::bit_ceil(count);
-  if (slots.size() < size) slots.assign(size, {});
-  mask = size - 1;
-  room = size - size / 4;
-}
-
-std::uint32_t& WaterCulling::Known::find(glm::ivec2 place, int level, std::uint32_t call) {
-  const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.x)) << 32 |
-                            static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.y)) << 5 | static_cast<std::uint64_t>(level);
-  std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 40) & mask;
-  for (; slots[at].call == call; at = (at + 1) & mask)
-    if (slots[at].key == key) return slots[at].index;
-  if (room == 0) return none = unknown;
-  --room;
-  slots[at] = {key, call, unknown};
-  return slots[at].index;
-}
-
-// First the nodes of all patches, and the places of their corners, each once; then the water at all of these, so many at a time as vectors are wide;
-// then which nodes are seen; then the patches.
-void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const glm::dvec3& viewer_m,
-                              SurfaceSelection& selection, double scale) {
+// A node is seen as soon as the box about some of its corners is, since the box about all of them holds that one: so most nodes need one corner only, that of
+// the lattice twice as wide, which four nodes share.
+void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const TreeFrame& frame, const glm::dvec2& grid_origin_m,
+                              std::span<const LeafRun> runs, std::span<LeafLevel> levels) {
   constexpr double most_m = 4.0;
-  constexpr int node_patches = 4;  // along a side
+  constexpr std::size_t few = 24;  // of so many all corners are asked at once: to begin with the first would take longer
   const MeshError& error = field.statistics().mesh_error;
-  const glm::dvec2 viewer = glm::dvec2(viewer_m.x, viewer_m.z) - selection.grid_origin_m;
-  const glm::ivec2 least = selection.tree_centre - selection.half_size;
-  std::vector<gpu::PatchInstance>& patches = selection.patches;
-  known_nodes_.begin(patches.size() + 8);
-  known_corners_.begin(patches.size() + 8);
-  if (++call_ == 0) {  // what is left of calls so long ago is nothing known
-    known_nodes_.slots.assign(known_nodes_.slots.size(), {});
-    known_corners_.slots.assign(known_corners_.slots.size(), {});
-    call_ = 1;
+  grids_.clear();
+  std::size_t nodes = 0, corners = 0;
+  for (const LeafLevel& level : levels) {
+    const double leaf_m = level.size * frame.unit_m;
+    if (leaf_m > most_m) break;  // finer levels come first
+    const int x0 = level.columns.first >> LeafLevel::node_shift, z0 = level.rows.first >> LeafLevel::node_shift;
+    const int columns = (level.columns.last >> LeafLevel::node_shift) - x0 + 1, rows = (level.rows.last >> LeafLevel::node_shift) - z0 + 1;
+    grids_.push_back({level.size << LeafLevel::node_shift, x0, z0, columns, rows, nodes, corners, error(LeafLevel::node_leaves * leaf_m) + 0.01});
+    nodes += static_cast<std::size_t>(columns * rows);
+    corners += static_cast<std::size_t>((columns + 1) * (rows + 1));
   }
-  nodes_.clear();
-  corners_m_.clear();
-  runs_.clear();
-  // More than is usual, and no cap: once lists have been as long, no frame allocates.
-  nodes_.reserve(patches.size());
-  corners_m_.reserve(patches.size());
-  moved_.reserve(patches.size());
-  runs_.reserve(patches.size());
-  const auto find_node = [&](glm::ivec2 place, int size, int level, double off_m) {
-    std::uint32_t& node = known_nodes_.find(place, level, call_);
-    if (node != unknown) return node;
-    Node made{{}, off_m, true};
-    for (unsigned c = 0; c < 4; ++c) {
-      const glm::ivec2 at = place + size * glm::ivec2(c & 1u, c >> 1);
-      std::uint32_t& corner = known_corners_.find(at, 0, call_);
-      if (corner == unknown) {
-        corner = static_cast<std::uint32_t>(corners_m_.size());
-        corners_m_.push_back(selection.grid_origin_m + glm::dvec2(least + at) * selection.unit_m);
-      }
-      made.corners[c] = corner;
-    }
-    node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back(made);
-    return node;
+  // More than is usual, and no cap: once as many were there, no frame allocates.
+  const auto room = [](auto& of, std::size_t count) {
+    if (of.capacity() < count) of.reserve(2 * count);
   };
-  int stride = 0, level = 0, size = 0;
-  double off_m = 0.0;
-  glm::ivec2 last_place{0};
-  for (std::size_t n = 0; n < patches.size(); ++n) {
-    const gpu::PatchInstance& patch = patches[n];
-    const bool other = patch.stride != stride || (patch.flags & gpu::patch_skirt) != 0u;
-    if (other) {
-      const double size_m = patch.stride * gpu::patch_quads * selection.unit_m;
-      if (size_m > most_m || (patch.flags & gpu::patch_skirt) != 0u) {
-        stride = 0;
-        if (runs_.empty() || runs_.back().node != unknown) runs_.push_back({n, unknown});
-        continue;
+  room(seen_, nodes);
+  room(left_, nodes);
+  room(corners_, corners);
+  room(rest_m_, corners);
+  room(moved_m_, corners);
+  room(asked_, 3 * nodes + 4 * few);
+  left_.clear();
+  rest_m_.clear();
+  moved_m_.clear();
+  seen_.assign(nodes, 0);
+  corners_.assign(corners, unknown);
+  for (std::size_t n = 0; n < grids_.size(); ++n) {
+    const Grid& grid = grids_[n];
+    LeafLevel& level = levels[n];
+    level.seen = seen_;
+    level.pitch = grid.columns;
+    level.first_node = static_cast<std::ptrdiff_t>(grid.first_node) - grid.z0 * level.pitch - grid.x0;
+    for (const LeafRun& run : runs.subspan(level.first_run, level.end_run - level.first_run)) {
+      const std::ptrdiff_t row = level.first_node + (run.z >> LeafLevel::node_shift) * level.pitch;
+      for (int x = run.first >> LeafLevel::node_shift; x <= run.last >> LeafLevel::node_shift; ++x) {
+        const std::ptrdiff_t at = row + x;
+        if (seen_[static_cast<std::size_t>(at)] != 0) continue;
+        seen_[static_cast<std::size_t>(at)] = 1;
+        left_.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(n), x, run.z >> LeafLevel::node_shift, glm::dvec3(1e30), glm::dvec3(-1e30)});
       }
-      stride = patch.stride;
-      level = static_cast<int>(gpu::patch_level(patch.flags));
-      size = node_patches * stride * gpu::patch_quads;
-      off_m = scale * error(node_patches * size_m) + 0.01;
     }
-    const glm::ivec2 place = (patch.corner - least) & -size;
-    if (!other && place == last_place) continue;
-    last_place = place;
-    runs_.push_back({n, find_node(place, size, level, off_m)});
   }
-  if (nodes_.empty()) return;
-  moved_.resize(corners_m_.size());
-  displace(field, tiles, corners_m_, moved_);
-  for (Node& node : nodes_) {
-    glm::dvec3 low(1e30), high(-1e30);
-    for (const std::uint32_t corner : node.corners) {
-      const glm::dvec2 rest = corners_m_[corner] - selection.grid_origin_m;
-      const glm::dvec3 at = glm::dvec3(rest.x, 0.0, rest.y) + glm::dvec3(moved_[corner]);
-      low = glm::min(low, at);
-      high = glm::max(high, at);
+  if (left_.empty()) return;
+  const QueryPlan plan = plan_queries(field, tiles, {});
+  // The number of a corner, which may be one of the next finer nodes' too.
+  const auto corner = [&](std::size_t n, int x, int z) {
+    const auto of = [this](const Grid& g, int to_x, int to_z) -> std::uint32_t& {
+      return corners_[g.first_corner + static_cast<std::size_t>((to_z - g.z0) * (g.columns + 1) + to_x - g.x0)];
+    };
+    const Grid& grid = grids_[n];
+    std::uint32_t& number = of(grid, x, z);
+    if (number != unknown) return number;
+    if (n > 0) {
+      const Grid& finer = grids_[n - 1];
+      const int in_x = 2 * x - finer.x0, in_z = 2 * z - finer.z0;
+      if (2 * finer.size == grid.size && in_x >= 0 && in_z >= 0 && in_x <= finer.columns && in_z <= finer.rows) number = of(finer, 2 * x, 2 * z);
+      if (number != unknown) return number;
     }
-    const glm::dvec3 middle = 0.5 * (low + high), half = 0.5 * (high - low) + node.off_m;
-    const double far_x = std::abs(middle.x - viewer.x) + half.x, far_z = std::abs(middle.z - viewer.y) + half.z;
-    node.seen = frusta.may_see({middle.x, middle.z, half.x, half.z, low.y - node.off_m - curvature_drop(far_x * far_x + far_z * far_z), high.y + node.off_m});
+    number = static_cast<std::uint32_t>(rest_m_.size());
+    rest_m_.push_back(grid_origin_m + glm::dvec2(frame.least + grid.size * glm::ivec2(x, z)) * frame.unit_m);
+    return number;
+  };
+  for (unsigned from = 0, to = left_.size() <= few ? 4 : 1; from < 4 && !left_.empty(); from = to, to = 4) {
+    asked_.clear();
+    for (const Node& node : left_) {
+      const unsigned first = (static_cast<unsigned>(node.x) & 1u) | (static_cast<unsigned>(node.z) & 1u) << 1;
+      for (unsigned c = from; c < to; ++c) {
+        const unsigned of = first ^ c;
+        asked_.push_back(corner(node.grid, node.x + static_cast<int>(of & 1u), node.z + static_cast<int>(of >> 1)));
+      }
+    }
+    const std::size_t before = moved_m_.size();
+    moved_m_.resize(rest_m_.size());
+    displace_points(plan, rest_m_.data() + before, moved_m_.data() + before, rest_m_.size() - before);
+    auto asked = asked_.begin();
+    auto left = left_.begin();
+    for (Node& node : left_) {
+      for (unsigned c = from; c < to; ++c, ++asked) {
+        const glm::dvec2 rest = rest_m_[*asked] - grid_origin_m;
+        const glm::dvec3 at = glm::dvec3(rest.x, 0.0, rest.y) + glm::dvec3(moved_m_[*asked]);
+        node.low = glm::min(node.low, at);
+        node.high = glm::max(node.high, at);
+      }
+      const double off_m = grids_[node.grid].off_m;
+      const glm::dvec3 middle = 0.5 * (node.low + node.high), half = 0.5 * (node.high - node.low) + off_m;
+      const double far_x = std::abs(middle.x - frame.viewer_m.x) + half.x, far_z = std::abs(middle.z - frame.viewer_m.y) + half.z;
+      const bool seen = frusta.may_see({middle.x, middle.z, half.x, half.z, node.low.y - off_m - curvature_drop(far_x * far_x + far_z * far_z), node.high.y + off_m});
+      seen_[node.at] = seen ? 1 : 0;
+      if (!seen) *left++ = node;
+    }
+    left_.erase(left, left_.end());
   }
-  auto kept = patches.begin();
-  for (std::size_t r = 0; r < runs_.size(); ++r) {
-    const std::size_t end = r + 1 < runs_.size() ? runs_[r + 1].first : patches.size();
-    if (runs_[r].node != unknown && !nodes_[runs_[r].node].seen) continue;
-    kept = std::copy(patches.begin() + static_cast<std::ptrdiff_t>(runs_[r].first), patches.begin() + static_cast<std::ptrdiff_t>(end), kept);
-  }
-  selection.culled_nodes += static_cast<int>(patches.end() - kept);
-  patches.erase(kept, patches.end());
 }
 
 }  // namespace seascape

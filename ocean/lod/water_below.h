@@ -2,10 +2,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ocean/lod/culling.h"
+#include "ocean/lod/leaf_runs.h"
 #include "ocean/lod/surface_selection.h"
+#include "ocean/lod/tree_frame.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -15,45 +18,36 @@ namespace seascape {
 std::optional<DisplacementBounds::Below> water_below(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& viewer_m,
                                                      const NearMotion& motion);
 
-// Takes the near patches off the list that no eye sees as their water stands, which culling by bounds cannot tell: the water of a node
-// of four by four patches lies about its corners, no farther off than `scale` times what a mesh of its size misses. `frusta` as the tree was
-// culled with (relative to its grid origin), `tiles` with all waves that are drawn. Looks at patches of up to 4 m.
-// Keeps room to work in: no allocation once lists have been as long.
+// Finds the near leaves that no eye sees as their water stands, which culling by bounds cannot tell: the water of a node of four by four leaves lies about its
+// corners, no farther off than what a mesh of its size misses. `frusta` as the tree was culled with (relative to the grid origin), `tiles` with all waves that
+// are drawn. Looks at leaves of up to 4 m. Keeps room to work in: no allocation once levels have reached as far.
 class WaterCulling {
  public:
-  void operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const glm::dvec3& viewer_m, SurfaceSelection& selection,
-                  double scale = 1.0);
+  // Tells the levels which of their nodes are seen: valid until the next call.
+  void operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const TreeFrame& frame, const glm::dvec2& grid_origin_m,
+                  std::span<const LeafRun> runs, std::span<LeafLevel> levels);
 
  private:
   static constexpr std::uint32_t unknown = 0xffffffff;
-  // What is known of this call's corners and nodes: their numbers, found by their place from the tree's least corner, and of a node also its level.
-  // A table with open addresses; once it is three quarters full what is new is not remembered, so that a search ends.
-  struct Known {
-    struct Slot {
-      std::uint64_t key;
-      std::uint32_t call, index;
-    };
-    std::vector<Slot> slots;
-    std::size_t mask = 0, room = 0;
-    std::uint32_t none = unknown;
-    void begin(std::size_t count);
-    std::uint32_t& find(glm::ivec2 place, int level, std::uint32_t call);
+  // Of a level the nodes that may hold leaves of it, and their corners, of which there is one more either way.
+  struct Grid {
+    int size;                   // of a node, in units
+    int x0, z0, columns, rows;  // in nodes from the tree's least corner
+    std::size_t first_node, first_corner;
+    double off_m;  // how far the water of a node may lie off what lies between its corners
   };
   struct Node {
-    std::array<std::uint32_t, 4> corners;
-    double off_m;  // how far its water may lie off what lies between its corners
-    bool seen;
+    std::uint32_t at, grid;  // among all nodes; of its level
+    int x, z;                // in nodes from the tree's least corner
+    glm::dvec3 low, high;    // of the corners asked so far
   };
-  Known known_nodes_, known_corners_;
-  std::vector<Node> nodes_;
-  std::vector<glm::dvec2> corners_m_;  // at rest, in the world
-  std::vector<glm::vec3> moved_;       // their displacements
-  struct Run {
-    std::size_t first;   // of the patches of one node that follow each other
-    std::uint32_t node;  // unknown: they are not looked at
-  };
-  std::vector<Run> runs_;
-  std::uint32_t call_ = 0;
+  std::vector<Grid> grids_;
+  std::vector<std::uint8_t> seen_;      // of nodes
+  std::vector<Node> left_;              // that are not known to be seen
+  std::vector<std::uint32_t> corners_;  // of all grids: which of those asked, or unknown
+  std::vector<std::uint32_t> asked_;    // of the nodes left, side by side
+  std::vector<glm::dvec2> rest_m_;      // of what was asked, in the world
+  std::vector<glm::vec3> moved_m_;      // their displacements
 };
 
 }  // namespace seascape

@@ -11,10 +11,7 @@
 
 namespace seascape {
 
-namespace {
-constexpr std::size_t block = 1024;  // points that a core takes at a time: some 0.1 ms
-
-QueryPlan plan_of(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options) {
+QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options) {
   const WaveField::Filter filter = field.filter(options.footprint_m);
   QueryPlan plan;
   plan.most_iterations = options.most_iterations;
@@ -51,13 +48,13 @@ QueryPlan plan_of(const WaveField& field, const WaveTiles& tiles, const QueryOpt
   }
   return plan;
 }
-}  // namespace
 
 void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers,
            const QueryOptions& options) {
+  constexpr std::size_t block = 1024;  // points that a core takes at a time: some 0.1 ms
   assert(places.size() == answers.size());
   assert(options.previous.empty() || options.previous.size() == places.size());
-  const QueryPlan plan = plan_of(field, tiles, options);
+  const QueryPlan plan = plan_queries(field, tiles, options);
   const QueryAnswer* previous = options.previous.empty() ? nullptr : options.previous.data();
   const auto answer = [&](std::size_t first, std::size_t count) {
     answer_points(plan, places.data() + first, previous ? previous + first : nullptr, answers.data() + first, count);
@@ -65,11 +62,6 @@ void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::
   if (places.size() < 2 * block) return answer(0, places.size());
   tbb::parallel_for(std::size_t{0}, (places.size() + block - 1) / block,
                     [&](std::size_t i) { answer(i * block, std::min(block, places.size() - i * block)); });
-}
-
-void displace(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> rest_m, std::span<glm::vec3> displacements) {
-  assert(rest_m.size() == displacements.size());
-  displace_points(plan_of(field, tiles, {}), rest_m.data(), displacements.data(), rest_m.size());
 }
 
 }  // namespace seascape

@@ -46,7 +46,4 @@ struct QueryOptions {
 void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers,
            const QueryOptions& options = {});
 
-// The displacements of many rest positions, of all waves in the tiles: what WaveField::displacement gives with a footprint of 0, within what floats round.
-void displace(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> rest_m, std::span<glm::vec3> displacements);
-
 }  // namespace seascape

@@ -30,11 +30,13 @@ struct QueryPlan {
   bool velocity = false;
 };
 
+QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options);
+
 // `count` answers on this thread. `previous` (null: none) may be `answers`. The operations of a point are the same, in the same
 // order and rounded the same, whatever stands beside it and however wide the vectors are.
 void answer_points(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count);
 
-// The same for the displacements of rest positions.
+// The displacements of rest positions of all waves that the plan reads: with a footprint of 0 what WaveField::displacement gives, within what floats round.
 void displace_points(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* displacements, std::size_t count);
 
 }  // namespace seascape

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ocean/waves/query.h"
+#include "ocean/waves/query_simd.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/allocations.h"
 
@@ -79,7 +79,7 @@ TEST(QueryBatch, displaces_rest_positions_as_the_field_does_one_by_one) {
   const std::vector<glm::dvec2> places = some_places(1000);
   for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{32}, std::size_t{33}, places.size()}) {
     std::vector<glm::vec3> moved(count);
-    displace(*sea.field, sea.tiles, {places.data(), count}, moved);
+    displace_points(plan_queries(*sea.field, sea.tiles, {}), places.data(), moved.data(), count);
     double off = 0.0;
     for (std::size_t i = 0; i < count; ++i) off = std::max(off, glm::length(glm::dvec3(moved[i]) - sea.field->displacement(sea.tiles, places[i], 0.0)));
     EXPECT_LE(off, 1e-4) << count;
