@@ -47,7 +47,16 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   }
   if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
   if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
-  if (settings.foam && keeps_foam(*settings.foam, false, dynamic_waves_ != nullptr)) foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
+  const Shallows* shallows = place_ ? place_->shallows() : nullptr;
+  if (settings.foam && keeps_foam(*settings.foam, shallows != nullptr, dynamic_waves_ != nullptr)) {
+    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
+    if (shallows != nullptr)
+      foam_->sea().set_water([shallows](glm::dvec2 place, double texel) {
+        const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
+        const PlaceWaves waves = shallows->waves(place, depth);
+        return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth)};
+      });
+  }
 }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {

@@ -18,7 +18,7 @@ glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double
 }  // namespace
 
 bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
-  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) || (spec.inputs && !spec.inputs->empty()) || (shores && spec.settings.shore_per_s > 0.0);
+  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) || (spec.inputs && !spec.inputs->empty()) || (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
 }
 
 FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others)
@@ -66,14 +66,17 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
       per_s[i] += breaking * float(breaking_.share(row, i, water, phase));
     }
   }
-  if (still_water_ && s.shore_per_s > 0.0)
+  if (still_water_)
     for (std::size_t i = 0; i < per_s.size(); ++i) {
       const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
-      const glm::vec2 still = still_water_->texel(row.slice, LodIndex(glm::floor(rest / row.texel_m)));
+      const glm::vec3 still = still_water_->texel(row.slice, LodIndex(glm::floor(rest / row.texel_m)));
+      const bool shore = s.shore_per_s > 0.0 && double(still.x) < 2.0 * s.shore_m, surf = breaking > 0.0f && still.z > 0.01f;
+      if (!(still.x > 0.0f) || !(shore || surf)) continue;
       // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
-      if (!(still.x > 0.0f && double(still.x) < 2.0 * s.shore_m)) continue;
-      const double most = 0.39 * double(still.x), up = double(still.y) * breaking_.displacement(rest, row.texel_m).y;
-      per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + std::clamp(up, -most, most)) / s.shore_m, 0.0, 1.0));
+      const double most = 0.39 * double(still.x), up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y, -most, most);
+      if (shore) per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + up) / s.shore_m, 0.0, 1.0));
+      // In a surf zone the crests break.
+      if (surf) per_s[i] += breaking * still.z * float(std::clamp(2.0 * up / most, 0.0, 1.0));
     }
   if (!spec_.inputs || spec_.inputs->empty()) return;
   const InputBounds bounds = spec_.inputs->bounds();
@@ -89,7 +92,7 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
 
 std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* wakes) {
   const bool from_inputs = spec_.inputs && !spec_.inputs->empty();
-  const bool any_source = (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs || (still_water_ && spec_.settings.shore_per_s > 0.0);
+  const bool any_source = (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs || (still_water_ && (spec_.settings.shore_per_s > 0.0 || spec_.settings.breaking > 0.0));
   if (!any_source) return foam_.step(dt, nullptr);
   const LodField<float>& field = foam_.field();
   breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
@@ -106,14 +109,15 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   std::uint32_t changed = foam_.follow(placement, fresh_);
   if (water_) {
-    const auto water = [&](glm::dvec2 at, double texel, glm::vec2) {
+    const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
       const StillWater w = water_(at, texel);
-      return glm::vec2(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f, w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f);
+      return glm::vec3(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f, w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f,
+                       w.surf >= 0.0 ? float(std::min(w.surf, 1.0)) : 0.0f);
     };
     if (still_water_) {
       still_water_->follow(placement, water);
     } else {
-      still_water_.emplace(s.windows, glm::vec2(1e6f, 1.0f), placement);
+      still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
       for (int i = 0; i < still_water_->slices(); ++i)
         still_water_->each(i, [&](LodIndex w) { still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {}); });
     }

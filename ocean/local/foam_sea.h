@@ -23,9 +23,9 @@ struct FoamSpec {
 // Whether foam has to be simulated: as the settings ask, or for inputs, shores or wakes.
 bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes);
 
-// The still water at a place: how deep it is (m; 0 or less is land), and how much of the waves' height it leaves.
+// The still water at a place: how deep it is (m; 0 or less is land), how much of the waves' height it leaves, and how much of their energy breaks there.
 struct StillWater {
-  double depth_m = 1e6, waves = 1.0;
+  double depth_m = 1e6, waves = 1.0, surf = 0.0;
 };
 
 // Steps fall on whole multiples of 1 / rate of the sea's time, and all but wakes is a function of time and place: however a span is cut into frames, foam
@@ -66,7 +66,7 @@ class FoamSea {
   Breaking breaking_;
   Foam foam_;
   Water water_;
-  std::optional<LodField<glm::vec2>> still_water_;  // depth, the waves' share
+  std::optional<LodField<glm::vec3>> still_water_;  // StillWater
   float fresh_ = 0.0f;
   double shift_m_ = 0.0;
   std::int64_t tick_ = 0;

@@ -37,6 +37,8 @@ class Shallows {
   glm::dvec2 direction(int cascade) const { return refraction_.direction(cascade); }
   // Share of the waves' energy that breaking has taken at a place of this depth, 0 to 1.
   double breaking(double depth_m) const { return water_.breaking(depth_m); }
+  // Of the energy that comes to a place of this depth, the share that breaks there, 0 to 1.
+  double surf(glm::dvec2 place_m, double depth_m) const { return depth_m > 0.0 ? breaking(depth_m) * double(refraction_.shelter(place_m)) : 0.0; }
   // The most by which any waves are multiplied anywhere, 1 or more.
   double most_share() const { return most_share_; }
   double swash_m() const { return swash_m_; }  // from the lowest to the highest of the run-up, for the most part: its significant height
