@@ -44,6 +44,7 @@ void main() {
   const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
   bool dry = false;
   if (water_clip) dry = water_clipped(place);
+  if (sea_bed && water_clip) dry = false;
   if (dry) discard;
   vec3 normal;
   const SurfacePoint p = SurfacePoint(relative, rest, place, along, across, height_shear, derivatives);

@@ -17,6 +17,7 @@ layout(location = 1) out uvec2 footprint;  // as half floats the rest position's
 void main() {
   bool dry = false;
   if (water_clip) dry = water_clipped(rest + shift_shear.xy);
+  if (sea_bed && water_clip) dry = false;
   const vec2 along = dFdx(rest), across = dFdy(rest);
   if (dry) discard;
   const float longest = sqrt(max(dot(along, along), dot(across, across)));

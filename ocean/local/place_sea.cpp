@@ -79,6 +79,7 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest,
   const auto waves_at = [&](glm::dvec2 at) { return shallows_->waves(at, level_m(at, footprint, time) - bed(at)); };
   const double e = std::max(gradient_m, 0.5 * footprint);
   here.bed_m = bed(rest);
+  here.dry = clipped(rest, time);
   here.wet = smoothstep(-0.1, 0.2, here.level_m - here.bed_m);
   const PlaceWaves waves = waves_at(rest);
   std::array<PlaceWaves, 4> around;
@@ -129,6 +130,7 @@ void PlaceSea::add_current(const WaveField& field, Here& here, glm::dvec2 rest, 
 }
 
 glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
+  if (here.dry) return {0.0, here.bed_m, 0.0};
   glm::dvec3 sum(0.0, here.level_m, 0.0);
   for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
   if (shallows_ == nullptr) return sum;
@@ -138,6 +140,11 @@ glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles
 SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint) const {
   const Here here = this->here(field, field.filter(footprint), rest, footprint, seconds(tiles), true);
   SeaSample result;
+  if (here.dry) {
+    result.displacement.y = here.bed_m;
+    result.height_gradient = here.bed_gradient;
+    return result;
+  }
   result.height_gradient = here.level_gradient;
   result.displacement.y = here.level_m;
   for (const Part& part : here.parts) {

@@ -46,6 +46,7 @@ class PlaceSea {
   struct Here {
     std::vector<Part> parts;
     double level_m = 0.0, bed_m = 0.0, wet = 1.0;
+    bool dry = false;  // clipped over a bed: that is the surface
     glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
   };
   Here here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint_m, double time_s, bool gradients) const;

@@ -26,11 +26,15 @@ Shallows::Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& 
       refraction_(sea, bins, water_, bounds_of(*bed_, level_.get()), [this](glm::dvec2 place, double footprint) { return still_m(place, footprint, 0.0) - bed_m(place, footprint, 0.0); }),
       cascades_(bins.cascades) {
   double variance = 0.0, frequency = 0.0, longest = 0.0;
+  const double wind = std::max(sea.wind_speed_mps, 0.0), gravity = sea.gravity_mps2;
+  const double peak = wind > 0.0 ? 22.0 * std::cbrt(gravity * gravity / (wind * regrowth_fetch_m)) : 0.0;
+  const double grown_m = peak > 0.0 ? 2.0 * std::numbers::pi * gravity / (peak * peak) : 0.0;
   for (int i = 0; i < cascades_; ++i) {
     const MeanWave wave = mean_wave(sea, bins, i);
     variance += wave.variance;
     frequency += wave.variance * wave.frequency;
     if (i < swash_cascades) longest += wave.variance;
+    if (grown_m > 0.0 && wave.wave_number > 0.0) regrown_[std::size_t(i)] = float(std::clamp(1.0 - 0.5 * std::log2(2.0 * std::numbers::pi / wave.wave_number / grown_m), 0.0, 1.0));
   }
   if (longest > 0.0 && frequency > 0.0) {
     frequency /= variance;
@@ -54,8 +58,9 @@ double Shallows::still_m(glm::dvec2 place, double footprint, double time) const 
 
 PlaceWaves Shallows::waves(glm::dvec2 place, double depth) const {
   PlaceWaves result;
-  for (int i = 0; i < cascades_; ++i) result.share[std::size_t(i)] = water_.factor(i, depth) * std::sqrt(refraction_.shelter(i, place));
+  for (int i = 0; i < cascades_; ++i) result.share[std::size_t(i)] = water_.factor(i, depth) * std::sqrt(refraction_.shelter(i, place) + regrown_[std::size_t(i)] * (1.0f - refraction_.shelter(i, place)));
   for (std::size_t i = std::size_t(cascades_); i < result.share.size(); ++i) result.share[i] = cascades_ > 0 ? result.share[std::size_t(cascades_ - 1)] : 1.0f;
+  if (cascades_ > 0) result.ripples = water_.factor(cascades_ - 1, depth);
   const float shelter = std::sqrt(refraction_.shelter(place));
   result.others = water_.others(depth) * shelter;
   result.swash = float(swash_share_) * water_.breaking(depth) * shelter;

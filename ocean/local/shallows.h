@@ -13,6 +13,7 @@ namespace seascape {
 // What a place makes of the waves that come to it; all 1, and nothing shifted, in the open.
 struct PlaceWaves {
   std::array<float, gpu::max_cascades> share{1.0f, 1.0f, 1.0f, 1.0f, 1.0f};  // by which each cascade's displacement is multiplied; of one that the sea has not, that of the last
+  float ripples = 1.0f;                                                      // the same of waves too short for any cascade, which nothing shelters for long
   float others = 1.0f;                                                       // of the sources beside the waves
   float swash = 0.0f;                                                        // what of the heights of the longest two cascades runs up the shore, whatever the depth
   std::array<float, Refraction::bent_cascades> shift_m{};                    // how far along its direction a cascade's pattern is taken from (Refraction)
@@ -21,10 +22,13 @@ struct PlaceWaves {
 // Depth is the still water's height less the bed's. Swash: at the shore linear waves have broken to nothing, but the water goes up and down there with the groups that
 // come in, over a height of 0.06 sqrt(H0 L0) (Stockdon et al. 2006, eq. 12; H0 the significant height and L0 the deep water's length of the mean wave): the
 // longest waves' heights keep as much as that of themselves where the others have broken, less what lies in shelter, and on over the dry bed.
+// Shelter is of waves that come from afar. In the lee short waves grow again within regrowth_fetch_m, as long as JONSWAP's law has their peak (Hasselmann et al. 1973: w_p = 22 (g^2 / U F)^(1/3)),
+// so that cascades whose mean wave is no longer than that are not sheltered, and those of four times as long wholly.
 // Immutable; any thread.
 class Shallows {
  public:
   static constexpr int swash_cascades = 2;
+  static constexpr double regrowth_fetch_m = 300.0;
 
   // `bed`: inputs to sea_depth; `level`: to level, null where there are none. Takes some tenths of a second. Throws Error where the bed is no number.
   Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
@@ -55,6 +59,7 @@ class Shallows {
   ShallowWater water_;
   Refraction refraction_;
   int cascades_;
+  std::array<float, gpu::max_cascades> regrown_{};  // the share of a cascade's shelter that short waves make up for
   double swash_m_ = 0.0, swash_share_ = 0.0, most_share_ = 1.0;
 };
 

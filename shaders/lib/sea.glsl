@@ -82,6 +82,9 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 
 #include "lib/dynamic_waves.glsl"
 
+// Whether there is no water at a place (not a rest position), metres from the grid origin.
+bool water_clipped(vec2 place) { return place_value(water_clip_windows, place_read(place, 0.0), place, frame.sea.place.outside.yyyy).x > 0.5; }
+
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
@@ -102,6 +105,7 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed && sea_level) sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed) sum = sea_bed_land(sum);
+  if (sea_bed && water_clip && water_clipped(rest)) sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
   return sum;
 }
 
@@ -211,9 +215,6 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
 
 #include "lib/dynamic_slopes.glsl"
 
-// Whether there is no water at a place (not a rest position), metres from the grid origin.
-bool water_clipped(vec2 place) { return place_value(water_clip_windows, place_read(place, 0.0), place, frame.sea.place.outside.yyyy).x > 0.5; }
-
 // The height of the still water.
 float sea_level_at(vec2 rest) { return place_value(sea_level_windows, place_read(rest, 0.0), rest, frame.sea.place.outside).x; }
 
@@ -232,7 +233,7 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   const float l0 = length(along), l1 = length(across);
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
   if (sea_bed) sea_bed_read(rest, blur);
-  if (sea_bed) s.variance *= sea_bed_energy(4);
+  if (sea_bed) s.variance *= sea_bed_more.w * sea_bed_more.w;
   if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
   if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
   if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));

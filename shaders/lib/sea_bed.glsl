@@ -3,7 +3,7 @@
 
 vec4 sea_bed_here;           // BedTexel (ocean/local/bed_field.h): the bed's height, the shifts of the longest three cascades
 vec4 sea_bed_share;          // of cascades 0 to 3
-vec4 sea_bed_more;           // of the fifth and all shorter waves; of other sources; of the run-up
+vec4 sea_bed_more;           // of the fifth; of other sources; of the run-up; of all shorter waves
 vec4 sea_bed_x, sea_bed_z;   // what sea_bed_here changes by along x and z, a metre
 float sea_bed_still;         // the still water's height; where it has levels lib/sea.glsl tells
 
@@ -35,7 +35,7 @@ void sea_bed_read(vec2 rest, float footprint) {
   const LodRead read = place_read(rest, footprint);
   sea_bed_here = sea_bed_height(read, rest);
   sea_bed_share = sea_bed_layers(read, rest, 0, vec4(1.0));
-  sea_bed_more = sea_bed_layers(read, rest, 1, vec4(1.0, 1.0, 0.0, 0.0));
+  sea_bed_more = sea_bed_layers(read, rest, 1, vec4(1.0, 1.0, 0.0, 1.0));
   sea_bed_slopes_at(read, rest);
   sea_bed_still = 0.0;
 }

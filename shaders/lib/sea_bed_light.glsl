@@ -46,7 +46,8 @@ Bed bed_at(SurfacePoint p, float still, float above, float footprint) {
 // Albedo of the bed: sand with its ripples and darker patches; above the beach growth, where it is not too steep, and rock. `height`: above the still
 // water, m.
 vec3 bed_albedo(vec2 place, float height, vec2 slope, float footprint) {
-  const vec2 at = place + frame.sea.place.outside_bed.yz;
+  const vec2 straight = place + frame.sea.place.outside_bed.yz;  // bent, so that no lattice is seen from above
+  const vec2 at = straight + 14.0 * (vec2(bed_noise(straight, 16.0, footprint), bed_noise(straight.yx + 237.0, 16.0, footprint)) - 0.5);
   const float fine = bed_noise(at, 0.5, footprint), middle = bed_noise(at, 2.0, footprint), broad = bed_noise(at, 8.0, footprint), wide = bed_noise(at, 32.0, footprint);
   vec3 albedo = frame.sea.place.shift_along[2].z * vec3(0.50, 0.43, 0.32) * (0.75 + 0.10 * fine + 0.12 * middle + 0.14 * broad + 0.14 * wide);
   if (height < 0.0) {  // weed and stones in deeper water

@@ -32,7 +32,7 @@ double least_clearance(const std::string& name, double lowered_m) {
 
 // Control: the same paths flown 3 m lower dip under the water.
 TEST(Content, PathsStayAboveTheirSeas) {
-  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool", "lagoon"}) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool", "lagoon", "rivers", "harbour_clip"}) {
     EXPECT_GT(least_clearance(name, 0.0), 0.3) << name;
     RecordProperty(name, std::to_string(least_clearance(name, 0.0)));
   }

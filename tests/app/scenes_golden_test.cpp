@@ -59,6 +59,8 @@ TEST_F(Golden, Baked) { expect_golden("baked", "gpu"); }
 TEST_F(Golden, Gerstner) { expect_golden("gerstner", "gpu"); }
 TEST_F(Golden, Whirlpool) { expect_golden("whirlpool", "gpu"); }
 TEST_F(Golden, Lagoon) { expect_golden("lagoon", "gpu"); }
+TEST_F(Golden, Rivers) { expect_golden("rivers", "gpu"); }
+TEST_F(Golden, HarbourClip) { expect_golden("harbour_clip", "gpu"); }
 TEST_F(Golden, OpenSeaUploaded) { expect_golden("open_sea", "cpu"); }
 TEST_F(Golden, CalmUploaded) { expect_golden("calm", "cpu"); }
 TEST_F(Golden, StormUploaded) { expect_golden("storm", "cpu"); }
@@ -68,6 +70,8 @@ TEST_F(Golden, BakedUploaded) { expect_golden("baked", "cpu"); }
 TEST_F(Golden, GerstnerUploaded) { expect_golden("gerstner", "cpu"); }
 TEST_F(Golden, WhirlpoolUploaded) { expect_golden("whirlpool", "cpu"); }
 TEST_F(Golden, LagoonUploaded) { expect_golden("lagoon", "cpu"); }
+TEST_F(Golden, RiversUploaded) { expect_golden("rivers", "cpu"); }
+TEST_F(Golden, HarbourClipUploaded) { expect_golden("harbour_clip", "cpu"); }
 
 // The control: changes of light, water and waves that an eye would see are outside the tolerance.
 TEST_F(Golden, WhatAnEyeWouldSeeIsOutsideTheTolerance) {

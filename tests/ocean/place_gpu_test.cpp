@@ -117,6 +117,12 @@ TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
   // In a lake that stands higher its banks lie deeper.
   std::vector<InputSpec> lake = bank_and_island();
   lake.push_back(area(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f}, {14.0, -50.0}, {400.0, 400.0}, 50.0));
+  const Worst dry = worst({"waves", "sea_depth", "clip"}, {{"waves.depth_m", "40"}}, 33.3, [] {
+    std::vector<InputSpec> dock = bank_and_island();
+    dock.push_back(area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {14.0, -50.0}, {400.0, 400.0}, 0.0));
+    return dock;
+  }());
+  EXPECT_LE(dry.error_m, 0.03) << "where it is clipped the bed lies dry, whose flank falls by one in one";
   const Worst both = worst({"waves", "sea_depth", "level"}, {{"waves.depth_m", "40"}}, 33.3, lake);
   EXPECT_LE(both.error_m, 0.01 * both.hs_m) << both.hs_m;
 }

@@ -213,6 +213,30 @@ TEST(FoamSea, FoamsAlongShores) {
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-4f);
 }
 
+// In a surf zone crests foam whether or not the open sea's foam is simulated, and only as much as breaks. Control seen: surf left out of the gain; foam in
+// troughs as on crests (the mean is twice as high).
+TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
+  SeaState sea;
+  sea.wind_speed_mps = 9.0;
+  FoamSpec spec = small_spec();
+  spec.settings.simulated = false;
+  spec.settings.shore_per_s = 0.0;
+  const auto foam_of = [&](double surf) {
+    FoamSea foam(spec, sea, coarse());
+    foam.set_water([surf](glm::dvec2, double) { return StillWater{2.0, 0.6, surf}; });
+    for (int i = 0; i < 36; ++i) foam.update(9.0 + i / 12.0, head);
+    return mean(texels(foam));
+  };
+  EXPECT_EQ(foam_of(0.0), 0.0);
+  EXPECT_EQ(foam_of(std::numeric_limits<double>::quiet_NaN()), 0.0);
+  const double some = foam_of(0.3), all = foam_of(1.0);
+  EXPECT_GT(some, 0.15);
+  EXPECT_GT(all, some);
+  EXPECT_LT(all, 0.75) << "troughs do not break";
+  spec.settings.breaking = 0.0;
+  EXPECT_EQ(foam_of(1.0), 0.0);
+}
+
 // Steep wakes foam, gentle ones do not, and nothing beside them. Control seen: wakes left out of the gain.
 TEST(FoamSea, SteepWakesFoam) {
   SeaState calm;

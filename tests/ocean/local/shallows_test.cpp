@@ -87,9 +87,33 @@ TEST_F(ShallowsTest, WavesChangeOverTheBankAndEndAtTheShore) {
   EXPECT_LT(dry.swash, 0.5f);
   EXPECT_GE(s->most_share(), 1.0);
   EXPECT_LT(s->most_share(), 1.5) << "breaking holds what shoaling raises";
+  // Waves break at the shore and on the bank, not in the open, and no more than come there.
+  EXPECT_LT(s->surf(open, sea_depth_m), 1e-3);
+  EXPECT_EQ(s->surf(land, -4.0), 0.0);
+  EXPECT_GT(s->surf({-60.0, 30.0}, 0.5), s->surf({-60.0, 30.0}, 2.0));
+  EXPECT_LE(s->surf({-60.0, 30.0}, 1e-6), 1.0);
   // Waves go to +x and -z: what lies beyond the island has less of them.
   const glm::dvec2 down = s->direction(0), lee = 60.0 * down, windward = -60.0 * down;
   EXPECT_LT(s->waves(lee, 2.0).share[0], 0.8f * s->waves(windward, 2.0).share[0]);
+}
+
+// What lies in the lee of land has lost its long waves and not its ripples, which grow again within some hundred metres; without wind nothing does. Control seen: all cascades
+// sheltered alike.
+TEST_F(ShallowsTest, RipplesGrowAgainInTheLee) {
+  const WaveQuality all{.resolution = 64, .cascades = 5};
+  const glm::dvec2 lee = 75.0 * shallows(island())->direction(0);
+  const auto lost = [&](const SeaState& sea) {
+    const WaveField five(sea, all);
+    const PlaceWaves waves = make_shallows(sea, five.bins(), {}, inputs_of(island()))->waves(lee, 4.0);
+    return std::pair(waves.share[1], waves.share[4]);
+  };
+  SeaState swell = fresh();
+  const auto [long_waves, ripples] = lost(swell);
+  EXPECT_GT(ripples, 1.3f * long_waves);
+  EXPECT_GT(ripples, 0.85f);
+  swell.wind_speed_mps = 0.0;
+  swell.swell_height_m = 1.0;
+  EXPECT_TRUE(std::isfinite(lost(swell).second));
 }
 
 // Stockdon et al. (2006), eq. 12, of this sea's height and mean period. Control seen: 0.06 of H0 alone.
