@@ -88,7 +88,7 @@ void Experience::build() {
     dynamic_waves->waves.depth_m = s.sea.depth_m;
   }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, place_inputs(scene_)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_)});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;

@@ -45,7 +45,8 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     if (s.largest_curvature_per_m > 0.0) of_sources_.largest_curvature_per_m += s.largest_curvature_per_m;
     else of_unknown_curvature_m_ += s.largest_height_m;
   }
-  if (settings.dynamic_waves && !still(*settings.dynamic_waves)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves);
+  const bool pressed = settings.pressure && !settings.pressure->empty();
+  if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
   if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
   const Shallows* shallows = place_ ? place_->shallows() : nullptr;
   if (settings.foam && keeps_foam(*settings.foam, shallows != nullptr, dynamic_waves_ != nullptr)) {

@@ -34,6 +34,7 @@ struct OceanSettings {
   bool has_waves = true;  // or else only what `sources` do moves the water
   TileSources sources;  // what feeds the sea beside its waves
   std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
+  std::shared_ptr<const Inputs> pressure;  // on dynamic waves; null for none
   PlaceInputs place;  // of the effects whose data belong to places
 };
 

@@ -33,7 +33,7 @@ inline constexpr std::array<InputTargetTraits, 8> input_targets{{
     {"clip", 1, 0.0, 1.0, "", "1 where there is no water", true},
     {"albedo", 4, 0.0, 1.0, "", "a colour that lies on the water: red, green, blue (linear) and cover; the sea keeps them multiplied by the cover", true},
     {"shadow", 2, 0.0, 1.0, "", "light kept away: from within the water (soft) and from its surface (hard)", true},
-    {"dynamic_waves", 1, -100.0, 100.0, "m", "a pressure on the water, as a head"},
+    {"dynamic_waves", 1, -100.0, 100.0, "m", "a pressure on the water, as a head", true},
 }};
 inline constexpr const InputTargetTraits& traits(InputTarget to) { return input_targets[std::size_t(to)]; }
 

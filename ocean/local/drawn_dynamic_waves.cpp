@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t texel_bytes = 8;  // four half floats
 }
 
-DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings) : sea_(settings) {
+DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure) : sea_(settings, std::move(pressure)) {
   const EffectScope scope(device, "dynamic_waves");
   ImageSpec spec;
   spec.width = spec.height = std::uint32_t(settings.waves.windows.resolution);

@@ -12,7 +12,7 @@ namespace seascape {
 class DrawnDynamicWaves {
  public:
   // Throws as validate() does, of at most gpu::max_dynamic_levels slices.
-  DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings);
+  DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure);
 
   // Has the waves of a time and a viewer (m) in the images; records nothing where they have not changed, or all rest.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);

@@ -23,10 +23,10 @@ void validate(const DynamicSeaSettings& s) {
   if (!(s.settle_s >= 0.0 && s.settle_s <= 60.0)) throw Error("settle_s", text_from(s.settle_s) + " is not from 0 to 60", "give a number from 0 to 60");
 }
 
-bool still(const DynamicSeaSettings& s) { return !(s.rain.drops_per_m2_s > 0.0) || s.rain.drop_height_m == 0.0 || !(s.waves.depth_m > 0.0); }
+bool still(const DynamicSeaSettings& s, bool pressed) { return !(s.waves.depth_m > 0.0) || (!pressed && (!(s.rain.drops_per_m2_s > 0.0) || s.rain.drop_height_m == 0.0)); }
 
-DynamicSea::DynamicSea(const DynamicSeaSettings& settings)
-    : settings_(settings), viewer_(settings.waves.windows), waves_(one_step(settings.waves)), surface_(settings.waves) {
+DynamicSea::DynamicSea(const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure)
+    : settings_(settings), pressure_(pressure && !pressure->empty() ? std::move(pressure) : nullptr), viewer_(settings.waves.windows), waves_(one_step(settings.waves)), surface_(settings.waves) {
   validate(settings);
 }
 
@@ -39,7 +39,9 @@ void DynamicSea::advance(std::int64_t ticks) {
   sources_.clear();
   add_rain(settings_.rain, tick_ + 1, ticks, waves.rate_hz, placement.viewer, reach, sources_);
   tick_ += ticks;
-  waves_.advance(double(ticks) / waves.rate_hz, placement, sources_);
+  const double dt = double(ticks) / waves.rate_hz, middle_s = double(tick_) / waves.rate_hz - 0.5 * dt;
+  if (!pressure_) waves_.advance(dt, placement, sources_);
+  else waves_.advance(dt, placement, sources_, [&](glm::dvec2 place, double side) { return pressure_->value(place, side, middle_s, glm::vec4(0.0f)).x; }, pressure_->bounds());
 }
 
 bool DynamicSea::update(double time_s, const glm::dvec3& viewer) {

@@ -1,10 +1,12 @@
 // The dynamic waves as a scene has them: driven by the sea's time and its viewer, rained on, and ready to be drawn.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ocean/inputs/inputs.h"
 #include "ocean/local/dynamic_sea_settings.h"
 #include "ocean/local/dynamic_surface.h"
 
@@ -17,8 +19,8 @@ namespace seascape {
 class DynamicSea {
  public:
   static constexpr double longest_s = 5.0;
-  // Throws as validate() does.
-  explicit DynamicSea(const DynamicSeaSettings& settings);
+  // `pressure`: inputs of dynamic_waves, heads on the water as they are in the middle of a step; null for none. Throws as validate() does.
+  explicit DynamicSea(const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure = nullptr);
 
   // The waves as they are at a time of the sea, in s, around a viewer (m). Gives whether surface() has changed. A time or a place that is
   // no number changes nothing.
@@ -31,6 +33,7 @@ class DynamicSea {
  private:
   void advance(std::int64_t ticks);
   DynamicSeaSettings settings_;
+  std::shared_ptr<const Inputs> pressure_;  // null: none
   LodViewer viewer_;
   DynamicWaves waves_;
   DynamicSurface surface_;

@@ -13,7 +13,7 @@ struct DynamicSeaSettings {
 
 // Throws Error naming the setting.
 void validate(const DynamicSeaSettings& settings);
-// Whether anything can ever push the water.
-bool still(const DynamicSeaSettings& settings);
+// Whether anything can ever push the water. `pressed`: inputs do.
+bool still(const DynamicSeaSettings& settings, bool pressed = false);
 
 }  // namespace seascape

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -190,6 +191,41 @@ void DynamicWaves::hand_down(const WaveLevel& was, LodIndex first) {
   finer.add(h, q);
 }
 
+// Gives whether anything pushes. Every square of two by two texels has the pressure of its middle.
+bool DynamicWaves::press(const LodPlacement& placement, const Pressure& pressure, const InputBounds& where) {
+  heads_.resize(levels_.size());
+  for (std::vector<float>& heads : heads_) heads.clear();
+  if (!pressure || where.empty()) return false;
+  const std::int64_t n = settings_.windows.resolution;
+  std::atomic<bool> any{false}, wrong{false};
+  tbb::parallel_for(0, levels(), [&](int i) {
+    const double texel = lod_texel_m(settings_.windows, placement, i);
+    const LodIndex first = placement.first[std::size_t(i)];
+    const glm::dvec2 low = glm::dvec2(first) * texel, high = low + double(n) * texel;
+    if (where.least.x > high.x || where.least.y > high.y || where.most.x < low.x || where.most.y < low.y) return;
+    std::vector<float>& heads = heads_[std::size_t(i)];
+    heads.assign(std::size_t(n * n), 0.0f);
+    std::atomic<bool> here{false};
+    tbb::parallel_for(std::int64_t(0), n / 2, [&](std::int64_t j) {
+      const std::int64_t z = (first.y & ~std::int64_t(1)) + 2 * j;
+      for (std::int64_t k = 0; k < n / 2; ++k) {
+        const std::int64_t x = (first.x & ~std::int64_t(1)) + 2 * k;
+        const glm::dvec2 middle = (glm::dvec2(double(x), double(z)) + 1.0) * texel;
+        if (!where.holds(middle, texel)) continue;
+        const float head = pressure(middle, 2.0 * texel);
+        if (!std::isfinite(head)) wrong.store(true, std::memory_order_relaxed);
+        if (!std::isfinite(head) || head == 0.0f) continue;
+        here.store(true, std::memory_order_relaxed);
+        for (int corner = 0; corner < 4; ++corner) heads[wrapped(z + (corner >> 1), int(n)) * std::size_t(n) + wrapped(x + (corner & 1), int(n))] = head;
+      }
+    });
+    if (here.load()) any.store(true, std::memory_order_relaxed);
+    else heads.clear();
+  });
+  if (wrong.load()) fault_ = "dynamic waves: a pressure that is no number was taken for none";
+  return any.load();
+}
+
 void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> sources) {
   moved_.assign(sources.begin(), sources.end());
   for (WaveSource& s : moved_) s.place_m -= s.velocity_mps * to_end_s;
@@ -197,7 +233,7 @@ void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> 
     WaveLevel& level = levels_[std::size_t(i)];
     const auto at = std::size_t(i);
     if (!(depth_m_[at] > 0.0)) return;
-    level.turn(dt, settings_.damping_per_s, placement_.first[at], moved_);
+    level.turn(dt, settings_.damping_per_s, placement_.first[at], moved_, heads_[at]);
     if (level.still()) return;
     border(i, dt, level.longest_speed_mps() + viewer_speed_);
     level.take_off(axes_[at].x, axes_[at].z, open_ ? open_->texels(i) : nullptr);
@@ -210,10 +246,10 @@ void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> 
   }
 }
 
-int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources) {
+int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources, const Pressure& pressure, const InputBounds& where) {
   require(seconds >= 0.0, seconds, "seconds", "0 or more");
   for (std::size_t i = 0; i < sources.size(); ++i) require(sources[i], i);
-  const bool pushed = std::any_of(sources.begin(), sources.end(), pushes);
+  const bool pressed = press(placement, pressure, where), pushed = pressed || std::any_of(sources.begin(), sources.end(), pushes);
   owed_s_ += seconds;
   const double dt = 1.0 / settings_.rate_hz;
   const double due = std::floor(owed_s_ / dt + 1e-9);

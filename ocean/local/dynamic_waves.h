@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ocean/inputs/bounds_tree.h"
 #include "ocean/local/dynamic_waves_settings.h"
 #include "ocean/local/lod_field.h"
 #include "ocean/local/wave_level.h"
@@ -43,7 +44,11 @@ class DynamicWaves {
   // them, the sources what pushes during this time. Gives the number of steps. Throws Error naming a source whose numbers are not
   // finite or whose length is not above 0, or seconds that are not 0 or more; the state is as before. While all is still and nothing
   // pushes, it does no work at all.
-  int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources);
+  int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources) { return advance(seconds, placement, sources, {}, {}); }
+  // A pressure besides, in metres of water, that lasts for all of this time: its mean over the square of a side (m) around a place. `where`: there is none
+  // beyond. Taken at every second texel: waves have eight and more. What is no number is none, and told of. Called from many threads at once.
+  using Pressure = std::function<float(glm::dvec2 place_m, double side_m)>;
+  int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources, const Pressure& pressure, const InputBounds& where);
 
   // All waves gone, as at first; depths, obstacles and the place stay.
   void calm();
@@ -65,6 +70,7 @@ class DynamicWaves {
   void hand_up(const WaveLevel& was, LodIndex first);
   void hand_down(const WaveLevel& was, LodIndex first);
   void shape(int level);
+  bool press(const LodPlacement& placement, const Pressure& pressure, const InputBounds& where);
   void step(double dt, double to_end_s, std::span<const WaveSource> sources);
   void border(int level, double dt, double speed_mps);
   DynamicWavesSettings settings_;
@@ -76,6 +82,7 @@ class DynamicWaves {
   };
   std::vector<Axes> axes_;
   std::vector<WaveSource> moved_;
+  std::vector<std::vector<float>> heads_;  // a level's texels each; none: no pressure there
   std::optional<LodField<float>> open_;
   Openness openness_;
   double owed_s_ = 0.0, viewer_speed_ = 0.0;

@@ -102,12 +102,33 @@ void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool&
   }
 }
 
-void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources) {
+// As a source of that shape: its waves are those of the texels' Fourier sum.
+void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool& heads) {
+  const std::size_t n = std::size_t(n_), stride = n + 16;
+  const auto inside = [&](std::int64_t w, std::int64_t begin) { return float(smooth(std::min(double(w - begin), double(begin + n_ - 1 - w)) / (n_ / 8))); };
+  for (std::int64_t z = first.y; z < first.y + n_; ++z) {
+    const std::size_t row = std::size_t(z & (n_ - 1));
+    const float across = inside(z, first.y);
+    for (std::int64_t x = first.x; x < first.x + n_; ++x) {
+      const std::size_t column = std::size_t(x & (n_ - 1));
+      re_[row * stride + column] = across * inside(x, first.x) * head_m[row * n + column];
+      im_[row * stride + column] = 0.0f;
+    }
+  }
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  if (!heads) std::fill(head_.begin(), head_.end(), 0.0);
+  heads = true;
+  const double scale = 1.0 / (double(n_) * n_);
+  for (std::size_t i = 0; i < head_.size(); ++i) head_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+}
+
+void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources, std::span<const float> head_m) {
   bool heads = false, rises = false;
   for (WaveSource s : sources) {
     s.place_m -= s.velocity_mps * (0.5 * dt);
     add_source(s, dt, first, heads, rises);
   }
+  if (!head_m.empty()) add_pressure(first, head_m, heads);
   if (heads || rises) still_ = false;
   if (still_) return;
   turn_table(dt, damping);

@@ -40,7 +40,8 @@ class WaveLevel {
 
   // Turns all waves by dt seconds, pushed by the sources; amplitudes fall by exp(-damping / 2 dt). `first`: the window's first texel;
   // sources fade out towards its edges.
-  void turn(double dt, double damping_per_s, LodIndex first, std::span<const WaveSource> sources);
+  // `head_m`: a pressure besides, in metres of water, of every texel, or none; samples^2, [z][x], texel (x, z) modulo the samples.
+  void turn(double dt, double damping_per_s, LodIndex first, std::span<const WaveSource> sources, std::span<const float> head_m = {});
   // Multiplies height and potential at texel (x, z), modulo the samples, by along_x[x] along_z[z] open[z][x] (1 where `open` is null),
   // all between 0 and 1. No wave grows by it.
   void take_off(std::span<const float> along_x, std::span<const float> along_z, const float* open);
@@ -69,6 +70,7 @@ class WaveLevel {
 
  private:
   void turn_table(double dt, double damping_per_s);
+  void add_pressure(LodIndex first, std::span<const float> head_m, bool& heads);
   void add_source(const WaveSource& source, double dt, LodIndex first, bool& heads, bool& rises);
   int n_, band_;
   double texel_m_ = 0.0, depth_m_ = 0.0, longest_speed_ = 0.0, table_dt_ = -1.0, table_damping_ = -1.0;
