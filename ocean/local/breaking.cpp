@@ -15,6 +15,8 @@ namespace {
 constexpr double least_sigma = 0.01;
 // The Jacobian has the product of two strains besides their sum, and less in its tail than a Gaussian of the divergence: measured of seas of 5 to 23 m/s.
 constexpr double thinner = 0.94;
+// Slower than this, water stands: it has gone a few centimetres before another pattern takes its place.
+constexpr double least_flow_mps = 0.02;
 constexpr double least_threshold = 0.6, most_threshold = 0.78;
 
 // What a normal number is below in a share of cases.
@@ -29,22 +31,23 @@ double quantile(double share) {
 
 WaveQuality of_breakers(const WaveQuality& quality) { return {std::min(quality.resolution, 128), std::min(quality.cascades, 4)}; }
 
-// Between texels of a level, at tile coordinates in texels: dDx/dx, dDz/dz, dDx/dz.
-glm::vec3 gradient(const WaveTiles& tiles, int tile, int level, double u, double v) {
-  const int size = tiles.layout().level(tile, level).size, stride = tiles.stride(tile, level);
-  const double x = u - std::floor(u / size) * size, z = v - std::floor(v / size) * size;
-  const int x0 = int(x) & (size - 1), z0 = int(z) & (size - 1), x1 = (x0 + 1) & (size - 1), z1 = (z0 + 1) & (size - 1);
-  const float fx = float(x - int(x)), fz = float(z - int(z));
-  const glm::vec4 *slope = tiles.texels(tile, WavePlane::slope, level), *shift = tiles.texels(tile, WavePlane::shift, level);
-  const auto texel = [&](int i, int j) {
-    const std::ptrdiff_t at = std::ptrdiff_t(j) * stride + i;
+}  // namespace
+
+// Between texels of a level: dDx/dx, dDz/dz, dDx/dz at a rest position.
+glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec2 rest) {
+  const double u = glm::dot(r.along_x, rest) + r.offset, v = glm::dot(r.along_z, rest) + r.offset;  // in texels
+  const double floor_u = std::floor(u), floor_v = std::floor(v);
+  const auto wrapped = [&](double whole) { return int(std::int64_t(whole) & std::int64_t(r.size - 1)); };
+  const int x0 = wrapped(floor_u), z0 = wrapped(floor_v), x1 = (x0 + 1) & (r.size - 1), z1 = (z0 + 1) & (r.size - 1);
+  const float fx = float(u - floor_u), fz = float(v - floor_v);
+  const glm::vec4 *slope = tiles.texels(r.tile, WavePlane::slope, r.level), *shift = tiles.texels(r.tile, WavePlane::shift, r.level);
+  const auto texel = [&](int x, int z) {
+    const std::ptrdiff_t at = std::ptrdiff_t(z) * r.stride + x;
     return glm::vec3(slope[at].z, slope[at].w, shift[at].w);
   };
   const glm::vec3 low = glm::mix(texel(x0, z0), texel(x1, z0), fx), high = glm::mix(texel(x0, z1), texel(x1, z1), fx);
   return glm::mix(low, high, fz);
 }
-
-}  // namespace
 
 Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s)
     : field_(sea, of_breakers(quality), std::move(others)), wind_mps_(sea.wind_speed_mps), life_s_(life_s) {
@@ -87,7 +90,9 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
       const int tile = field_.places()[p].tile, last = tiles_.levels(tile) - 1;
       // One level, the nearer of two.
       const int level = std::min(filter.level[p] + (filter.between[p] > 0.5f ? 1 : 0), last);
-      const float share = level == last ? 0.0f : filter.share[p];
+      // What has four texels a wave at most is left to the variance.
+      const WaveField::Place& place = field_.places()[p];
+      const float share = level == last || 4.0 * footprint > place.longest_m ? 0.0f : filter.share[p];
       const double all = double(tiles_.texels(tile, WavePlane::moments, last)->w);
       double kept = 0.0;
       if (share > 0.0f && level > 0) {
@@ -102,35 +107,34 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
         kept = all;
       }
       slice.variance += std::max(all - double(share) * double(share) * kept, 0.0);
-      slice.readings.push_back({level, share});
+      if (!(share > 0.0f)) continue;
+      const int size = tiles_.layout().level(tile, level).size;
+      const double texels = place.inverse_side * size, middle = 0.5 / double(tiles_.samples(tile)) * size - 0.5;  // of a coarser level, between those it is the mean of
+      slice.readings.push_back({tile, level, size, tiles_.stride(tile, level), share, texels * glm::dvec2(place.cosine, place.sine), texels * glm::dvec2(-place.sine, place.cosine),
+                                place.offset * size + middle, place.longest_m, place.shortest_m});
     }
   }
 }
 
-void Breaking::add_gradient(const Slice& slice, glm::dvec2 rest, double first, double way_m, glm::vec3& sum) const {
-  for (std::size_t p = 0; p < slice.readings.size(); ++p) {
-    const Reading& reading = slice.readings[p];
-    if (!(reading.share > 0.0f)) continue;
-    const WaveField::Place& place = field_.places()[p];
-    const double size = double(tiles_.layout().level(place.tile, reading.level).size);
-    const double u = (place.cosine * rest.x + place.sine * rest.y) * place.inverse_side + place.offset, v = (-place.sine * rest.x + place.cosine * rest.y) * place.inverse_side + place.offset;
-    // Of a coarser level a texel's middle lies between those it is the mean of.
-    const double middle = 0.5 / double(tiles_.samples(place.tile)) * size - 0.5;
-    const double times = way_m == 0.0 ? first : first * flow_height(place.longest_m, place.shortest_m, way_m, first);
-    sum += float(times) * reading.share * gradient(tiles_, place.tile, reading.level, u * size + middle, v * size + middle);
-  }
+void Breaking::add_gradient(const Slice& slice, glm::dvec2 rest, glm::vec3& sum) const {
+  for (const Reading& reading : slice.readings) sum += reading.share * gradient(tiles_, reading, rest);
 }
 
 double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const {
   const Slice& slice = slices_[std::size_t(row.slice)];
   const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), flow(water.flow_mps);
   glm::vec3 g(0.0f);
-  if (flow == glm::dvec2(0.0)) {
-    add_gradient(slice, rest, 1.0, 0.0, g);
+  if (!(water.kept > 0.0)) {
+    // The water is moved by others alone.
+  } else if (glm::dot(flow, flow) < least_flow_mps * least_flow_mps) {
+    add_gradient(slice, rest, g);
   } else {  // two patterns that the flow carries along in turn (place_sea.h)
-    const double way = glm::length(flow) * (phase.second_s - phase.first_s);
-    add_gradient(slice, rest - phase.first_s * flow, phase.first, way, g);
-    add_gradient(slice, rest - phase.second_s * flow, 1.0 - phase.first, way, g);
+    const double way = glm::length(flow) * std::abs(phase.second_s - phase.first_s);
+    for (const Reading& reading : slice.readings) {
+      const float height = reading.share * float(flow_height(reading.longest_m, reading.shortest_m, way, phase.first));
+      g += height * float(phase.first) * gradient(tiles_, reading, rest - phase.first_s * flow);
+      g += height * float(1.0 - phase.first) * gradient(tiles_, reading, rest - phase.second_s * flow);
+    }
   }
   const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
   return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance);
@@ -140,7 +144,7 @@ void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) cons
   const Slice& slice = slices_[std::size_t(row.slice)];
   for (std::size_t i = 0; i < gains.size(); ++i) {
     glm::vec3 g(0.0f);
-    add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), 1.0, 0.0, g);
+    add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), g);
     gains[i] += per_s * float(below(double((1.0f + g.x) * (1.0f + g.y) - g.z * g.z), slice.variance));
   }
 }

@@ -51,16 +51,19 @@ class Breaking {
   const WaveTiles& tiles() const { return tiles_; }
 
  private:
+  // A level of a place's tile, as a slice's texels read it.
   struct Reading {
-    int level;
+    int tile, level, size, stride;
     float share;
+    glm::dvec2 along_x, along_z;  // from rest positions to its texels
+    double offset, longest_m, shortest_m;
   };
   struct Slice {
-    std::vector<Reading> readings;  // of each place
+    std::vector<Reading> readings;
     double variance = 0.0;
   };
-  // `first`: the share of a pattern that counts for so much, another lying way_m beside it.
-  void add_gradient(const Slice& slice, glm::dvec2 rest_m, double first, double way_m, glm::vec3& sum) const;
+  static glm::vec3 gradient(const WaveTiles& tiles, const Reading& reading, glm::dvec2 rest_m);
+  void add_gradient(const Slice& slice, glm::dvec2 rest_m, glm::vec3& sum) const;
   double below(double jacobian, double variance) const;
   WaveField field_;
   WaveTiles tiles_;

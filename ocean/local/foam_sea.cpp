@@ -9,7 +9,7 @@ namespace seascape {
 
 namespace {
 // Coverages that settle long before are stepped by less often.
-constexpr double settling_step_s = 1.0 / 6.0;
+constexpr double settling_step_s = 0.25;
 
 glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double time_s) {
   const glm::vec4 outside = place_outside(spec.place, InputTarget::flow);

@@ -149,7 +149,7 @@ TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
 TEST_F(PlanOfADevice, FoamIsWordsOfTheSurfaceOnlyWhereAScenesNamesIt) {
   std::map<std::string, std::uint64_t> words;
   for (const char* scene : {"calm", "storm"}) {
-    SeaShot shot({.scene = scene, .preset = "low", .width = 32, .height = 32});
+    SeaShot shot({.scene = scene, .preset = "low", .width = 32, .height = 32, .set = {{"foam.simulated", "false"}}});
     const Plan plan = plan_of(shot, "low");
     words[scene] = totals_of(named(plan, "surface")).words;
     std::vector<std::string> names;
