@@ -1,0 +1,57 @@
+// What a step of the foam costs, by windows and by what feeds it, beside one step of the waves that it is made of: what counts are the minima. One thread.
+#include <benchmark/benchmark.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "ocean/local/foam_pattern.h"
+#include "ocean/local/foam_sea.h"
+
+namespace seascape {
+namespace {
+
+// Resolution, slices, and whether a whirlpool carries it.
+void foam_step(benchmark::State& state) {
+  FoamSpec spec;
+  spec.settings.simulated = true;
+  spec.settings.settle_s = 0.0;
+  spec.settings.windows.resolution = int(state.range(0));
+  spec.settings.windows.slices = int(state.range(1));
+  InputSpec vortex;
+  vortex.to = InputTarget::flow;
+  vortex.shape = VortexInput{.at_m = {0.0, -60.0}, .core_m = 12.0, .reach_m = 120.0, .swirl_mps = 6.0, .inflow_mps = 0.6};
+  if (state.range(2) != 0) spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&vortex, 1));
+  SeaState sea;
+  sea.wind_speed_mps = 15.0;
+  FoamSea foam(spec, sea, WaveQuality{});
+  Breaking breaking(sea, WaveQuality{}, {}, spec.settings.life_s);
+  double step = 1e30, waves = 1e30, time_s = 100.0;
+  tbb::task_arena one(1);
+  one.execute([&] {
+    const auto take = [](double& least_ms, const auto& work) {
+      const auto before = std::chrono::steady_clock::now();
+      work();
+      least_ms = std::min(least_ms, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+    };
+    foam.update(time_s, {0.0, 2.0, 0.0});
+    for (auto _ : state) {
+      time_s += 1.0 / spec.settings.rate_hz;
+      take(step, [&] { benchmark::DoNotOptimize(foam.update(time_s, {0.0, 2.0, 0.0})); });
+      take(waves, [&] { breaking.at(ticks_from_seconds(time_s), 0.5, int(state.range(1))); });
+    }
+  });
+  state.counters["step_ms"] = step;
+  state.counters["of_waves_ms"] = waves;
+  state.counters["ns_a_texel"] = 1e6 * (step - waves) / double(state.range(0) * state.range(0) * state.range(1));
+}
+BENCHMARK(foam_step)->ArgNames({"n", "slices", "flow"})->Args({64, 4, 0})->Args({128, 4, 0})->Args({256, 2, 0})->Args({256, 4, 0})->Args({256, 6, 0})->Args({256, 4, 1})->Iterations(24)->Unit(
+    benchmark::kMillisecond)->UseRealTime();
+
+void foam_lace(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(foam_pattern(int(state.range(0))));
+}
+BENCHMARK(foam_lace)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace seascape
