@@ -97,7 +97,8 @@ std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* w
   const LodField<float>& field = foam_.field();
   breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
   fresh_ = spec_.settings.simulated ? mean_cover() : 0.0f;
-  return foam_.step(dt, [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, wakes); });
+  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, wakes); };
+  return foam_.step(dt, std::cref(gain));  // by reference: nothing is allocated
 }
 
 std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {

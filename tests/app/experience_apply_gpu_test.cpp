@@ -27,7 +27,7 @@ std::string another(const Settings& settings, const Setting& row) {
 // Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail here.
 TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   const test::ShotOptions common{.scene = "storm", .preset = "low", .width = 64, .height = 48,
-                                 .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"waves.change_s", "0"}, {"msaa", "1"}}};
+                                 .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"waves.change_s", "0"}, {"msaa", "1"}, {"foam.settle_s", "0.5"}}};
   const Pose head = test::pose({0.0, 9.0, 0.0}, 20.0, -12.0);
   constexpr double time_s = 2.0;
   test::SeaShot live(common);  // goes to each setting and back
