@@ -39,15 +39,25 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
   return lit;
 }
 
+// Where a sliver along the horizon holds a sample, a driver may find its distance past infinity, and so behind the eye: in the right direction, turned about.
+// It is as far as the horizon then.
+vec3 ahead(vec3 found) {
+  const mat4 clip = frame.view[eye_index()].clip_from_relative;
+  if (dot(vec4(clip[0].w, clip[1].w, clip[2].w, clip[3].w), vec4(found, 1.0)) > 0.0) return found;
+  const vec3 eye = frame.view[eye_index()].eye.xyz;
+  return eye + sqrt(2.0 * max(frame.viewer.z, 1.0) / max(frame.skirt.w, 1e-9)) * normalize(eye - found);
+}
+
 void main() {
-  const vec2 place = frame.viewer.xy + flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w).xz;
+  const vec3 seen = ahead(relative);
+  const vec2 place = frame.viewer.xy + flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w).xz;
   const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
   bool dry = false;
   if (water_clip) dry = water_clipped(place);
   if (sea_bed && water_clip) dry = false;
   if (dry) discard;
   vec3 normal;
-  const SurfacePoint p = SurfacePoint(relative, rest, place, along, across, height_shear, derivatives);
+  const SurfacePoint p = SurfacePoint(seen, rest, place, along, across, height_shear, derivatives);
   vec3 lit = sea_light(p, frame.view[eye_index()], normal);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);
