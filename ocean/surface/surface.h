@@ -59,7 +59,7 @@ class Surface {
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
-  static constexpr std::uint32_t probe_patches = 65536;
+  static constexpr std::uint32_t probe_patches = 98304;  // ultra, masked, in a storm: 73,600
 
  private:
   void bind_light();
