@@ -166,7 +166,10 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
   patches.apply(settings_.lod);
   const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_ && !place_;
-  return patches.select(viewpoint, bounds(viewpoint), all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
+  const DisplacementBounds bounds = this->bounds(viewpoint);
+  const SurfaceSelection& selection = patches.select(viewpoint, bounds, all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
+  if (place_ && place_->clips()) patches.leave_out(bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most); });
+  return selection;
 }
 
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {

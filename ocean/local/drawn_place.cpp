@@ -57,6 +57,7 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
     if (drawn.field) changed = drawn.field->follow(placement_, time_s);
     else drawn.field = std::make_unique<PlaceField<glm::vec4>>(place_values(drawn.inputs, settings_), settings_, placement_, time_s);
     if (changed == 0) continue;
+    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(*drawn.field, changed);
     const LodField<glm::vec4>& field = drawn.field->field();
     const int channels = drawn.windows.channels();
     drawn.windows.copy(frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int, int z, std::span<float> texels) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ocean/local/bed_field.h"
+#include "ocean/local/clip_mask.h"
 #include "ocean/local/drawn_windows.h"
 #include "ocean/local/place_sea.h"
 #include "shaders/shared/sea_data.h"
@@ -31,6 +32,9 @@ class DrawnPlace {
   // How far land stands above y = 0 at most: within a distance of the viewer (along x and z), and anywhere, of what has been around the viewer.
   double land_m(double within_m) const;
   double land_m() const;
+  // Whether there is nothing to draw within a rectangle (m, in the world): no water, and no bed where it is clipped.
+  bool clipped(glm::dvec2 least_m, glm::dvec2 most_m) const { return clips() && mask_.clipped(least_m, most_m); }
+  bool clips() const { return !bed_ && field(InputTarget::clip) != nullptr; }
   const Shallows* shallows() const { return shallows_.get(); }
 
  private:
@@ -52,6 +56,7 @@ class DrawnPlace {
   std::vector<Drawn> drawn_;
   std::shared_ptr<const Shallows> shallows_;
   std::unique_ptr<Bed> bed_;
+  ClipMask mask_;
   Owned<VkSampler> sampler_;
 };
 

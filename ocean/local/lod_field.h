@@ -84,6 +84,8 @@ class LodField {
   const LodPlacement& placement() const { return placement_; }
   const gpu::LodWindows& windows() const { return windows_; }  // places from the viewer
   int slices() const { return settings_.slices; }
+  std::int64_t side() const { return side_; }  // texels of a slice
+  const T& outside() const { return outside_; }
   int layer(int slice) const { return gpu::lod_layer(windows_.first_layer, slice, settings_.slices); }
 
  private:

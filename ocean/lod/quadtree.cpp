@@ -206,6 +206,17 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   return selection_;
 }
 
+void Quadtree::leave_out(const DisplacementBounds& bounds, const std::function<bool(glm::dvec2, glm::dvec2)>& gone) {
+  if (settings_.freeze) return;
+  const double about_m = bounds.horizontal_m * settings_.cull_scale + 0.01;
+  const auto none = [&](const gpu::PatchInstance& patch) {
+    if ((patch.flags & gpu::patch_skirt) != 0u) return false;
+    const glm::dvec2 corner = selection_.grid_origin_m + glm::dvec2(patch.corner) * unit_m_;
+    return gone(corner - about_m, corner + double(patch.stride * gpu::patch_quads) * unit_m_ + about_m);
+  };
+  selection_.culled_nodes += int(std::erase_if(selection_.patches, none));
+}
+
 // The spacing 2^n is left for its double at reach[n]. Masked joins take what the law says; morphed ones need the room that TreeFrame
 // speaks of. If the sea does not move, nothing splits. The tree is the ocean's square, or a larger one of whole levels more: it reaches as far
 // as motion is seen, or the skirt's multiplier says. For where the tree's centre moves on by a step, all of the skirt goes with it.

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,9 @@ class Quadtree {
   // `field` and `tiles`, where the processor has the picture's waves: patches that no eye sees as the water stands are left out.
   const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds, const WaveField* field = nullptr,
                                  const WaveTiles* tiles = nullptr);
+  // Takes the tree's patches off the last selection whose water, within the bounds that it was selected with, there is none of: `gone` is asked with the least and
+  // the most x and z in the world, m. Nothing that is frozen changes.
+  void leave_out(const DisplacementBounds& bounds, const std::function<bool(glm::dvec2 least_m, glm::dvec2 most_m)>& gone);
 
   int levels() const { return levels_; }  // of patches in the ocean's square: 0 is that alone
   const LodSettings& settings() const { return settings_; }
