@@ -13,7 +13,7 @@ namespace seascape {
 
 // How much of the sea breaks is known from photographs, W = 3.84e-6 U^3.41 of a wind U (Monahan and O'Muircheartaigh 1980); where it does, from how the
 // surface is squeezed: the threshold is that below which a Gaussian of the divergence's variance has as much as keeps up W. Of winds from 5 to 23 m/s that is
-// a Jacobian of 0.67 to 0.73, and it is held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
+// a Jacobian of some 0.7, and it is held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
 //
 // The four longest cascades are taken at any quality (waves of 0.3 m and more), so that foam is the same at all.
 //

@@ -16,8 +16,8 @@ using Set = std::vector<std::pair<std::string, std::string>>;
 
 class DrawnFoamWindows : public test::GpuTest {};
 
-// Every texel of every slice, as half floats, after steps, a walk, a change of height and a jump of the time. Controls seen: a copy of only the slices that hold foam now
-// (what had been there stayed); slices copied to the layer of their number.
+// Every texel of every slice, as half floats, after steps, a walk, a change of height and a jump of the time. Control seen: a slice that is copied once and then
+// never again.
 TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
   const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "18"}};
   SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
@@ -44,8 +44,8 @@ TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
   }
 }
 
-// A round slick of foam on calm water, from straight above: white within, as without it beyond, where its rest position lies, in both frame shapes. Controls seen: the
-// windows read half a texel off (at the edge); x and z changed about (an ellipse turned).
+// A round slick of foam on calm water, from straight above: white within, as without it beyond, where its rest position lies, in both frame shapes. Control seen: x and z
+// changed about.
 TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   constexpr int width = 160, height = 120;
   InputSpec input;
@@ -81,7 +81,7 @@ TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   }
 }
 
-// Where the sea is still and nobody foams it, the effect costs no pass after its first frame.
+// Where the sea is still and nobody foams it, the effect costs no pass after its first frame. Control seen: a copy in every frame.
 TEST_F(DrawnFoamWindows, RestWhereNothingFoams) {
   const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"}};
   SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});

@@ -47,8 +47,8 @@ InputSpec disc(glm::dvec2 at, double radius, float per_s) {
 }
 
 // After a minute of sea the mean cover is that of Monahan and O'Muircheartaigh (1980) within a factor of two, of 8, 12 and 18 m/s: of each slice together, over the
-// last 24 s. Seen: 0.9, 0.8 and 0.8 of it or thereabouts. Controls seen: a threshold of the Jacobian half a standard deviation lower (0.2 of it); a life of 1 s instead
-// of 3.85 in the steps alone (0.3).
+// last 24 s. Seen: 0.9, 0.8 and 0.8 of it or thereabouts. Controls seen: a threshold of the Jacobian half a standard deviation lower (0.2 of it in the weakest wind); a life
+// of 1 s instead of 3.85 in the steps alone (0.3 to 0.4).
 TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
   for (const double wind : {8.0, 12.0, 18.0}) {
     SeaState sea;

@@ -172,7 +172,7 @@ TEST(Foam, WhirlpoolsAndOpposedFlowsKeepItFinite) {
 }
 
 // Windows that move keep every texel that they still cover, to the bit; what comes into the finer one lies between the coarser one's, and into the coarser one is
-// what the sea has on average. Control seen: texels by their place in the window instead of in the world.
+// what the sea has on average. Control seen: fresh foam in every texel that comes in.
 TEST(Foam, MovingWindowsLoseOnlyWhatLeavesThem) {
   const FoamSettings s = small_foam();
   Foam foam(s);
@@ -198,6 +198,14 @@ TEST(Foam, MovingWindowsLoseOnlyWhatLeavesThem) {
     });
   EXPECT_GT(kept, 3000);
   EXPECT_GT(fresh, 500);
+  // A patch that only the coarser window holds is handed to the finer one as that comes over it.
+  Foam handed(s);
+  handed.follow(around(s, {0.0, 0.0}), 0.0f);
+  const glm::dvec2 beyond(s.windows.texel_m * 40.0, 0.0);  // the finer one ends at 32 texels
+  patch(handed, beyond, s.windows.texel_m * 8.0);
+  EXPECT_EQ(handed.covered(beyond, 0.0), 0.0f) << "the coarser one is not read yet";
+  handed.follow(around(s, beyond), 0.0f);
+  EXPECT_NEAR(handed.covered(beyond, 0.0), 0.63f, 0.05f);
 }
 
 TEST(Foam, SettingsOutOfRangeAreRefusedByName) {
