@@ -43,9 +43,10 @@ struct Module {
       return indices.size() >= 2 && value(indices[0]) == 0 && numbers.contains(value(indices[1]));
     });
   }
-  bool is_frame_data(std::uint32_t type) const {  // the one struct with members at both these offsets
+  bool is_frame_data(std::uint32_t type) const {  // the one struct with members at all these offsets
     return members.contains({type, std::uint32_t(offsetof(gpu::FrameData, grid))}) &&
-           members.contains({type, std::uint32_t(offsetof(gpu::FrameData, water_backscatter))});
+           members.contains({type, std::uint32_t(offsetof(gpu::FrameData, water_backscatter))}) &&
+           members.contains({type, std::uint32_t(offsetof(gpu::FrameData, whitecap))});
   }
   std::uint32_t value(std::uint32_t id) const {
     const auto found = constants.find(id);
