@@ -138,8 +138,12 @@ CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& sc
   matrix.views = options.views;
   matrix.frames = frames;
   for (const std::string& effect : effects) try {
-      const CostSubject alone(device, shaders, with_effects(scene, set_of({effect})), options);
-      matrix.effects.push_back(effect);
+      const std::vector<std::string> with = set_of({effect});
+      std::vector<std::string> needs = with;
+      std::erase(needs, effect);
+      const Cost own = less(CostSubject(device, shaders, with_effects(scene, with), options).holds(), CostSubject(device, shaders, with_effects(scene, needs), options).holds());
+      if (own.bytes != 0 || own.passes != 0 || own.draws != 0 || own.dispatches != 0 || own.pipelines != 0 || own.words != 0) matrix.effects.push_back(effect);
+      else spdlog::info("the matrix leaves {} out, which has nothing to do in {}", effect, scene.name);
     } catch (const Error& fault) {
       spdlog::warn("the matrix leaves {} out, for which {} has no settings: {}", effect, scene.name, fault.what());
     }

@@ -37,7 +37,7 @@ using MakeSubject = std::function<std::unique_ptr<CostSubject>()>;
 Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds);
 
 // The matrix of `effects` (all that are built, as a rule) in `scene`, whose own list of effects does not count. An effect whose settings the scene
-// lacks is left out, with a notice. A cell is missing where what stands beside needs the effect anyway. `step`: called with how many cells of how
+// lacks is left out, with a notice, and so is one for which it has nothing to do: without its input or its height it is not built. A cell is missing where what stands beside needs the effect anyway. `step`: called with how many cells of how
 // many are done.
 CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene, const std::vector<std::string>& effects, const ExperienceOptions& options,
                          const std::string& preset, int frames, const std::function<void(std::size_t, std::size_t)>& step);

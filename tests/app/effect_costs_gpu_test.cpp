@@ -74,6 +74,14 @@ TEST_F(EffectCosts, LeaveNothingBehind) {
   EXPECT_EQ(held(), before);
 }
 
+// What a scene has nothing to do for is not measured beside anything. Control seen: all measured.
+TEST_F(EffectCosts, LeaveOutWhatHasNothingToDo) {
+  Scene scene = small_scene();
+  scene.settings.wave_particles.height_m = 0.0;
+  const CostMatrix m = measured(scene, {"foam", "level", "wave_particles"}, 1);
+  EXPECT_EQ(m.effects, std::vector<std::string>{"foam"});
+}
+
 // An effect that another needs is no cell beside that one.
 TEST_F(EffectCosts, AskOnlyWhatCanBeAsked) {
   const CostMatrix m = measured(small_scene(), {"waves", "foam"}, 1);
