@@ -214,7 +214,7 @@ TEST(FoamSea, FoamsAlongShores) {
 }
 
 // In a surf zone crests foam whether or not the open sea's foam is simulated, and only as much as breaks. Control seen: surf left out of the gain; foam in
-// troughs as on crests (the mean is twice as high).
+// troughs as on crests (0.89).
 TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
   SeaState sea;
   sea.wind_speed_mps = 9.0;
