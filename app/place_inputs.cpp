@@ -1,16 +1,19 @@
 #include "app/place_inputs.h"
 
+#include <algorithm>
+
 #include "ocean/effects.h"
 
 namespace seascape {
 
 PlaceInputs place_inputs(const Scene& scene) {
-  PlaceInputs result{scene.settings.place, {}};
+  PlaceInputs result{scene.settings.place, {}, nullptr};
   for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
     if (!calls_for(scene.effects, traits(kind).name)) continue;
     auto inputs = std::make_shared<const Inputs>(kind, scene.inputs);
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
   }
+  if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)) result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);
   return result;
 }
 

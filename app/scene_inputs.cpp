@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "app/input_files.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/inputs/hull_check.h"
 
 namespace seascape {
 
@@ -15,7 +17,7 @@ namespace {
 
 using Kind = LocatedJson::Kind;
 
-constexpr std::array<std::string_view, 3> shape_values{"value", "height", "material"};
+constexpr std::array<std::string_view, 4> shape_values{"value", "height", "material", "hull"};
 constexpr auto target_names = [] {
   std::array<std::string_view, input_targets.size()> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = input_targets[i].name;
@@ -53,8 +55,10 @@ class Reader {
       case 3: vortex(); break;
       case 4: shape(); break;
       case 5: texture(); break;
-      default: trail(); break;
+      case 6: trail(); break;
+      default: volume(VolumeInput::Form(*kind - 7)); break;
     }
+    if (is_volume(spec) && json_.member("blend") == nullptr) spec.blend = InputBlend::replace;
     const VortexInput* whirlpool = std::get_if<VortexInput>(&spec.shape);
     spec.feather_m = number("feather_m", input_feather_range, whirlpool != nullptr ? 0.5 * whirlpool->reach_m : 0.0, "m");
     reader_.finish();
@@ -107,6 +111,11 @@ class Reader {
     shape.at_m = place(false), shape.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg"), shape.scale = number("scale", input_model_range, 1.0, "");
     shape.from = ShapeInput::From(choice("from", shape_values, 0));
     if (shape.from == ShapeInput::From::value) value();
+    if (shape.from == ShapeInput::From::hull) {
+      shape.at_height_m = number("at_height_m", input_height_range, 0.0, "m");
+      shape.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"), shape.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
+      volume_value();
+    }
     if (shape.from == ShapeInput::From::height)
       if (const LocatedJson* json = reader_.optional("value")) spec.value = value_of(*json, reader_.key_name("value"));
     if (!shape.file.empty()) attempt_file([&] { shape.model = files_.model(shape.file); });
@@ -137,6 +146,28 @@ class Reader {
       trail.keys.push_back(key);
     });
     spec.shape = std::move(trail);
+  }
+
+  void volume(VolumeInput::Form form) {
+    using Form = VolumeInput::Form;
+    VolumeInput volume{.form = form};
+    if (const LocatedJson* json = reader_.required("at_m", "\"at_m\": [x, height, z]")) volume.at_m = triple_of(*json, "at_m", {input_place_range, input_height_range, input_place_range}, "[x, height, z]");
+    volume.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg");
+    volume.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"), volume.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
+    if (form == Form::box) {
+      if (const LocatedJson* json = reader_.required("size_m", "\"size_m\": [x, height, z]")) volume.size_m = triple_of(*json, "size_m", {input_size_range, input_size_range, input_size_range}, "[x, height, z]");
+      volume.round_m = number("round_m", input_feather_range, 0.0, "m");
+    } else {
+      volume.radius_m = reader_.required_number("radius_m", input_size_range.least, input_size_range.most, "m");
+    }
+    if (form == Form::capsule || form == Form::cylinder) volume.length_m = reader_.required_number("length_m", input_size_range.least, 4.0 * input_size_range.most, "m");
+    volume_value();
+    spec.shape = volume;
+  }
+  // 1 where it is not given: it takes the water away.
+  void volume_value() {
+    spec.value.x = 1.0f;
+    if (const LocatedJson* json = reader_.optional("value")) spec.value = value_of(*json, reader_.key_name("value"));
   }
 
   // ---- values -----------------------------------------------------------------------------------------------------------------------------
@@ -180,6 +211,15 @@ class Reader {
       if (!json.is(Kind::array) || json.items.size() != 2)
         throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of 2 numbers", "write [x, z]");
       for (int i = 0; i < 2; ++i) result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]", range.least, range.most, unit, where_);
+    });
+    return result;
+  }
+  glm::dvec3 triple_of(const LocatedJson& json, std::string_view key, const std::array<InputRange, 3>& ranges, std::string_view as) {
+    const std::string name = reader_.key_name(key);
+    glm::dvec3 result{1.0};
+    faults_.attempt([&] {
+      if (!json.is(Kind::array) || json.items.size() != 3) throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of 3 numbers", "write " + std::string(as));
+      for (int i = 0; i < 3; ++i) result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]", ranges[std::size_t(i)].least, ranges[std::size_t(i)].most, "m", where_);
     });
     return result;
   }
@@ -280,12 +320,15 @@ std::vector<InputSpec> read_inputs(const LocatedJson& list, const std::vector<st
     if (list.items.size() > most_inputs) throw Error(place, "inputs: " + described(list), "give at most " + std::to_string(most_inputs));
     const std::vector<EffectEntry> called = closure(effects);
     InputFiles files(where);
+    std::set<const Model*> closed;  // each is gone through once
     for (std::size_t i = 0; i < list.items.size(); ++i) {
       const std::size_t before = faults.list().size();
       faults.attempt([&] {
         Reader reader(list.items[i], "inputs[" + std::to_string(i) + "]", where, files, faults);
         if (!reader.read(called) || faults.list().size() > before) return;
         validate(reader.spec);  // what does not go together
+        const ShapeInput* shape = std::get_if<ShapeInput>(&reader.spec.shape);
+        if (shape != nullptr && shape->from == ShapeInput::From::hull && closed.insert(shape->model.get()).second) validate_hull(reader.spec);
         specs.push_back(std::move(reader.spec));
       });
     }

@@ -47,7 +47,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   }
   const bool pressed = settings.pressure && !settings.pressure->empty();
   if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
-  if (!settings.place.kinds.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
+  if (!settings.place.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
   const Shallows* shallows = place_ ? place_->shallows() : nullptr;
   if (settings.foam && keeps_foam(*settings.foam, shallows != nullptr, dynamic_waves_ != nullptr)) {
     foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
@@ -168,7 +168,7 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patc
   const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_ && !place_;
   const DisplacementBounds bounds = this->bounds(viewpoint);
   const SurfaceSelection& selection = patches.select(viewpoint, bounds, all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
-  if (place_ && place_->clips()) patches.leave_out(bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most); });
+  if (place_ && place_->clips()) patches.leave_out(bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most, bounds.vertical_m); });
   return selection;
 }
 

@@ -50,10 +50,11 @@ vec3 ahead(vec3 found) {
 
 void main() {
   const vec3 seen = ahead(relative);
-  const vec2 place = frame.viewer.xy + flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w).xz;
+  const vec3 stands = flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w);
+  const vec2 place = frame.viewer.xy + stands.xz;
   const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
   bool dry = false;
-  if (water_clip) dry = water_clipped(place);
+  if (water_clip) dry = water_clipped(place, vec3(place.x, stands.y, place.y));
   if (sea_bed && water_clip) dry = false;
   if (dry) discard;
   vec3 normal;

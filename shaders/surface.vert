@@ -45,6 +45,7 @@ void main() {
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
+  if (deferred && water_clip && !sea_bed && (water_clip_kinds & 6) != 0) height_shear = vec2(d.y, 0.0);
   if (deferred)
     shift_shear = d.xzw;
   else

@@ -9,6 +9,7 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 layout(location = 1) in vec2 rest;
 layout(location = 3) in vec4 derivatives;
 layout(location = 5) in vec3 shift_shear;
+layout(location = 2) in vec2 water_clip_height;  // x: above the curved still sea, metres
 
 // Bits: a float may not pass through a picture unchanged, an integer does. What is not drawn is known by its depth.
 layout(location = 0) out uvec4 kept_point; // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
@@ -16,7 +17,7 @@ layout(location = 1) out uvec2 footprint;  // as half floats the rest position's
 
 void main() {
   bool dry = false;
-  if (water_clip) dry = water_clipped(rest + shift_shear.xy);
+  if (water_clip) dry = water_clipped(rest + shift_shear.xy, vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
   if (sea_bed && water_clip) dry = false;
   const vec2 along = dFdx(rest), across = dFdy(rest);
   if (dry) discard;

@@ -1,11 +1,14 @@
 #include "ocean/inputs/input_spec.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"
 #include "engine/gltf.h"
 #include "engine/image_file.h"
 #include "engine/text.h"
+#include "ocean/inputs/hull_check.h"
+#include "ocean/inputs/hull_map.h"
 
 namespace seascape {
 
@@ -71,11 +74,43 @@ struct Checker {
       only_for(InputTarget::albedo, "a material");
       if (spec.blend == InputBlend::scale) refuse("from: a material is no factor", "give the blend \"add\" or \"replace\"");
     }
+    if (s.from == ShapeInput::From::hull) {
+      volume("a hull");
+      number(s.at_height_m, "at_height_m", input_height_range, "m");
+      number(s.pitch_deg, "pitch_deg", input_angle_range, "deg");
+      number(s.roll_deg, "roll_deg", input_angle_range, "deg");
+    }
     if (s.model == nullptr) refuse("file: " + in_quotes(s.file) + " was not read", "read the model first");
     std::size_t triangles = 0;
     for (const MeshPart& part : s.model->parts) triangles += part.indices.size() / 3;
     if (triangles > most_input_triangles)
       refuse("file: " + in_quotes(s.file) + " has " + std::to_string(triangles) + " triangles", "give a model of at most " + std::to_string(most_input_triangles));
+  }
+  // What all volumes have in common.
+  void volume(const std::string& what) const {
+    only_for(InputTarget::clip, what);
+    if (spec.blend != InputBlend::replace) refuse("blend: " + what + " replaces what is there", "remove it; a \"value\" of 0 lets the water be");
+    if (spec.weight != 1.0) refuse("weight: " + text_from(spec.weight) + " of " + what + " is neither all nor nothing", "remove it");
+    if (spec.feather_m != 0.0) refuse("feather_m: " + what + " has no soft edge", "remove it");
+    if (spec.follow_waves) refuse("follow_waves: " + what + " stays in its place", "remove it");
+  }
+  void operator()(const VolumeInput& s) const {
+    const std::string name(input_kinds[7 + std::size_t(s.form)]);
+    volume("a " + name);
+    number(s.at_m.x, "at_m[0]", input_place_range, "m");
+    number(s.at_m.y, "at_m[1]", input_height_range, "m");
+    number(s.at_m.z, "at_m[2]", input_place_range, "m");
+    number(s.turn_deg, "turn_deg", input_angle_range, "deg");
+    number(s.pitch_deg, "pitch_deg", input_angle_range, "deg");
+    number(s.roll_deg, "roll_deg", input_angle_range, "deg");
+    if (s.form == VolumeInput::Form::box) {
+      for (int i = 0; i < 3; ++i) number(s.size_m[i], "size_m[" + std::to_string(i) + "]", input_size_range, "m");
+      number(s.round_m, "round_m", {0.0, 0.5 * std::min({s.size_m.x, s.size_m.y, s.size_m.z})}, "m, half the least side");
+      return;
+    }
+    number(s.radius_m, "radius_m", input_size_range, "m");
+    if (s.form == VolumeInput::Form::capsule) number(s.length_m, "length_m", {2.0 * s.radius_m, 4e6}, "m, twice its radius and more");
+    if (s.form == VolumeInput::Form::cylinder) number(s.length_m, "length_m", input_size_range, "m");
   }
   void operator()(const TextureInput& s) const {
     pair(s.at_m, "at_m", input_place_range, "m");
@@ -120,6 +155,11 @@ int value_channels(const InputSpec& spec) {
   return spec.blend == InputBlend::scale || speed ? 1 : traits(spec.to).channels;
 }
 
+bool is_volume(const InputSpec& spec) {
+  const ShapeInput* shape = std::get_if<ShapeInput>(&spec.shape);
+  return std::holds_alternative<VolumeInput>(spec.shape) || (shape != nullptr && shape->from == ShapeInput::From::hull);
+}
+
 void validate(const InputSpec& spec) {
   const Checker check{spec};
   check.number(spec.weight, "weight", input_share_range, "");
@@ -129,6 +169,12 @@ void validate(const InputSpec& spec) {
   if ((spec.blend == InputBlend::min || spec.blend == InputBlend::max) && (spec.to == InputTarget::flow || spec.to == InputTarget::albedo))
     check.refuse("blend: neither velocities nor colours have a " + std::string(input_blends[std::size_t(spec.blend)]), "give \"add\", \"replace\" or \"scale\"");
   std::visit(check, spec.shape);
+}
+
+void validate_hull(const InputSpec& spec) {
+  const ShapeInput& shape = std::get<ShapeInput>(spec.shape);
+  const std::string fault = hull_fault(*shape.model);
+  if (!fault.empty()) Checker{spec}.refuse("file: " + in_quotes(shape.file) + " " + fault, "close it, an open boat by a deck, or take another \"from\"");
 }
 
 }  // namespace seascape

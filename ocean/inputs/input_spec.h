@@ -52,8 +52,8 @@ struct InputRange {
 };
 inline constexpr InputRange input_place_range{-1e7, 1e7}, input_size_range{1e-3, 1e6}, input_feather_range{0.0, 1e6}, input_share_range{0.0, 1.0},
     input_angle_range{-360.0, 360.0}, input_factor_range{0.0, 1000.0}, input_map_range{-1e6, 1e6}, input_time_range{-1e9, 1e9}, input_life_range{1e-3, 1e6},
-    input_order_range{-1e6, 1e6}, input_model_range{1e-6, 1e6};
-inline constexpr std::size_t most_inputs = 4096, most_input_points = 65536, most_input_triangles = 262144, most_input_texels = 4096 * 4096;
+    input_order_range{-1e6, 1e6}, input_model_range{1e-6, 1e6}, input_height_range{-1e4, 1e4};
+inline constexpr std::size_t most_inputs = 4096, most_input_points = 65536, most_input_triangles = 262144, most_input_texels = 4096 * 4096, most_input_hulls = 64;
 
 // Angles are clockwise from -z seen from above. Places are x and z.
 
@@ -85,14 +85,26 @@ struct VortexInput {
   double inflow_mps = 0.0;  // at the core's edge, towards the middle
 };
 
-// A model's triangles seen from above.
+// Of clip: a body in the water, turned about its middle as a ship is: first rolled (above 0 its +x side goes down), then pitched (its -z end rises), then turned.
+struct VolumeInput {
+  enum class Form { sphere, box, capsule, cylinder };  // the last two upright
+  Form form = Form::sphere;
+  glm::dvec3 at_m{0.0};                   // x, height, z of its middle
+  glm::dvec3 size_m{10.0};                // of a box, from side to side
+  double round_m = 0.0;                   // radius of a box's edges
+  double radius_m = 5.0, length_m = 20.0; // of the others; of capsule and cylinder from end to end
+  double turn_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+};
+
+// A model's triangles seen from above; or of clip, what it encloses.
 struct ShapeInput {
-  enum class From { value, height, material };  // height adds the highest point's to the value; material is a base colour
+  enum class From { value, height, material, hull };  // height adds the highest point's to the value; material is a base colour
   std::string file;
   std::shared_ptr<const Model> model;
   glm::dvec2 at_m{0.0};
   double turn_deg = 0.0, scale = 1.0;
   From from = From::value;
+  double at_height_m = 0.0, pitch_deg = 0.0, roll_deg = 0.0;  // of a hull (VolumeInput)
 };
 
 // A picture laid on the sea, its top to -z where it is not turned. value = offset + scale texel.
@@ -125,11 +137,14 @@ struct InputSpec {
   double feather_m = 0.0;    // width of the soft edge, which lies inside of the shape
   bool follow_waves = false; // it goes to and fro with the waves that pass under it, as foam does; else it stays in its place
   glm::vec4 value{0.0f};     // as many channels as the target has; a factor, with InputBlend::scale, is in the first
-  std::variant<SplineInput, AreaInput, VortexInput, ShapeInput, TextureInput, TrailInput> shape = AreaInput{};
+  std::variant<SplineInput, AreaInput, VortexInput, ShapeInput, TextureInput, TrailInput, VolumeInput> shape = AreaInput{};
   std::string where;         // what messages call it: "scene.json:12: inputs[3]"
 };
-// In the order of the variant.
-inline constexpr std::array<std::string_view, 7> input_kinds{"spline", "ellipse", "rectangle", "vortex", "shape", "texture", "trail"};
+// In the order of the variant, and those of VolumeInput of Form.
+inline constexpr std::array<std::string_view, 11> input_kinds{"spline", "ellipse", "rectangle", "vortex", "shape", "texture", "trail", "sphere", "box", "capsule", "cylinder"};
+
+// Whether it takes water away where that stands within a body, and not from above (ClipVolumes). Its blend is `replace`: of those at a place the last one holds.
+bool is_volume(const InputSpec& spec);
 
 // Channels of the value that the input itself gives: one where it is a factor, or a speed along a spline.
 int value_channels(const InputSpec& spec);

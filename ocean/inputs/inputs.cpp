@@ -23,9 +23,10 @@ std::unique_ptr<const InputSource> make_input(const InputSpec& spec, std::vector
     std::unique_ptr<const InputSource> operator()(const SplineInput&) const { return make_spline(spec, remarks); }
     std::unique_ptr<const InputSource> operator()(const AreaInput&) const { return make_area(spec); }
     std::unique_ptr<const InputSource> operator()(const VortexInput&) const { return make_vortex(spec); }
-    std::unique_ptr<const InputSource> operator()(const ShapeInput&) const { return make_shape(spec, remarks); }
+    std::unique_ptr<const InputSource> operator()(const ShapeInput&) const { return is_volume(spec) ? nullptr : make_shape(spec, remarks); }
     std::unique_ptr<const InputSource> operator()(const TextureInput&) const { return make_texture(spec); }
     std::unique_ptr<const InputSource> operator()(const TrailInput&) const { return make_trail(spec, remarks); }
+    std::unique_ptr<const InputSource> operator()(const VolumeInput&) const { return nullptr; }  // ClipVolumes
   };
   return std::visit(Maker{spec, remarks}, spec.shape);
 }
@@ -53,7 +54,7 @@ std::vector<std::string> remarks_of(std::span<const InputSpec> specs) {
 Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs) : to_(to) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < specs.size(); ++i)
-    if (specs[i].to == to) numbers.push_back(i);
+    if (specs[i].to == to && !is_volume(specs[i])) numbers.push_back(i);
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
   std::vector<InputBounds> boxes;
   for (const std::size_t i : numbers) {

@@ -12,7 +12,7 @@ namespace seascape {
 // Immutable once made; any number of threads may ask. What it holds of pictures and models is its own.
 class Inputs {
  public:
-  // Takes those of `specs` that are for `to`, sorted by their order; the rest may be for others. Throws Error as validate() does.
+  // Takes those of `specs` that are for `to`, sorted by their order, but volumes (ClipVolumes); the rest may be for others. Throws Error as validate() does.
   Inputs(InputTarget to, std::span<const InputSpec> specs);
 
   // `base` is what there is without inputs: the same comes back, to the bit, where none is; else every channel of the target's within its range

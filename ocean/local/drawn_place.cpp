@@ -44,6 +44,8 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
     bed_ = std::make_unique<Bed>(Bed{nullptr, DrawnWindows(device, "sea_depth", settings_.windows, whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
                                      DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2)});
   }
+  if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
+  if (drawn_.empty() && !bed_) return;
   const EffectScope scope(device, traits(drawn_.empty() ? InputTarget::sea_depth : drawn_.front().kind).name);
   sampler_ = make_sampler(device, "places", {});
 }
@@ -100,11 +102,15 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
     const double of_ground[] = {shallows_->run_up_m(), settings_.growth_m, settings_.sand};
     for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_->direction(i)), float(of_ground[i]), 0.0f);
   }
+  const glm::dvec2 whole = glm::floor(grid_origin_m);
+  data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);
+  data.clip_from = glm::vec4(glm::vec2(grid_origin_m - whole), 0.0f, 0.0f);
   data.flow = glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
 }
 
 void DrawnPlace::add_uses(Uses& uses, Access access) const {
   for (const Drawn& drawn : drawn_) uses.add(use(drawn.windows.image(), access));
+  if (clip_) clip_->add_uses(uses, access);
   if (!bed_) return;
   uses.add(use(bed_->heights.image(), access));
   uses.add(use(bed_->waves.image(), access));
@@ -122,6 +128,12 @@ const Image* DrawnPlace::image(InputTarget kind) const {
 const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
   const Drawn* found = drawn(kind);
   return found == nullptr ? nullptr : found->field.get();
+}
+
+bool DrawnPlace::clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const {
+  if (!clips()) return false;
+  const bool flat = drawn(InputTarget::clip) != nullptr ? mask_.clipped(least_m, most_m) : settings_.clip_by_default;
+  return clip_ ? clip_->volumes().clipped(least_m, most_m, height_m, flat) : flat;
 }
 
 double DrawnPlace::level_m() const {

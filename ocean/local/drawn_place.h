@@ -5,6 +5,7 @@
 
 #include "ocean/local/bed_field.h"
 #include "ocean/local/clip_mask.h"
+#include "ocean/local/drawn_clip.h"
 #include "ocean/local/drawn_windows.h"
 #include "ocean/local/place_sea.h"
 #include "shaders/shared/sea_data.h"
@@ -32,9 +33,10 @@ class DrawnPlace {
   // How far land stands above y = 0 at most: within a distance of the viewer (along x and z), and anywhere, of what has been around the viewer.
   double land_m(double within_m) const;
   double land_m() const;
-  // Whether there is nothing to draw within a rectangle (m, in the world): no water, and no bed where it is clipped.
-  bool clipped(glm::dvec2 least_m, glm::dvec2 most_m) const { return clips() && mask_.clipped(least_m, most_m); }
-  bool clips() const { return !bed_ && field(InputTarget::clip) != nullptr; }
+  // Whether there is nothing to draw within a rectangle (m, in the world) where no water stands further than height_m from the still sea: no water, and no bed where it is clipped.
+  bool clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const;
+  bool clips() const { return !bed_ && (clip_ || field(InputTarget::clip) != nullptr); }
+  const DrawnClip* clip_volumes() const { return clip_.get(); }
   const Shallows* shallows() const { return shallows_.get(); }
 
  private:
@@ -57,6 +59,7 @@ class DrawnPlace {
   std::shared_ptr<const Shallows> shallows_;
   std::unique_ptr<Bed> bed_;
   ClipMask mask_;
+  std::unique_ptr<DrawnClip> clip_;
   Owned<VkSampler> sampler_;
 };
 

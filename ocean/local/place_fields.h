@@ -12,6 +12,7 @@
 #include <mutex>
 #include <vector>
 
+#include "ocean/inputs/clip_volumes.h"
 #include "ocean/inputs/inputs.h"
 #include "ocean/local/lod_field.h"
 #include "ocean/local/place_settings.h"
@@ -22,6 +23,9 @@ namespace seascape {
 struct PlaceInputs {
   PlaceSettings settings;
   std::vector<std::shared_ptr<const Inputs>> kinds;  // each kind once at most
+  std::shared_ptr<const ClipVolumes> volumes;        // of clip beside its flat inputs; null where there are none
+
+  bool empty() const { return kinds.empty() && volumes == nullptr; }
 
   // Null where there are none.
   std::shared_ptr<const Inputs> of(InputTarget kind) const {

@@ -38,8 +38,15 @@ glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) co
   return flow_ == nullptr ? glm::dvec2(0.0) : glm::dvec2(flow_->value(rest, footprint, place_time_s(inputs_.settings, flow_->still(), time), place_outside(inputs_.settings, InputTarget::flow)));
 }
 
-bool PlaceSea::clipped(glm::dvec2 place, double time) const {
-  return clip_ != nullptr && clip_->value(place, 0.0, place_time_s(inputs_.settings, clip_->still(), time), place_outside(inputs_.settings, InputTarget::clip)).x > 0.5f;
+bool PlaceSea::clipped(glm::dvec2 flat_m, glm::dvec3 point, double time) const {
+  if (clip_ == nullptr && inputs_.volumes == nullptr) return false;
+  const glm::vec4 outside = place_outside(inputs_.settings, InputTarget::clip);
+  const bool flat = (clip_ == nullptr ? outside : clip_->value(flat_m, 0.0, place_time_s(inputs_.settings, clip_->still(), time), outside)).x > 0.5f;
+  return inputs_.volumes == nullptr ? flat : inputs_.volumes->clipped(point, flat);
+}
+
+bool PlaceSea::dry(const Here& here, glm::dvec3 d, double time) const {
+  return shallows_ != nullptr && clipped(here.rest, {here.rest.x + d.x, d.y, here.rest.y + d.z}, time);
 }
 
 namespace {
@@ -64,6 +71,7 @@ double lifted(const PlaceWaves& waves, int cascade, int cascades) {
 
 PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint, double time, bool gradients) const {
   Here result;
+  result.rest = rest;
   result.parts.push_back({rest, filter});
   result.level_m = level_m(rest, footprint, time);
   const double e = std::max(gradient_m, 0.5 * footprint);
@@ -79,7 +87,6 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest,
   const auto waves_at = [&](glm::dvec2 at) { return shallows_->waves(at, level_m(at, footprint, time) - bed(at)); };
   const double e = std::max(gradient_m, 0.5 * footprint);
   here.bed_m = bed(rest);
-  here.dry = clipped(rest, time);
   here.wet = smoothstep(-0.1, 0.2, here.level_m - here.bed_m);
   const PlaceWaves waves = waves_at(rest);
   std::array<PlaceWaves, 4> around;
@@ -130,21 +137,16 @@ void PlaceSea::add_current(const WaveField& field, Here& here, glm::dvec2 rest, 
 }
 
 glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
-  if (here.dry) return {0.0, here.bed_m, 0.0};
   glm::dvec3 sum(0.0, here.level_m, 0.0);
   for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
   if (shallows_ == nullptr) return sum;
-  return {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
+  sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
+  return dry(here, sum, seconds(tiles)) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
 }
 
 SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint) const {
   const Here here = this->here(field, field.filter(footprint), rest, footprint, seconds(tiles), true);
   SeaSample result;
-  if (here.dry) {
-    result.displacement.y = here.bed_m;
-    result.height_gradient = here.bed_gradient;
-    return result;
-  }
   result.height_gradient = here.level_gradient;
   result.displacement.y = here.level_m;
   for (const Part& part : here.parts) {
@@ -165,6 +167,10 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dve
     result.displacement.y = here.bed_m;
     result.height_gradient = here.bed_gradient;
   }
+  if (!dry(here, result.displacement, seconds(tiles))) return result;
+  result = {};
+  result.displacement.y = here.bed_m;
+  result.height_gradient = here.bed_gradient;
   return result;
 }
 

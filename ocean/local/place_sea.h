@@ -21,7 +21,8 @@ class PlaceSea {
   bool moves() const { return level_ != nullptr || flow_ != nullptr || shallows_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;           // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
-  bool clipped(glm::dvec2 place_m, double time_s) const;                                // no water there
+  // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
+  bool clipped(glm::dvec3 point_m, double time_s) const { return clipped({point_m.x, point_m.z}, point_m, time_s); }
 
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.get(); }
@@ -46,10 +47,14 @@ class PlaceSea {
   struct Here {
     std::vector<Part> parts;
     double level_m = 0.0, bed_m = 0.0, wet = 1.0;
-    bool dry = false;  // clipped over a bed: that is the surface
+    glm::dvec2 rest{0.0};
     glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
   };
   Here here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint_m, double time_s, bool gradients) const;
+  // Flat inputs are asked where the point is drawn from, volumes where it stands.
+  bool clipped(glm::dvec2 flat_m, glm::dvec3 point_m, double time_s) const;
+  // Clipped over a bed: that is the surface.
+  bool dry(const Here& here, glm::dvec3 displacement, double time_s) const;
   void add_shallows(const WaveField& field, Here& here, glm::dvec2 rest, double footprint_m, double time_s, bool gradients) const;
   void add_current(const WaveField& field, Here& here, glm::dvec2 rest, double footprint_m, double time_s) const;
   glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;

@@ -60,6 +60,11 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
                  {13, dynamic_waves != nullptr ? dynamic_waves->shift().spec().layers : 0u}};
   spec.values.push_back({21, foam != nullptr});
   for (const PlaceSlot& slot : place_slots) spec.values.push_back({slot.constant, place != nullptr && place->image(slot.kind) != nullptr});
+  const DrawnClip* clip = place != nullptr ? place->clip_volumes() : nullptr;
+  const bool flat_clip = place != nullptr && place->image(InputTarget::clip) != nullptr;
+  for (SpecValue& value : spec.values)
+    if (value.id == 17) value.value = flat_clip || clip != nullptr;
+  spec.values.push_back({24, (flat_clip ? 1u : 0u) | (clip != nullptr ? 2u : 0u) | (clip != nullptr && clip->hulls() != nullptr ? 4u : 0u)});
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
     for (std::size_t i = 0; i < std::size(slots); ++i)
@@ -96,6 +101,11 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   for (const PlaceSlot& slot : place_slots)
     if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view(), .sampler = place->sampler()});
   if (place != nullptr && place->bed_waves() != nullptr) entries_.push_back({.binding = 28, .view = place->bed_waves()->view(), .sampler = place->sampler()});
+  if (clip != nullptr) {
+    entries_.push_back({.binding = 38, .buffer = &clip->node_buffer()});
+    entries_.push_back({.binding = 39, .buffer = &clip->volume_buffer()});
+    if (clip->hulls() != nullptr) entries_.push_back({.binding = 40, .view = clip->hulls()->view(), .sampler = clip->sampler()});
+  }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

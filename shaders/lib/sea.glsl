@@ -48,7 +48,6 @@ layout(constant_id = 15) const bool sea_bed = false;
 layout(binding = 15) uniform sampler2DArray sea_bed_windows;    // BedTexel::bed (ocean/local/bed_field.h),
 layout(binding = 28) uniform sampler2DArray sea_bed_waves;      // and its other two, two layers a slice
 layout(constant_id = 17) const bool water_clip = false;
-layout(binding = 30) uniform sampler2DArray water_clip_windows;  // 1 where there is no water
 
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
 vec4 laid(float size) { return vec4(size, size, size, 1.0); }
@@ -82,8 +81,7 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 
 #include "lib/dynamic_waves.glsl"
 
-// Whether there is no water at a place (not a rest position), metres from the grid origin.
-bool water_clipped(vec2 place) { return place_value(water_clip_windows, place_read(place, 0.0), place, frame.sea.place.outside.yyyy).x > 0.5; }
+#include "lib/water_clip.glsl"
 
 // Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
 vec4 sea_displacement(vec2 rest, float footprint) {
@@ -105,7 +103,7 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed && sea_level) sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed) sum = sea_bed_land(sum);
-  if (sea_bed && water_clip && water_clipped(rest)) sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
+  if (sea_bed && water_clip && water_clipped(rest, vec3(rest.x + sum.x, sum.y, rest.y + sum.z))) sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
   return sum;
 }
 

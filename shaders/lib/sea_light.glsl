@@ -92,7 +92,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   if (sea_bed && sea_level) sea_bed_still = sea_level_at(p.rest);
   Bed sea_bed_below;
   if (sea_bed) sea_bed_below = bed_at(p, sea_bed_still, above, sea_bed_footprint);
-  if (sea_bed && water_clip && water_clipped(p.rest)) sea_bed_below.water = 0.0;
+  if (sea_bed && water_clip && water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? sea_bed_still : p.height_shear.x, p.place.y))) sea_bed_below.water = 0.0;
   if (sea_bed) below = bed_through_water(sea_bed_below, below, down, p.place, v, normal, above, sea_bed_footprint);
 
   // Sunlight through a crest: it enters the far side and leaves towards the eye, dimmed by the water between. The thickness

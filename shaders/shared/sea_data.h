@@ -30,6 +30,8 @@ struct PlaceData {
   vec4 outside_bed;     // x: the bed's height in the open, m; y, z: where the grid origin lies in the ground's pattern, m
   vec4 shift_along[3];  // x, y: along which the patterns of the longest cascades are shifted over a bed; z of the first: how high run-up wets a beach, m; of the
                         // second: from which height above the water land is green, m, 0 never; of the third: how bright sand is
+  ivec4 clip_origin;  // x, y: the grid origin's x and z, whole metres,
+  vec4 clip_from;     // and what it has beyond
   vec4 flow;     // two phases of water that is carried along: x, y: how long each has been, s; z: the first one's share; w: half of a phase's time, s
 };
 

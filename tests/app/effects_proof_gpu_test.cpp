@@ -53,6 +53,15 @@ InputSpec bank() {
   return spec;
 }
 
+InputSpec drum() {
+  InputSpec spec;
+  spec.to = InputTarget::clip;
+  spec.value.x = 1.0f;
+  spec.blend = InputBlend::replace;
+  spec.shape = VolumeInput{.form = VolumeInput::Form::cylinder, .at_m = {5.0, 0.0, -12.0}, .radius_m = 3.0, .length_m = 6.0};
+  return spec;
+}
+
 const EffectUnderProof table[] = {
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
     {"foam", {"waves"}, {"waves", "foam"},
@@ -67,7 +76,7 @@ const EffectUnderProof table[] = {
     {"level", {"waves"}, {"waves", "level"}, {}, {"", ""}, {27}, true, true, "level", {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
     {"sea_depth", {"waves"}, {"waves", "sea_depth"}, {}, {"", ""}, {15, 28}, true, true, "sea_depth", {bank()}},
     {"flow", {"waves"}, {"waves", "flow"}, {{"flow.period_s", "1.7"}}, {"", ""}, {29}, true, true, "flow", {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
-    {"clip", {"waves"}, {"waves", "clip"}, {}, {"", ""}, {30}, true, true, "clip", {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f})}},
+    {"clip", {"waves"}, {"waves", "clip"}, {}, {"", ""}, {30, 38, 39}, true, true, "clip", {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}), drum()}},
     {"albedo", {"waves"}, {"waves", "albedo"}, {}, {"", ""}, {31}, true, true, "albedo", {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},
     {"shadow", {"waves"}, {"waves", "shadow"}, {}, {"", ""}, {32}, true, true, "shadow", {pool(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f})}},
 };

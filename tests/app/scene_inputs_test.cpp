@@ -12,6 +12,7 @@
 #include "app/scene.h"
 #include "app/validate.h"
 #include "engine/image_file.h"
+#include "ocean/inputs/clip_volumes.h"
 #include "ocean/inputs/inputs.h"
 #include "tests/support/gltf_maker.h"
 
@@ -96,6 +97,26 @@ TEST(SceneInputs, EveryKindIsReadAndGivesWhatItSays) {
   EXPECT_EQ(glm::vec2(at(InputTarget::shadow, specs, 50.0, 0.0, 10.0)), glm::vec2(0.5f, 1.0f));
 }
 
+// Volumes have a place with its height, are turned in space and take the water away unless they say otherwise; flat inputs know nothing of them. Control seen: roll read as pitch.
+TEST(SceneInputs, VolumesAreRead) {
+  const auto specs = read(R"([
+    {"to": "clip", "kind": "sphere", "at_m": [10, -2, 30], "radius_m": 4},
+    {"to": "clip", "kind": "box", "at_m": [100, 1, 0], "size_m": [4, 2, 9], "round_m": 0.5, "turn_deg": 90, "order": 2},
+    {"to": "clip", "kind": "capsule", "at_m": [200, 0, 0], "radius_m": 1, "length_m": 8, "pitch_deg": 90},
+    {"to": "clip", "kind": "cylinder", "at_m": [300, 0, 0], "radius_m": 1, "length_m": 8, "roll_deg": 90, "value": 0}
+  ])");
+  ASSERT_EQ(specs.size(), 4u);
+  EXPECT_TRUE(Inputs(InputTarget::clip, specs).empty());
+  const ClipVolumes volumes(specs);
+  EXPECT_TRUE(volumes.clipped({10.0, -5.9, 30.0}, false));
+  EXPECT_FALSE(volumes.clipped({10.0, 2.1, 30.0}, false));
+  EXPECT_TRUE(volumes.clipped({104.4, 1.0, 0.0}, false));
+  EXPECT_FALSE(volumes.clipped({104.4, 1.9, 0.0}, false)) << "its edges are round";
+  EXPECT_TRUE(volumes.clipped({200.0, 0.0, 3.9}, false)) << "it lies along z";
+  EXPECT_FALSE(volumes.clipped({303.9, 0.5, 0.0}, true)) << "it lies along x, and lets the water be";
+  EXPECT_TRUE(volumes.clipped({300.0, 1.1, 0.0}, true));
+}
+
 // Control: names taken relative to the working directory find neither file.
 TEST(SceneInputs, APictureOfDataIsReadAsItsBytesStand) {
   const auto specs = read(R"([{"to": "clip", "kind": "texture", "file": "paint.png", "at_m": [0, 0], "size_m": 10},
@@ -112,8 +133,8 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
       {"[\n3]", ":2: inputs[0]: 3 is not an object; write {\"key\": value, ...}"},
       {R"([{}])", ":1: the key 'inputs[0].to' is missing; add \"to\": level, sea_depth, flow, foam, clip, albedo, shadow or dynamic_waves"},
       {R"([{"to": "levl"}])", ":1: inputs[0].to: 'levl' is not known (did you mean 'level'?); take level, sea_depth, flow, foam, clip, albedo, shadow or dynamic_waves"},
-      {R"([{"to": "level"}])", ":1: the key 'inputs[0].kind' is missing; add \"kind\": spline, ellipse, rectangle, vortex, shape, texture or trail"},
-      {"[{\"to\": \"level\",\n\"kind\": 3}]", ":2: inputs[0].kind: 3 is not known; take spline, ellipse, rectangle, vortex, shape, texture or trail"},
+      {R"([{"to": "level"}])", ":1: the key 'inputs[0].kind' is missing; add \"kind\": spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
+      {"[{\"to\": \"level\",\n\"kind\": 3}]", ":2: inputs[0].kind: 3 is not known; take spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
       {"[{\"to\": \"level\", \"kind\": \"ellipse\",\n\"weight\": 2}]", ":2: inputs[0].weight: 2 is out of range; give a number from 0 to 1"},
       {R"([{"to": "level", "kind": "ellipse", "order": 1.5}])", ":1: inputs[0].order: 1.5 is not a whole number; give a whole number"},
       {R"([{"to": "level", "kind": "ellipse", "follow_waves": 1}])", ":1: inputs[0].follow_waves: 1 is neither true nor false; give true or false"},
@@ -138,6 +159,17 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
       {R"([{"to": "level", "kind": "trail", "value": 1, "keys": [{"at_m": [0, 0]}]}])", ":1: the key 'inputs[0].keys[0].time_s' is missing; add \"time_s\": a number from -1000000000 to 1000000000 s"},
       {R"([{"to": "level", "kind": "texture", "file": "bed.exr", "at_m": [0, 0], "size_m": 1, "channels": "x"}])",
        ":1: inputs[0]: channels: 'x' does not name 1 of the picture's; give so many letters of r, g, b and a, as \"r\""},
+      {R"([{"to": "level", "kind": "sphere", "at_m": [0, 0, 0], "radius_m": 1}])", ":1: inputs[0]: a sphere is no input of level; give it \"to\": \"clip\""},
+      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0], "radius_m": 1}])", ":1: inputs[0].at_m: a list of 2 is not a list of 3 numbers; write [x, height, z]"},
+      {"[{\"to\": \"clip\", \"kind\": \"sphere\",\n\"at_m\": [0, 20000, 0], \"radius_m\": 1}]", ":2: inputs[0].at_m[1]: 20000 is out of range; give a number from -10000 to 10000 m"},
+      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0, 0]}])", ":1: the key 'inputs[0].radius_m' is missing; add \"radius_m\": a number from 0.001 to 1000000 m"},
+      {R"([{"to": "clip", "kind": "box", "at_m": [0, 0, 0], "size_m": [1, 0, 1]}])", ":1: inputs[0].size_m[1]: 0 is out of range; give a number from 0.001 to 1000000 m"},
+      {R"([{"to": "clip", "kind": "box", "at_m": [0, 0, 0], "size_m": [1, 1, 1], "radius_m": 1}])",
+       ":1: unknown key 'inputs[0].radius_m'; remove it, or take one of: to, kind, weight, blend, order, follow_waves, at_m, turn_deg, pitch_deg, roll_deg, size_m, round_m, value and feather_m"},
+      {R"([{"to": "clip", "kind": "cylinder", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 2, "value": 2}])", ":1: inputs[0].value: 2 is out of range; give a number from 0 to 1"},
+      {R"([{"to": "clip", "kind": "capsule", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 1}])", ":1: inputs[0]: length_m: 1 is out of range; give a number from 2 to 4000000 m, twice its radius and more"},
+      {R"([{"to": "clip", "kind": "shape", "file": "plane.glb", "from": "hull"}])",
+       ":1: inputs[0]: file: 'plane.glb' is not closed: 4 sides of triangles have nothing beside them that faces the same way; close it, an open boat by a deck, or take another \"from\""},
       {R"([{"to": "level", "kind": "texture", "file": 3, "at_m": [0, 0], "size_m": 1}])", ":1: inputs[0].file: 3 is no file's name; write \"name.exr\""},
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(fault_of(text), message) << text;

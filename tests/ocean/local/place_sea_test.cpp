@@ -31,11 +31,12 @@ InputSpec hill(double top_m) {
 }
 
 PlaceInputs inputs_of(const std::vector<InputSpec>& specs, const PlaceSettings& settings = {}) {
-  PlaceInputs result{settings, {}};
+  PlaceInputs result{settings, {}, nullptr};
   for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip}) {
     auto inputs = std::make_shared<const Inputs>(kind, specs);
     if (!inputs->empty() || place_outside(settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
   }
+  if (std::any_of(specs.begin(), specs.end(), is_volume)) result.volumes = std::make_shared<const ClipVolumes>(specs);
   return result;
 }
 
@@ -105,6 +106,29 @@ TEST_F(PlaceSeaTest, WithoutPlacesItIsTheWavesQuery) {
   query(field, tiles, {&asked, 1}, {&theirs, 1});
   EXPECT_EQ(ours.height_m, theirs.height_m);
   EXPECT_EQ(ours.orbital_velocity_mps, theirs.orbital_velocity_mps);
+}
+
+// Water is taken away where it stands within a volume, whatever lies above or below; flat inputs take it at any height. Control seen: the height left out.
+TEST_F(PlaceSeaTest, VolumesTakeWaterByItsHeight) {
+  InputSpec ball;
+  ball.to = InputTarget::clip;
+  ball.blend = InputBlend::replace;
+  ball.value.x = 1.0f;
+  ball.shape = VolumeInput{.form = VolumeInput::Form::sphere, .at_m = {4.0, 1.0, -7.0}, .radius_m = 2.0};
+  InputSpec flat = hill(1.0);
+  flat.to = InputTarget::clip;
+  flat.shape = AreaInput{.round = true, .at_m = {30.0, 0.0}, .size_m = {6.0, 6.0}};
+  flat.feather_m = 0.0;
+  const PlaceSea place(inputs_of({ball, flat}), field), alone(inputs_of({ball}), field);
+  for (const PlaceSea* sea : {&place, &alone}) {
+    EXPECT_TRUE(sea->clipped({4.0, -0.9, -7.0}, 0.0));
+    EXPECT_TRUE(sea->clipped({5.9, 1.0, -7.0}, 0.0));
+    EXPECT_FALSE(sea->clipped({5.9, 0.0, -7.0}, 0.0));
+    EXPECT_FALSE(sea->clipped({4.0, 3.1, -7.0}, 0.0));
+    EXPECT_FALSE(sea->clipped({4.0, -1.1, -7.0}, 0.0));
+  }
+  EXPECT_TRUE(place.clipped({30.0, 9.0, 0.0}, 0.0));
+  EXPECT_FALSE(alone.clipped({30.0, 9.0, 0.0}, 0.0));
 }
 
 // A tide lifts all water by its height, and nothing else.
