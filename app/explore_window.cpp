@@ -118,7 +118,7 @@ void Explorer::apply(const Settings& wanted) {
 }
 
 void Explorer::feel_water() {
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()), place_inputs(experience_->scene()));
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()), place_inputs(experience_->scene()), experience_->ocean().shallows());
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
@@ -244,7 +244,7 @@ void Explorer::move(const Input& input, double dt_s) {
   if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
   const Ocean& ocean = experience_->ocean();
-  if (ocean.changing() || sea_changes_) water_->follow(ocean.bins(), ocean.chop());
+  if (ocean.changing() || sea_changes_) water_->follow(ocean.bins(), ocean.chop(), ocean.shallows());
   sea_changes_ = ocean.changing();
   camera_.step(wish, dt_s, water_->at({place.x, place.z}, sea_time_s()));
   recorder_.sample(now_s_, camera_.pose(), scene_time_s());

@@ -11,10 +11,11 @@ namespace seascape {
 // of its cost. Whoever rides does not feel the shorter ones.
 class WaterHeight {
  public:
-  // The waves that the sea draws.
-  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {}, PlaceInputs place = {});
+  // The waves that the sea draws, and what its bed makes of them.
+  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {}, PlaceInputs place = {}, ShallowsMix shallows = {});
   // Other amplitudes of the same waves, as the drawn sea has them while it changes.
-  void follow(const WaveBins& drawn, double chop) {
+  void follow(const WaveBins& drawn, double chop, ShallowsMix shallows) {
+    place_.follow(std::move(shallows));
     field_.take(drawn, chop, field_.statistics());
     evaluated_ = false;
   }

@@ -15,6 +15,14 @@ namespace {
 bool on_gpu(const Device& device, WavePlace place) {
   return place == WavePlace::gpu || (place == WavePlace::automatic && !device.facts().software);
 }
+
+FoamSea::Water still_water(std::shared_ptr<const Shallows> shallows) {
+  return [shallows = std::move(shallows)](glm::dvec2 place, double texel) {
+    const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
+    const PlaceWaves waves = shallows->waves(place, depth);
+    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth)};
+  };
+}
 }  // namespace
 
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settings)
@@ -48,17 +56,13 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   const bool pressed = settings.pressure && !settings.pressure->empty();
   if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
   if (!settings.place.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
-  const Shallows* shallows = place_ ? place_->shallows() : nullptr;
-  if (settings.foam && keeps_foam(*settings.foam, shallows != nullptr, dynamic_waves_ != nullptr)) {
+  if (settings.foam && keeps_foam(*settings.foam, bool(shallows()), dynamic_waves_ != nullptr)) {
     foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
-    if (shallows != nullptr)
-      foam_->sea().set_water([shallows](glm::dvec2 place, double texel) {
-        const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
-        const PlaceWaves waves = shallows->waves(place, depth);
-        return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth)};
-      });
+    if (shallows()) foam_->sea().set_water(still_water(shallows().from));
   }
 }
+
+ShallowsMix Ocean::shallows() const { return place_ ? place_->shallows() : ShallowsMix{}; }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   const std::int64_t ticks = ticks_from_seconds(time_s);
@@ -77,7 +81,7 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
 }
 
 double Ocean::others_height_m() const { return most_share() * of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) + (place_ ? place_->level_m() : 0.0); }
-double Ocean::most_share() const { return place_ && place_->shallows() != nullptr ? place_->shallows()->most_share() : 1.0; }
+double Ocean::most_share() const { return place_ && place_->shallows() ? place_->shallows().most_share() : 1.0; }
 double Ocean::land_m() const { return place_ ? place_->land_m() : 0.0; }
 double Ocean::others_shift_m() const { return most_share() * of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
 
@@ -96,22 +100,27 @@ void Ocean::change(const SeaState& sea, double over_s) {
     return;
   }
   if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, settings_.waves);
-  maker_->ask(sea);
+  maker_->ask(sea, place_ ? place_->remake(settings_.place, settings_.sources) : nullptr);
   settings_.sea = sea;
   change_s_ = over_s;
   asked_for_ = true;
 }
 
 void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
-  if (std::optional<MadeSea> made = maker_->take()) {
+  // What a bed makes of the waves passes from one sea to one other: over a bed a further sea waits for the change that runs.
+  const bool waits = blend_ && shallows();
+  if (std::optional<MadeSea> made = waits ? std::nullopt : maker_->take()) {
     const bool same_waves = drawn_seed_ == made->state.seed;
     drawn_seed_ = same_waves ? drawn_seed_ : std::nullopt;  // two seas' waves at once, until the change is over
     MadeSea now{made->state, bins_, statistics_};
+    const std::shared_ptr<MadePlace> bed = std::move(made->place);
     now.state.chop = chop_;
     blend_.emplace(std::move(now), std::move(*made), ticks, ticks + std::max<std::int64_t>(1, ticks_from_seconds(change_s_)), same_waves);
     asked_for_ = false;
+    if (bed != nullptr) place_->begin_change(std::move(*bed));
   }
   if (!blend_) return;
+  if (shallows().to) place_->change(blend_->over(ticks) ? 1.0 : std::min(blend_->share(ticks), 0x1.fffffep-1));
   blend_->amplitudes(ticks, bins_);
   statistics_ = blend_->statistics(ticks);
   chop_ = blend_->chop(ticks);
@@ -124,6 +133,7 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
     long_ticks_.reset();
   }
   if (!blend_->over(ticks)) return;
+  if (foam_ && shallows()) foam_->sea().set_water(still_water(shallows().from));
   drawn_seed_ = blend_->to().state.seed;
   blend_.reset();
 }
@@ -150,7 +160,7 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
     for (double& off : result.below->motion.vertical_m) off += others_height_m();
     for (double& off : result.below->motion.horizontal_m) off += others_shift_m();
     // Shallow water stands anywhere between none of its waves and the most that a bed makes of them.
-    for (std::size_t n = 0; place_ && place_->shallows() != nullptr && n < result.below->off.vertical_m.size(); ++n) {
+    for (std::size_t n = 0; place_ && place_->shallows() && n < result.below->off.vertical_m.size(); ++n) {
       result.below->off.vertical_m[n] = most_share() * statistics_.largest_height_m + place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n)));
       result.below->off.horizontal_m[n] = most_share() * statistics_.largest_shift_m;
     }

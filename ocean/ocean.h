@@ -84,6 +84,8 @@ class Ocean {
   const DrawnFoam* foam() const { return foam_.get(); }
   // Null where nothing belongs to places.
   const DrawnPlace* place() const { return place_.get(); }
+  // What the bed makes of the waves now; null where no bed is known.
+  ShallowsMix shallows() const;
   // Adds every image that the surface samples.
   void add_uses(Uses& uses) const;
   const SeaStatistics& statistics() const { return statistics_; }

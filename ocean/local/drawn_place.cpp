@@ -29,7 +29,7 @@ std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) 
 }  // namespace
 
 DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m)
-    : settings_(inputs.settings), depth_m_(depth_m), shallows_(std::move(shallows)) {
+    : settings_(inputs.settings), depth_m_(depth_m), shallows_{std::move(shallows), nullptr} {
   validate(settings_);
   const bool whole = device.facts().float32_linear;
   for (const auto& kind : inputs.kinds) {
@@ -42,7 +42,7 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
     const EffectScope scope(device, traits(InputTarget::sea_depth).name);
     // Shifts of hundreds of metres are too much for halves: where the device has nothing else they are left out (update()).
     bed_ = std::make_unique<Bed>(Bed{nullptr, DrawnWindows(device, "sea_depth", settings_.windows, whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
-                                     DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2)});
+                                     DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr, BedTurns(settings_.windows.slices)});
   }
   if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
   if (drawn_.empty() && !bed_) return;
@@ -68,21 +68,50 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
         for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
     });
   }
+  time_s_ = time_s;
   if (bed_) update(frame, *bed_, time_s);
+}
+
+MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& others) const {
+  if (!bed_) return nullptr;
+  return [inputs, others, settings = settings_, placement = placement_, time_s = time_s_](const SeaState& sea, const WaveBins& bins) {
+    auto made = std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, others, inputs), nullptr});
+    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values(made->shallows, sea.depth_m), settings, placement, time_s);
+    return made;
+  };
+}
+
+void DrawnPlace::begin_change(MadePlace made) {
+  shallows_.to = std::move(made.shallows);
+  shallows_.share = 0.0;
+  bed_->next = std::move(made.field);
+}
+
+void DrawnPlace::change(double share) {
+  shallows_.share = share;
+  bed_->turns.stale();
+  if (share < 1.0) return;
+  shallows_ = {std::move(shallows_.to), nullptr};
+  bed_->field = std::move(bed_->next);
 }
 
 void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
   std::uint32_t changed = all_slices(settings_);
   if (bed.field) changed = bed.field->follow(placement_, time_s);
-  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values(shallows_, depth_m_), settings_, placement_, time_s);
+  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values(shallows_.from, depth_m_), settings_, placement_, time_s);
+  if (bed.next) changed |= bed.next->follow(placement_, time_s);
+  constexpr std::uint32_t wider = 12u;  // those that vertices two metres apart read, which stand 20 m off: a step between their turns would be seen
+  if (bed.turns.any()) changed = bed.turns.take(changed | (wider & all_slices(settings_)));
   if (changed == 0) return;
+  const float share = float(shallows_.share);
   const LodField<BedTexel>& field = bed.field->field();
   const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& part) {
     windows.copy(frame, pass, changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int layer, int z, std::span<float> texels) {
-      std::size_t at = 0;
-      for (const BedTexel& texel : row_of(field, slice, z, settings_.windows.resolution)) {
-        const glm::vec4 value = part(texel, layer);
-        for (int c = 0; c < 4; ++c) texels[at++] = value[c];
+      const auto now = row_of(field, slice, z, settings_.windows.resolution);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        glm::vec4 value = part(now[i], layer);
+        if (bed.next) value = glm::mix(value, part(row_of(bed.next->field(), slice, z, settings_.windows.resolution)[i], layer), share);
+        for (std::size_t c = 0; c < 4; ++c) texels[4 * i + c] = value[int(c)];
       }
     });
   };
@@ -99,8 +128,8 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
   if (shallows_) {
     constexpr double noise_m = 512.0;  // after which the ground's pattern comes again
     data.outside_bed = glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
-    const double of_ground[] = {shallows_->run_up_m(), settings_.growth_m, settings_.sand};
-    for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_->direction(i)), float(of_ground[i]), 0.0f);
+    const double of_ground[] = {shallows_.run_up_m(), settings_.growth_m, settings_.sand};
+    for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
   }
   const glm::dvec2 whole = glm::floor(grid_origin_m);
   data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);

@@ -3,11 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "ocean/local/bed_field.h"
+#include "ocean/local/bed_change.h"
 #include "ocean/local/clip_mask.h"
 #include "ocean/local/drawn_clip.h"
 #include "ocean/local/drawn_windows.h"
 #include "ocean/local/place_sea.h"
+#include "ocean/waves/sea_change.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
@@ -37,7 +38,12 @@ class DrawnPlace {
   bool clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const;
   bool clips() const { return !bed_ && (clip_ || field(InputTarget::clip) != nullptr); }
   const DrawnClip* clip_volumes() const { return clip_.get(); }
-  const Shallows* shallows() const { return shallows_.get(); }
+  const ShallowsMix& shallows() const { return shallows_; }
+  // For SeaMaker: makes of another sea what the bed makes of it and the windows around the viewer as he is now. Empty where no bed is known.
+  MakePlace remake(const PlaceInputs& inputs, const TileSources& others) const;
+  // The sea begins to become another, of `share` (0 to 1), and at 1 is it: then the change is over.
+  void begin_change(MadePlace made);
+  void change(double share);
 
  private:
   struct Drawn {
@@ -49,14 +55,16 @@ class DrawnPlace {
   struct Bed {
     std::unique_ptr<PlaceField<BedTexel>> field;  // from the first update on
     DrawnWindows heights, waves;
+    std::unique_ptr<PlaceField<BedTexel>> next;  // in a change: of the new sea
+    BedTurns turns;
   };
   const Drawn* drawn(InputTarget kind) const;
   void update(Frame& frame, Bed& bed, double time_s);
   PlaceSettings settings_;
-  double depth_m_;
+  double depth_m_, time_s_ = 0.0;
   LodPlacement placement_;
   std::vector<Drawn> drawn_;
-  std::shared_ptr<const Shallows> shallows_;
+  ShallowsMix shallows_;
   std::unique_ptr<Bed> bed_;
   ClipMask mask_;
   std::unique_ptr<DrawnClip> clip_;

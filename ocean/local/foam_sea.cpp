@@ -10,6 +10,8 @@ namespace seascape {
 namespace {
 // Coverages that settle long before are stepped by less often.
 constexpr double settling_step_s = 0.25;
+// Of other water's texels: 3 ms and less.
+constexpr int rows_an_update = 24;
 
 glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double time_s) {
   const glm::vec4 outside = place_outside(spec.place, InputTarget::flow);
@@ -35,7 +37,7 @@ void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& stati
 
 void FoamSea::set_water(Water water) {
   water_ = std::move(water);
-  still_water_.reset();
+  anew_ = still_water_ ? 0 : -1;
 }
 
 // What a sea's whitecaps cover on average where they come and go alike, and with them the windows' new edges.
@@ -117,6 +119,18 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
     };
     if (still_water_) {
       still_water_->follow(placement, water);
+      // Other water than before comes in over a second: rows of texels as they are stored, so that none is missed while the windows move.
+      const std::int64_t side = still_water_->side();
+      for (int n = 0; n < rows_an_update && anew_ >= 0; ++n) {
+        const int slice = int(anew_ / side);
+        const LodIndex first = still_water_->first(slice);
+        const std::int64_t row = first.y + ((anew_ % side - first.y) % side + side) % side;
+        for (std::int64_t x = 0; x < side; ++x) {
+          const LodIndex w(first.x + x, row);
+          still_water_->texel(slice, w) = water(still_water_->middle(slice, w), still_water_->texel_m(slice), {});
+        }
+        if (++anew_ == side * still_water_->slices()) anew_ = -1;
+      }
     } else {
       still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
       for (int i = 0; i < still_water_->slices(); ++i)

@@ -48,6 +48,7 @@ class FoamSea {
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
   // Asked once for each texel that comes into a window, for its side in m; a depth that is no number is that of the open sea.
   using Water = std::function<StillWater(glm::dvec2 rest_m, double texel_m)>;
+  // Water that takes another's place comes in over a second or two of updates.
   void set_water(Water water);
 
   // The foam as it is at a time of the sea, in s, around a viewer (m); `wakes`: dynamic waves, null for none. Gives the slices that have changed (Foam::step),
@@ -69,7 +70,7 @@ class FoamSea {
   std::optional<LodField<glm::vec3>> still_water_;  // StillWater
   float fresh_ = 0.0f;
   double shift_m_ = 0.0;
-  std::int64_t tick_ = 0;
+  std::int64_t tick_ = 0, anew_ = -1;  // the row of still_water_ to take anew next; -1: none
   bool begun_ = false, flows_ = false;
 };
 

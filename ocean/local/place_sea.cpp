@@ -24,10 +24,11 @@ double flow_height(double longest_m, double shortest_m, double way_m, double fir
   return 1.0 / std::sqrt(first * first + second * second + 2.0 * first * second * std::exp(-0.5 * way * way));
 }
 
-PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field)
-    : inputs_(std::move(inputs)), level_(inputs_.of(InputTarget::level)), flow_(inputs_.of(InputTarget::flow)), clip_(inputs_.of(InputTarget::clip)) {
+PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field) : PlaceSea(inputs, ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
+
+PlaceSea::PlaceSea(PlaceInputs inputs, ShallowsMix shallows)
+    : inputs_(std::move(inputs)), level_(inputs_.of(InputTarget::level)), flow_(inputs_.of(InputTarget::flow)), clip_(inputs_.of(InputTarget::clip)), shallows_(std::move(shallows)) {
   validate(inputs_.settings);
-  shallows_ = make_shallows(field.state(), field.bins(), field.others(), inputs_);
 }
 
 double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
@@ -46,7 +47,7 @@ bool PlaceSea::clipped(glm::dvec2 flat_m, glm::dvec3 point, double time) const {
 }
 
 bool PlaceSea::dry(const Here& here, glm::dvec3 d, double time) const {
-  return shallows_ != nullptr && clipped(here.rest, {here.rest.x + d.x, d.y, here.rest.y + d.z}, time);
+  return shallows_ && clipped(here.rest, {here.rest.x + d.x, d.y, here.rest.y + d.z}, time);
 }
 
 namespace {
@@ -76,15 +77,15 @@ PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& f
   result.level_m = level_m(rest, footprint, time);
   const double e = std::max(gradient_m, 0.5 * footprint);
   if (gradients && level_ != nullptr) result.level_gradient = gradient([&](glm::dvec2 at) { return level_m(at, footprint, time); }, rest, e);
-  if (shallows_ != nullptr) add_shallows(field, result, rest, footprint, time, gradients);
+  if (shallows_) add_shallows(field, result, rest, footprint, time, gradients);
   if (flow_ != nullptr) add_current(field, result, rest, footprint, time);
   return result;
 }
 
 // A pattern for each cascade and one for all that is no cascade, for each counts for something else.
 void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest, double footprint, double time, bool gradients) const {
-  const auto bed = [&](glm::dvec2 at) { return shallows_->bed_m(at, footprint, time); };
-  const auto waves_at = [&](glm::dvec2 at) { return shallows_->waves(at, level_m(at, footprint, time) - bed(at)); };
+  const auto bed = [&](glm::dvec2 at) { return shallows_.bed_m(at, footprint, time); };
+  const auto waves_at = [&](glm::dvec2 at) { return shallows_.waves(at, level_m(at, footprint, time) - bed(at)); };
   const double e = std::max(gradient_m, 0.5 * footprint);
   here.bed_m = bed(rest);
   here.wet = smoothstep(-0.1, 0.2, here.level_m - here.bed_m);
@@ -107,7 +108,7 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest,
     const auto slope = [&](const auto& value) { return glm::dvec2(value(around[0]) - value(around[1]), value(around[2]) - value(around[3])) / (2.0 * e); };
     if (gradients) part.lift_gradient = slope([&](const PlaceWaves& w) { return lifted(w, i, cascades); });
     if (i < std::min(Refraction::bent_cascades, cascades)) {
-      part.along = shallows_->direction(i);
+      part.along = shallows_.direction(i);
       part.place += double(waves.shift_m[std::size_t(i)]) * part.along;
       if (gradients) part.bend = slope([&](const PlaceWaves& w) { return double(w.shift_m[std::size_t(i)]); });
     }
@@ -139,7 +140,7 @@ void PlaceSea::add_current(const WaveField& field, Here& here, glm::dvec2 rest, 
 glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
   glm::dvec3 sum(0.0, here.level_m, 0.0);
   for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
-  if (shallows_ == nullptr) return sum;
+  if (!shallows_) return sum;
   sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
   return dry(here, sum, seconds(tiles)) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
 }
@@ -159,7 +160,7 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dve
     result.height_gradient += part.lift * bent(s.height_gradient) + s.displacement.y * part.lift_gradient;
     result.shift_gradient += part.share * glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
   }
-  if (shallows_ == nullptr) return result;
+  if (!shallows_) return result;
   result.displacement.x *= here.wet;
   result.displacement.z *= here.wet;
   result.shift_gradient *= here.wet;
@@ -200,7 +201,7 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
   answer.converged = least <= options.tolerance_m && s.jacobian() > 0.0;
   if (!tiles.has_velocity()) return answer;
   const Here there = here(field, filter, nearest, footprint, time, false);
-  if (shallows_ != nullptr && s.displacement.y <= there.bed_m) return answer;  // land stands still
+  if (shallows_ && s.displacement.y <= there.bed_m) return answer;  // land stands still
   glm::dvec3 v(0.0);
   for (const Part& part : there.parts) v += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) * field.velocity(tiles, part.place, part.filter);
   const glm::dvec2 flow = flow_mps(nearest, footprint, time);

@@ -5,27 +5,31 @@
 #include <vector>
 
 #include "ocean/local/place_fields.h"
-#include "ocean/local/shallows.h"
+#include "ocean/local/shallows_mix.h"
 #include "ocean/waves/query.h"
 
 namespace seascape {
 
 // The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl), which it has between texels (LodField tells how far off that is).
-// Immutable: any number of threads may ask.
+// Immutable but for follow(): any number of threads may ask.
 class PlaceSea {
  public:
   // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays, however the waves change.
   PlaceSea(PlaceInputs inputs, const WaveField& field);
+  // Of a sea whose Shallows are there already.
+  PlaceSea(PlaceInputs inputs, ShallowsMix shallows);
+  // Has the bed make of the waves what it does now, in a change of the sea. Not while anybody asks.
+  void follow(ShallowsMix shallows) { shallows_ = std::move(shallows); }
 
   // Whether the surface moves otherwise than the waves alone.
-  bool moves() const { return level_ != nullptr || flow_ != nullptr || shallows_ != nullptr; }
+  bool moves() const { return level_ != nullptr || flow_ != nullptr || bool(shallows_); }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;           // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
   bool clipped(glm::dvec3 point_m, double time_s) const { return clipped({point_m.x, point_m.z}, point_m, time_s); }
 
   // Null where no bed is known.
-  const Shallows* shallows() const { return shallows_.get(); }
+  const Shallows* shallows() const { return shallows_.from.get(); }
 
   // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of the tiles' time. Second moments are left out.
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m) const;
@@ -61,7 +65,7 @@ class PlaceSea {
   QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place, const QueryOptions& options) const;
   PlaceInputs inputs_;
   std::shared_ptr<const Inputs> level_, flow_, clip_;
-  std::shared_ptr<const Shallows> shallows_;
+  ShallowsMix shallows_;
 };
 
 // How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts for `first` and the second for the

@@ -1,5 +1,7 @@
 // What a bed makes of the waves while one sea becomes another: of both a share.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "ocean/local/shallows.h"
@@ -16,8 +18,7 @@ struct ShallowsMix {
   PlaceWaves waves(glm::dvec2 place_m, double depth_m) const;
   glm::dvec2 direction(int cascade) const;
   double run_up_m() const { return to == nullptr ? from->run_up_m() : std::lerp(from->run_up_m(), to->run_up_m(), share); }
-  // The most of either.
-  double most_share() const { return to == nullptr ? from->most_share() : std::max(from->most_share(), to->most_share()); }
+  double most_share() const { return to == nullptr ? from->most_share() : std::lerp(from->most_share(), to->most_share(), share); }
 };
 
 }  // namespace seascape

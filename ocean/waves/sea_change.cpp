@@ -21,10 +21,11 @@ SeaMaker::SeaMaker(const Ladder& ladder, const WaveQuality& quality)
 
 SeaMaker::~SeaMaker() = default;  // the thread is asked to stop and waited for
 
-void SeaMaker::ask(const SeaState& sea) {
+void SeaMaker::ask(const SeaState& sea, MakePlace place) {
   validate(sea);
   const std::lock_guard lock(mutex_);
   wanted_ = sea;
+  place_ = std::move(place);
   made_.reset();
   asked_.notify_one();
 }
@@ -39,16 +40,19 @@ void SeaMaker::work(std::stop_token stop) {
   tbb::task_arena arena(1);
   for (;;) {
     SeaState sea;
+    MakePlace place;
     {
       std::unique_lock lock(mutex_);
       if (!asked_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
       sea = *std::exchange(wanted_, std::nullopt);
+      place = std::exchange(place_, nullptr);
     }
     MadeSea made;
     arena.execute([&] {
       made.state = sea;
       made.bins = make_wave_bins(sea, quality_, ladder_);
       made.statistics = sea_statistics(sea, made.bins);
+      if (place) made.place = place(sea, made.bins);
     });
     const std::lock_guard lock(mutex_);
     if (!wanted_) made_ = std::move(made);

@@ -3,6 +3,8 @@
 #pragma once
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -11,12 +13,17 @@
 
 namespace seascape {
 
+struct MadePlace;  // ocean/local/bed_change.h
+
 // A sea with its waves.
 struct MadeSea {
   SeaState state;
   WaveBins bins;
   SeaStatistics statistics;
+  std::shared_ptr<MadePlace> place = nullptr;  // what its bed makes of them; null where none is known
 };
+// Asked on the maker's thread.
+using MakePlace = std::function<std::shared_ptr<MadePlace>(const SeaState&, const WaveBins&)>;
 
 // Whether `to` can grow out of `from` wave by wave: gravity, depth and loop, by which waves run, are the same.
 bool grows_out_of(const SeaState& from, const SeaState& to);
@@ -31,7 +38,8 @@ class SeaMaker {
 
   // Asks for a sea; one asked for before and not yet made is forgotten. Throws Error as validate() does. Never waits for the
   // making.
-  void ask(const SeaState& sea);
+  // `place`: makes what its bed makes of it; none where no bed is known.
+  void ask(const SeaState& sea, MakePlace place = nullptr);
   // The sea asked for last, once, when it is made; never waits for the making.
   std::optional<MadeSea> take();
 
@@ -42,6 +50,7 @@ class SeaMaker {
   std::mutex mutex_;
   std::condition_variable_any asked_;
   std::optional<SeaState> wanted_;
+  MakePlace place_;  // of it
   std::optional<MadeSea> made_;
   std::jthread thread_;  // last: it ends before what it uses
 };
@@ -56,6 +65,8 @@ class SeaBlend {
   // `bins`, of the same shape, take the amplitudes at a time. No allocation.
   void amplitudes(std::int64_t ticks, WaveBins& bins) const;
   double chop(std::int64_t ticks) const;
+  // The new sea's share of the variance, 0 to 1.
+  double share(std::int64_t ticks) const { return weights(ticks).variance; }
   // Bounds and variances: those of both seas in the share each has of the variance, never below the truth.
   SeaStatistics statistics(std::int64_t ticks) const;
   bool over(std::int64_t ticks) const { return ticks >= end_; }

@@ -210,6 +210,18 @@ TEST_F(DrawnPlaces, VolumesClipWhatStandsWithinThem) {
   }
 }
 
+// How many patches are drawn, and how many pixels show water.
+std::pair<std::size_t, int> patches_and_water(const std::string& scene, const Set& set, const InputSpec& input, const Pose& head, std::vector<std::string> effects) {
+  SeaShot shot({.scene = scene, .preset = "high", .width = 160, .height = 120, .set = set, .effects = std::move(effects), .inputs = {input}});
+  const Image8 picture = shot.picture(shot.viewpoint(head), 4.0);
+  int water = 0;
+  for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) {
+    const glm::dvec3 light = test::light_at(picture, i);
+    water += light.y > 0.1 * light.x;  // not a hole
+  }
+  return {shot.experience().ocean().selection()->patches.size(), water};
+}
+
 // Patches that lie within a volume as a whole are left out, and none that a wave over it shows: the storm's crests over a low one are there.
 TEST_F(DrawnPlaces, PatchesWithinAVolumeAreNotDrawn) {
   InputSpec raft;
@@ -218,17 +230,7 @@ TEST_F(DrawnPlaces, PatchesWithinAVolumeAreNotDrawn) {
   raft.value.x = 1.0f;
   for (const bool high : {true, false}) {
     raft.shape = VolumeInput{.form = VolumeInput::Form::box, .at_m = {0.0, 0.0, -150.0}, .size_m = {400.0, high ? 200.0 : 3.0, 300.0}};
-    const auto drawn = [&](std::vector<std::string> effects) {
-      SeaShot shot({.scene = "storm", .preset = "high", .width = 160, .height = 120, .set = {{"debug.view", "holes"}}, .effects = std::move(effects), .inputs = {raft}});
-      const Viewpoint view = shot.viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -45.0));
-      const Image8 picture = shot.picture(view, 4.0);
-      int water = 0;
-      for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) {
-        const glm::dvec3 light = test::light_at(picture, i);
-        water += light.y > 0.1 * light.x;  // not a hole
-      }
-      return std::pair(shot.experience().ocean().selection()->patches.size(), water);
-    };
+    const auto drawn = [&](std::vector<std::string> effects) { return patches_and_water("storm", {{"debug.view", "holes"}}, raft, pose({0.0, 30.0, 0.0}, 0.0, -45.0), std::move(effects)); };
     const auto [left, water] = drawn({"waves", "clip"});
     const auto [all, everywhere] = drawn({"waves"});
     if (high) {
@@ -247,15 +249,7 @@ TEST_F(DrawnPlaces, PatchesWithoutWaterAreNotDrawn) {
   InputSpec pond = area(InputTarget::clip, {0.0f, 0.0f, 0.0f, 0.0f}, {0.0, -30.0}, {30.0, 20.0}, 0.0);
   pond.blend = InputBlend::replace;
   const auto drawn = [&](std::vector<std::string> effects) {
-    SeaShot shot({.scene = "calm", .preset = "high", .width = 160, .height = 120, .set = {{"clip.by_default", "true"}, {"debug.view", "holes"}}, .effects = std::move(effects), .inputs = {pond}});
-    const Viewpoint view = shot.viewpoint(pose({0.0, 12.0, 0.0}, 0.0, -20.0));
-    const Image8 picture = shot.picture(view, 4.0);
-    int water = 0;
-    for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) {
-      const glm::dvec3 light = test::light_at(picture, i);
-      water += light.y > 0.1 * light.x;  // not a hole
-    }
-    return std::pair(shot.experience().ocean().selection()->patches.size(), water);
+    return patches_and_water("calm", {{"clip.by_default", "true"}, {"debug.view", "holes"}}, pond, pose({0.0, 12.0, 0.0}, 0.0, -20.0), std::move(effects));
   };
   const auto [left, water] = drawn({"waves", "clip"});
   const auto [all, everywhere] = drawn({"waves"});
