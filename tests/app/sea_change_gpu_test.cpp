@@ -120,8 +120,8 @@ Vertices vertices(test::SeaShot& shot, const Viewpoint& view, double reach_m) {
   return result;
 }
 
-// What a bed makes of the waves comes with them: midway what is drawn is what a query finds, and at the end a fresh start. Controls seen: the bed's waves left those of the first sea; the mix left out
-// of the windows; a query that keeps the first sea's.
+// What a bed makes of the waves comes with them: midway what is drawn is what a query finds, and at the end a fresh start. Controls seen: nothing of the bed handed over with the sea; the mix left
+// out of the windows (off by 56 mm).
 TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   const test::ShotOptions common = over_a_bank("1.5");
