@@ -177,8 +177,8 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
 }
 
 // No vertex jumps while another sea comes over a bed, nor when it begins or has come: from frame to frame (30 a second) none within 30 m leaves the straight way on by more than twice what the waves by
-// themselves do, and 3 mm (seen 9 mm, of which the waves do 7); further off none by more than that and 1/2,000 of its distance, which is less than a pixel. Control seen: windows that are read within 30 m
-// copied in their turn alone (40 mm).
+// themselves do, and 3 mm (seen 9 mm, of which the waves do 7); further off none by more than that and 1/2,000 of its distance, which is less than a pixel. Controls seen: windows that are read within 30 m
+// copied in their turn alone (40 mm); a switch at half of the change (327 mm).
 TEST_F(SeaChanges, NothingJumpsOverABed) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   test::SeaShot live(over_a_bank("6"));

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "ocean/local/flow_phase.h"
 #include "ocean/waves/wave_tiles.h"
+#include "tests/support/found_surface.h"
 
 namespace seascape {
 namespace {
@@ -60,18 +60,7 @@ class PlaceSeaTest : public ::testing::Test {
 TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
   const PlaceSea place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
   ASSERT_TRUE(place.moves());
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> at(-60.0, 60.0);
-  int converged = 0;
-  for (int i = 0; i < 200; ++i) {
-    const glm::dvec2 asked(at(random), at(random));
-    QueryAnswer answer;
-    place.query(field, tiles, {&asked, 1}, {&answer, 1});
-    if (!answer.converged) continue;
-    ++converged;
-    const glm::dvec2 rest = asked - glm::dvec2(answer.displacement.x, answer.displacement.z);
-    const SeaSample s = place.sea(field, tiles, rest, 0.0);
-    EXPECT_NEAR(s.displacement.y, answer.height_m, 2e-3);
+  const int converged = test::expect_found_on_surface(place, field, tiles, 3, 60.0, [&](glm::dvec2 asked, const QueryAnswer& answer) {
     const double e = 0.05;
     QueryAnswer east, south;
     const glm::dvec2 to_east = asked + glm::dvec2(e, 0.0), to_south = asked + glm::dvec2(0.0, e);
@@ -79,7 +68,7 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
     place.query(field, tiles, {&to_south, 1}, {&south, 1});
     const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(0.0, south.height_m - answer.height_m, e), glm::dvec3(e, east.height_m - answer.height_m, 0.0)));
     EXPECT_GT(glm::dot(normal, answer.normal), 0.98);
-  }
+  });
   EXPECT_GT(converged, 180);
 }
 

@@ -10,6 +10,7 @@
 
 #include "ocean/local/place_sea.h"
 #include "ocean/waves/wave_tiles.h"
+#include "tests/support/found_surface.h"
 
 namespace seascape {
 namespace {
@@ -196,19 +197,7 @@ TEST_F(ShallowsTest, GradientsAreThoseOfTheSurface) {
 // Every point that a query finds is one of the surface, over the bank and about its shore.
 TEST_F(ShallowsTest, QueriesFindTheSurface) {
   const PlaceSea place = sea(island());
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> at(-130.0, 130.0);
-  int converged = 0;
-  for (int i = 0; i < 200; ++i) {
-    const glm::dvec2 asked(at(random), at(random));
-    QueryAnswer answer;
-    place.query(field, tiles, {&asked, 1}, {&answer, 1});
-    if (!answer.converged) continue;
-    ++converged;
-    const glm::dvec2 rest = asked - glm::dvec2(answer.displacement.x, answer.displacement.z);
-    EXPECT_NEAR(place.sea(field, tiles, rest, 0.0).displacement.y, answer.height_m, 2e-3);
-  }
-  EXPECT_GT(converged, 190);
+  EXPECT_GT(test::expect_found_on_surface(place, field, tiles, 5, 130.0, [](glm::dvec2, const QueryAnswer&) {}), 190);
 }
 
 // A lake's depth is that of its own water: the same bank under a lake two metres higher has the waves of a bank of four metres. Control seen: depth from y = 0.
