@@ -126,7 +126,7 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
   data.outside = glm::vec4(float(settings_.level_m), settings_.clip_by_default ? 1.0f : 0.0f, current.x, current.y);
   const FlowPhase phase = flow_phase(time_s, settings_.flow_period_s);
   if (shallows_) {
-    constexpr double noise_m = 512.0;  // after which the ground's pattern comes again
+    constexpr double noise_m = gpu::ground_pattern_m;
     data.outside_bed = glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
     const double of_ground[] = {shallows_.run_up_m(), settings_.growth_m, settings_.sand};
     for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);

@@ -88,7 +88,7 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest,
   const auto waves_at = [&](glm::dvec2 at) { return shallows_.waves(at, level_m(at, footprint, time) - bed(at)); };
   const double e = std::max(gradient_m, 0.5 * footprint);
   here.bed_m = bed(rest);
-  here.wet = smoothstep(-0.1, 0.2, here.level_m - here.bed_m);
+  here.wet = smoothstep(gpu::dry_depth_m, gpu::wet_depth_m, here.level_m - here.bed_m);
   const PlaceWaves waves = waves_at(rest);
   std::array<PlaceWaves, 4> around;
   if (gradients) {

@@ -7,6 +7,7 @@
 #include "ocean/inputs/bounds_tree.h"
 #include "ocean/local/bed_grid.h"
 #include "ocean/local/shallow_water.h"
+#include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
@@ -44,7 +45,7 @@ MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade);
 // islands, 0.7 s with 512 (two busy cores, tests/bench/shallows_bench.cpp), of which the depths' share is the scene's; read in some 20 ns.
 class Refraction {
  public:
-  static constexpr int bent_cascades = 3;  // the longest ones; the others' waves are too short to show it
+  static constexpr int bent_cascades = gpu::bent_cascades;  // the longest ones; the others' waves are too short to show it
   static constexpr double most_shortening = 4.0;
   static constexpr int directions = 64;
 

@@ -6,7 +6,7 @@
 #include "ocean/local/place_fields.h"
 #include "ocean/local/refraction.h"
 #include "ocean/local/shallow_water.h"
-#include "shaders/shared/wave_bin.h"
+#include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
@@ -27,7 +27,7 @@ struct PlaceWaves {
 // Immutable; any thread.
 class Shallows {
  public:
-  static constexpr int swash_cascades = 2;
+  static constexpr int swash_cascades = gpu::swash_cascades;
   static constexpr double regrowth_fetch_m = 300.0;
 
   // `bed`: inputs to sea_depth; `level`: to level, null where there are none. Takes some tenths of a second. Throws Error where the bed is no number.

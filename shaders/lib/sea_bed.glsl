@@ -48,10 +48,10 @@ float sea_bed_of(int number) {
 // By which a texel of displacement is multiplied: the run-up lifts the water and does not push it.
 vec4 sea_bed_displaced(int number) {
   const float share = sea_bed_of(number);
-  return vec4(share, number < 2 ? length(vec2(share, sea_bed_more.z)) : share, share, share);
+  return vec4(share, number < swash_cascades ? length(vec2(share, sea_bed_more.z)) : share, share, share);
 }
 
-vec2 sea_bed_along(int number) { return number < 3 ? frame.sea.place.shift_along[number].xy : vec2(0.0); }
+vec2 sea_bed_along(int number) { return number < bent_cascades ? frame.sea.place.shift_along[number].xy : vec2(0.0); }
 
 // How far from a rest position a cascade's pattern is taken, in tile coordinates.
 vec2 sea_bed_shift(CascadeData c, int number) {
@@ -70,6 +70,6 @@ float sea_bed_energy(int number) { return sea_bed_of(number) * sea_bed_of(number
 
 // Land stands above the water, and does not go to and fro with it.
 vec4 sea_bed_land(vec4 sum) {
-  const float wet = smoothstep(-0.1, 0.2, sea_bed_still - sea_bed_here.x);
+  const float wet = smoothstep(dry_depth_m, wet_depth_m, sea_bed_still - sea_bed_here.x);
   return vec4(wet * sum.x, max(sum.y, sea_bed_here.x), wet * sum.zw);
 }

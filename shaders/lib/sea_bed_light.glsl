@@ -14,10 +14,10 @@ float bed_hash(vec2 cell) {
   return fract((p.x + p.y) * p.z);
 }
 
-// Smooth noise of mean 0.5 over cells of a size that divides 512 m, after which it comes again; faded to its mean as the footprint comes to the size.
+// Smooth noise of mean 0.5 over cells of a size that divides ground_pattern_m, after which it comes again; faded to its mean as the footprint comes to the size.
 float bed_noise(vec2 place, float size, float footprint) {
   const vec2 at = place / size, cell = floor(at), f = at - cell, t = f * f * (3.0 - 2.0 * f);
-  const float period = 512.0 / size;
+  const float period = ground_pattern_m / size;
   const vec2 low = mod(cell, period), high = mod(cell + 1.0, period);
   const float value = mix(mix(bed_hash(low), bed_hash(vec2(high.x, low.y)), t.x), mix(bed_hash(vec2(low.x, high.y)), bed_hash(high), t.x), t.y);
   return mix(value, 0.5, clamp(2.0 * footprint / size - 0.5, 0.0, 1.0));

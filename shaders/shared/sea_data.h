@@ -23,13 +23,20 @@ struct DynamicData {
   vec4 share;                      // x: of the sideways displacement that the textures hold
 };
 
+// Of the sea over a bed.
+SEASCAPE_CONST int bent_cascades = 3;             // the longest ones, whose patterns are shifted
+SEASCAPE_CONST int swash_cascades = 2;            // the longest ones, whose heights run up a shore
+SEASCAPE_CONST float dry_depth_m = -0.1f;         // of still water, from which on land does not move with the waves,
+SEASCAPE_CONST float wet_depth_m = 0.2f;          // and from which on water does as in the open
+SEASCAPE_CONST float ground_pattern_m = 512.0f;   // after which the pattern of sand and growth comes again
+
 // What belongs to places: windows that all of its textures share, and what there is beyond them.
 struct PlaceData {
   LodWindows windows;
   vec4 outside;  // x: the still water's height, m; y: 1 where there is no water; z, w: its velocity along x and z, m/s
   vec4 outside_bed;     // x: the bed's height in the open, m; y, z: where the grid origin lies in the ground's pattern, m
-  vec4 shift_along[3];  // x, y: along which the patterns of the longest cascades are shifted over a bed; z of the first: how high run-up wets a beach, m; of the
-                        // second: from which height above the water land is green, m, 0 never; of the third: how bright sand is
+  vec4 shift_along[bent_cascades];  // x, y: along which their patterns are shifted over a bed; z of the first: how high run-up wets a beach, m; of the
+                                    // second: from which height above the water land is green, m, 0 never; of the third: how bright sand is
   ivec4 clip_origin;  // x, y: the grid origin's x and z, whole metres,
   vec4 clip_from;     // and what it has beyond
   vec4 flow;     // two phases of water that is carried along: x, y: how long each has been, s; z: the first one's share; w: half of a phase's time, s

@@ -236,7 +236,7 @@ TEST_F(ShallowsTest, ACurrentCarriesWavesOverABed) {
   EXPECT_LT(together / std::sqrt(carried * still), 0.98) << "nothing is carried";
 }
 
-// Hard cases 32 and 35 of the bed: heights at the ends of what an input takes are kept, and the waves there are finite.
+// Hard case 35 of the bed: heights at the ends of what an input takes are kept, and the waves there are finite.
 TEST_F(ShallowsTest, ExtremeBedsAreFinite) {
   for (const float height : {-12000.0f, 12000.0f, 0.0f}) {
     const PlaceSea place = sea({bed(height, 240.0, 40.0)});
