@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ocean/local/place_fields.h"
-#include "ocean/local/shallows.h"
+#include "ocean/local/shallows_mix.h"
 
 namespace seascape {
 
@@ -25,14 +25,14 @@ inline BedTexel bed_texel(double bed_m, const PlaceWaves& waves) {
 }
 
 // `depth_m`: of the open sea.
-inline PlaceValues<BedTexel> bed_values(std::shared_ptr<const Shallows> shallows, double depth_m) {
-  const bool still = shallows->still();
-  const InputBounds moving = shallows->bounds();
+inline PlaceValues<BedTexel> bed_values(ShallowsMix shallows, double depth_m) {
+  const bool still = shallows.from->still();
+  const InputBounds moving = shallows.from->bounds();
   const BedTexel outside{glm::vec4(float(-depth_m), 0.0f, 0.0f, 0.0f)};
   return {outside,
           [shallows = std::move(shallows)](glm::dvec2 middle, double texel, double time) {
-            const double bed = shallows->bed_m(middle, texel, time);
-            return bed_texel(bed, shallows->waves(middle, shallows->still_m(middle, texel, time) - bed));
+            const double bed = shallows.bed_m(middle, texel, time);
+            return bed_texel(bed, shallows.waves(middle, shallows.from->still_m(middle, texel, time) - bed));
           },
           still, moving};
 }

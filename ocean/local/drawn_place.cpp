@@ -76,7 +76,7 @@ MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& other
   if (!bed_) return nullptr;
   return [inputs, others, settings = settings_, placement = placement_, time_s = time_s_](const SeaState& sea, const WaveBins& bins) {
     auto made = std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, others, inputs), nullptr});
-    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values(made->shallows, sea.depth_m), settings, placement, time_s);
+    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values({made->shallows, nullptr}, sea.depth_m), settings, placement, time_s);
     return made;
   };
 }
@@ -98,7 +98,7 @@ void DrawnPlace::change(double share) {
 void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
   std::uint32_t changed = all_slices(settings_);
   if (bed.field) changed = bed.field->follow(placement_, time_s);
-  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values(shallows_.from, depth_m_), settings_, placement_, time_s);
+  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_, placement_, time_s);
   if (bed.next) changed |= bed.next->follow(placement_, time_s);
   constexpr std::uint32_t wider = 12u;  // those that vertices two metres apart read, which stand 20 m off: a step between their turns would be seen
   if (bed.turns.any()) changed = bed.turns.take(changed | (wider & all_slices(settings_)));

@@ -7,6 +7,14 @@
 
 namespace seascape {
 
+// Between four texels, of which `at(LodIndex from the first)` gives each; `f`: how far from the first, 0 to 1.
+template <class At>
+auto lod_bilinear(glm::vec2 f, const At& at) {
+  const auto a = at({0, 0}), b = at({1, 0}), c = at({0, 1}), d = at({1, 1});
+  const auto low = a + (b - a) * f.x, high = c + (d - c) * f.x;
+  return low + (high - low) * f.y;
+}
+
 // T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or changed,
 // whichever way the window goes: texels lie where their number modulo the resolution says, slices where their octave modulo the number
 // of slices does.
@@ -74,11 +82,8 @@ class LodField {
   // Of one slice; its window has to cover the place and half a texel around.
   T bilinear(int slice, glm::dvec2 place_m) const {
     const glm::dvec2 at = place_m / texel_m(slice) - 0.5, cell = glm::floor(at);
-    const glm::vec2 f(at - cell);
     const LodIndex w(cell);
-    const T a = texel(slice, w), b = texel(slice, w + LodIndex(1, 0)), c = texel(slice, w + LodIndex(0, 1)), d = texel(slice, w + LodIndex(1, 1));
-    const T low = a + (b - a) * f.x, high = c + (d - c) * f.x;
-    return low + (high - low) * f.y;
+    return lod_bilinear(glm::vec2(at - cell), [&](LodIndex from_first) { return texel(slice, w + from_first); });
   }
 
   const LodPlacement& placement() const { return placement_; }

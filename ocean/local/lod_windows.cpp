@@ -59,6 +59,12 @@ LodPlacement lod_placement(const LodWindowSettings& settings, glm::dvec2 viewer,
   return result;
 }
 
+// Two texels less than half the window: half a one for the snapped middle, half a one for what is read between texels, one to spare.
+glm::vec4 lod_reach(const LodWindowSettings& settings, const LodPlacement& placement) {
+  const double texel = lod_texel_m(settings, placement, 0), reach = (settings.resolution / 2 - 2) * texel;
+  return {float(reach), float(reach * std::exp2(settings.slices - 2 + placement.scale.blend)), float(placement.scale.blend), float(texel)};
+}
+
 gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacement& placement, glm::dvec2 origin) {
   gpu::LodWindows result{};
   for (int i = 0; i < settings.slices; ++i) {
@@ -67,10 +73,7 @@ gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacemen
     const auto at = [&](double whole, double part) { return float((wrapped(std::int64_t(whole), settings.resolution) + part) / settings.resolution); };
     result.slice[i] = glm::vec4(at(cell.x, within.x), at(cell.y, within.y), float(1.0 / side), float(texel));
   }
-  // Two texels less than half the window: half a one for the snapped middle, half a one for what is read between texels, one to spare.
-  const double reach = (settings.resolution / 2 - 2) * lod_texel_m(settings, placement, 0);
-  result.reach = glm::vec4(float(reach), float(reach * std::exp2(settings.slices - 2 + placement.scale.blend)), float(placement.scale.blend),
-                           float(lod_texel_m(settings, placement, 0)));
+  result.reach = lod_reach(settings, placement);
   result.viewer = glm::vec2(placement.viewer - origin);
   result.slices = settings.slices;
   result.first_layer = placement.scale.octave % settings.slices;

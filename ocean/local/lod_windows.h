@@ -46,6 +46,9 @@ LodPlacement lod_placement(const LodWindowSettings& settings, glm::dvec2 viewer_
 
 double lod_texel_m(const LodWindowSettings& settings, const LodPlacement& placement, int slice);
 
+// LodWindows::reach: which slices a place reads, by its distance.
+glm::vec4 lod_reach(const LodWindowSettings& settings, const LodPlacement& placement);
+
 // As the shaders have it: places count from `origin_xz_m`. Coordinates are taken in double: they are as good far from the world's
 // origin as near it.
 gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacement& placement, glm::dvec2 origin_xz_m);

@@ -14,8 +14,6 @@
 namespace seascape {
 
 namespace {
-constexpr double gradient_m = 0.25;  // a level's slope is taken over it to either side
-
 double seconds(const WaveTiles& tiles) { return double(tiles.ticks()) / double(gpu::ticks_per_second); }
 }  // namespace
 
@@ -26,35 +24,60 @@ double flow_height(double longest_m, double shortest_m, double way_m, double fir
 
 PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field) : PlaceSea(inputs, ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
 
-PlaceSea::PlaceSea(PlaceInputs inputs, ShallowsMix shallows)
-    : inputs_(std::move(inputs)), level_(inputs_.of(InputTarget::level)), flow_(inputs_.of(InputTarget::flow)), clip_(inputs_.of(InputTarget::clip)), shallows_(std::move(shallows)) {
-  validate(inputs_.settings);
+PlaceSea::PlaceSea(PlaceInputs inputs, ShallowsMix shallows) : settings_(inputs.settings), volumes_(inputs.volumes) {
+  validate(settings_);
+  for (const auto& [kind, values] : {std::pair(InputTarget::level, &level_), std::pair(InputTarget::flow, &flow_), std::pair(InputTarget::clip, &clip_)})
+    if (auto of_kind = inputs.of(kind)) *values = place_values(std::move(of_kind), settings_);
+  follow(std::move(shallows));
+}
+
+void PlaceSea::follow(ShallowsMix shallows) {
+  shallows_ = std::move(shallows);
+  if (shallows_) bed_ = bed_values(shallows_, shallows_.from->depth_m());
+}
+
+PlaceSea::Readers::Readers(const PlaceSea& sea, double time) : time_s(time) {
+  if (sea.level_) level.emplace(*sea.level_, sea.settings_, time);
+  if (sea.flow_) flow.emplace(*sea.flow_, sea.settings_, time);
+  if (sea.clip_) clip.emplace(*sea.clip_, sea.settings_, time);
+  if (sea.bed_) bed.emplace(*sea.bed_, sea.settings_, time);
 }
 
 double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
-  return level_ == nullptr ? 0.0 : double(level_->value(rest, footprint, place_time_s(inputs_.settings, level_->still(), time), place_outside(inputs_.settings, InputTarget::level)).x);
+  return level_ ? double(PlaceReader(*level_, settings_, time)(reading({rest, footprint, nullptr, false}), rest).x) : 0.0;
 }
 
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
-  return flow_ == nullptr ? glm::dvec2(0.0) : glm::dvec2(flow_->value(rest, footprint, place_time_s(inputs_.settings, flow_->still(), time), place_outside(inputs_.settings, InputTarget::flow)));
+  return flow_ ? glm::dvec2(PlaceReader(*flow_, settings_, time)(reading({rest, footprint, nullptr, false}), rest)) : glm::dvec2(0.0);
 }
 
-bool PlaceSea::clipped(glm::dvec2 flat_m, glm::dvec3 point, double time) const {
-  if (clip_ == nullptr && inputs_.volumes == nullptr) return false;
-  const glm::vec4 outside = place_outside(inputs_.settings, InputTarget::clip);
-  const bool flat = (clip_ == nullptr ? outside : clip_->value(flat_m, 0.0, place_time_s(inputs_.settings, clip_->still(), time), outside)).x > 0.5f;
-  return inputs_.volumes == nullptr ? flat : inputs_.volumes->clipped(point, flat);
+bool PlaceSea::clipped(glm::dvec3 point, double time) const {
+  if (!clip_ && volumes_ == nullptr) return false;
+  const glm::dvec2 place(point.x, point.z);
+  const bool flat = clip_ && PlaceReader(*clip_, settings_, time)(reading({place, 0.0, nullptr, false}), place).x > 0.5f;
+  return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
 }
 
-bool PlaceSea::dry(const Here& here, glm::dvec3 d, double time) const {
-  return shallows_ && clipped(here.rest, {here.rest.x + d.x, d.y, here.rest.y + d.z}, time);
+bool PlaceSea::dry(const Here& here, glm::dvec3 d) const {
+  if (!shallows_) return false;
+  return volumes_ == nullptr ? here.flat_clipped : volumes_->clipped({here.rest.x + d.x, d.y, here.rest.y + d.z}, here.flat_clipped);
 }
 
 namespace {
-// d f / d x and d f / d z of what lies at a place, over `e` to either side.
-template <class Value>
-glm::dvec2 gradient(const Value& value, glm::dvec2 at, double e) {
-  return glm::dvec2(value(at + glm::dvec2(e, 0.0)) - value(at - glm::dvec2(e, 0.0)), value(at + glm::dvec2(0.0, e)) - value(at - glm::dvec2(0.0, e))) / (2.0 * e);
+// d f / d x and d f / d z of what is read at a place, over `e` to either side.
+template <class T>
+struct Around {
+  T east, west, south, north;
+  double e;
+  template <class Of>
+  glm::dvec2 gradient(const Of& of) const {
+    return glm::dvec2(double(of(east)) - double(of(west)), double(of(south)) - double(of(north))) / (2.0 * e);
+  }
+};
+template <class T>
+Around<T> around(PlaceReader<T>& reader, const PlaceReading& reading, glm::dvec2 at) {
+  const double e = reading.fine_texel_m();
+  return {reader(reading, at + glm::dvec2(e, 0.0)), reader(reading, at - glm::dvec2(e, 0.0)), reader(reading, at + glm::dvec2(0.0, e)), reader(reading, at - glm::dvec2(0.0, e)), e};
 }
 
 double smoothstep(double from, double to, double x) {
@@ -62,65 +85,66 @@ double smoothstep(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// Of a cascade, or of the other sources from the number of cascades on.
-double lifted(const PlaceWaves& waves, int cascade, int cascades) {
-  if (cascade >= cascades) return double(waves.others);
-  const double share = double(waves.share[std::size_t(cascade)]);
-  return cascade < Shallows::swash_cascades ? std::hypot(share, double(waves.swash)) : share;
+// A cascade's share; the other sources' from the number of cascades on.
+double share_of(const BedTexel& texel, int cascade, int cascades) { return double(cascade >= cascades ? texel.more.y : cascade < 4 ? texel.share[cascade] : texel.more.x); }
+
+double lifted(const BedTexel& texel, int cascade, int cascades) {
+  const double share = share_of(texel, cascade, cascades);
+  return cascade < std::min(Shallows::swash_cascades, cascades) ? std::hypot(share, double(texel.more.z)) : share;
 }
 }  // namespace
 
-PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& filter, glm::dvec2 rest, double footprint, double time, bool gradients) const {
+PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const {
   Here result;
-  result.rest = rest;
-  result.parts.push_back({rest, filter});
-  result.level_m = level_m(rest, footprint, time);
-  const double e = std::max(gradient_m, 0.5 * footprint);
-  if (gradients && level_ != nullptr) result.level_gradient = gradient([&](glm::dvec2 at) { return level_m(at, footprint, time); }, rest, e);
-  if (shallows_) add_shallows(field, result, rest, footprint, time, gradients);
-  if (flow_ != nullptr) add_current(field, result, rest, footprint, time);
+  result.rest = asked.rest;
+  result.parts.push_back({asked.rest, filter});
+  if (readers.level) {
+    const PlaceReading at = reading(asked);
+    result.level_m = double((*readers.level)(at, asked.rest).x);
+    if (asked.gradients) result.level_gradient = around(*readers.level, at, asked.rest).gradient([](const glm::vec4& value) { return value.x; });
+  }
+  if (readers.bed) add_shallows(field, result, asked, readers);
+  if (readers.flow) add_current(field, result, asked, readers);
   return result;
 }
 
 // A pattern for each cascade and one for all that is no cascade, for each counts for something else.
-void PlaceSea::add_shallows(const WaveField& field, Here& here, glm::dvec2 rest, double footprint, double time, bool gradients) const {
-  const auto bed = [&](glm::dvec2 at) { return shallows_.bed_m(at, footprint, time); };
-  const auto waves_at = [&](glm::dvec2 at) { return shallows_.waves(at, level_m(at, footprint, time) - bed(at)); };
-  const double e = std::max(gradient_m, 0.5 * footprint);
-  here.bed_m = bed(rest);
+void PlaceSea::add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const {
+  const PlaceReading at = reading(asked);
+  const BedTexel waves = (*readers.bed)(at, asked.rest);
+  here.bed_m = double(waves.bed.x);
+  here.flat_clipped = readers.clip && (*readers.clip)(reading({asked.rest, 0.0, asked.seen, false}), asked.rest).x > 0.5f;
   here.wet = smoothstep(gpu::dry_depth_m, gpu::wet_depth_m, here.level_m - here.bed_m);
-  const PlaceWaves waves = waves_at(rest);
-  std::array<PlaceWaves, 4> around;
-  if (gradients) {
-    here.bed_gradient = gradient(bed, rest, e);
-    around = {waves_at(rest + glm::dvec2(e, 0.0)), waves_at(rest - glm::dvec2(e, 0.0)), waves_at(rest + glm::dvec2(0.0, e)), waves_at(rest - glm::dvec2(0.0, e))};
+  Around<BedTexel> beside{};
+  if (asked.gradients) {
+    beside = around(*readers.bed, at, asked.rest);
+    here.bed_gradient = beside.gradient([](const BedTexel& texel) { return texel.bed.x; });
   }
   const int cascades = field.quality().cascades;
   const WaveField::Filter all = here.parts.front().filter;
   here.parts.clear();
   for (int i = 0; i <= cascades; ++i) {
     if (i == cascades && field.places().size() == std::size_t(cascades)) break;
-    Part part{rest, all};
+    Part part{asked.rest, all};
     for (std::size_t place = 0; place < field.places().size(); ++place)
       if (std::min(int(place), cascades) != i) part.filter.share[place] = 0.0f;
-    part.share = i < cascades ? double(waves.share[std::size_t(i)]) : double(waves.others);
+    part.share = share_of(waves, i, cascades);
     part.lift = lifted(waves, i, cascades);
-    const auto slope = [&](const auto& value) { return glm::dvec2(value(around[0]) - value(around[1]), value(around[2]) - value(around[3])) / (2.0 * e); };
-    if (gradients) part.lift_gradient = slope([&](const PlaceWaves& w) { return lifted(w, i, cascades); });
+    if (asked.gradients) part.lift_gradient = beside.gradient([&](const BedTexel& texel) { return lifted(texel, i, cascades); });
     if (i < std::min(Refraction::bent_cascades, cascades)) {
       part.along = shallows_.direction(i);
-      part.place += double(waves.shift_m[std::size_t(i)]) * part.along;
-      if (gradients) part.bend = slope([&](const PlaceWaves& w) { return double(w.shift_m[std::size_t(i)]); });
+      part.place += double(waves.bed[i + 1]) * part.along;
+      if (asked.gradients) part.bend = beside.gradient([&](const BedTexel& texel) { return texel.bed[i + 1]; });
     }
     here.parts.push_back(part);
   }
 }
 
 // Two of each pattern, which the current has brought from elsewhere.
-void PlaceSea::add_current(const WaveField& field, Here& here, glm::dvec2 rest, double footprint, double time) const {
-  const glm::dvec2 velocity = flow_mps(rest, footprint, time);
-  const double period = inputs_.settings.flow_period_s;
-  const FlowPhase phase = flow_phase(time, period);
+void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const {
+  const glm::dvec2 velocity((*readers.flow)(reading(asked), asked.rest));
+  const double period = settings_.flow_period_s;
+  const FlowPhase phase = flow_phase(readers.time_s, period);
   const std::size_t count = here.parts.size();
   for (std::size_t n = 0; n < count; ++n) {
     Part second = here.parts[n];
@@ -142,11 +166,16 @@ glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles
   for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
   if (!shallows_) return sum;
   sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
-  return dry(here, sum, seconds(tiles)) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
+  return dry(here, sum) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
 }
 
-SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint) const {
-  const Here here = this->here(field, field.filter(footprint), rest, footprint, seconds(tiles), true);
+SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint, const LodPlacement* seen) const {
+  Readers readers(*this, seconds(tiles));
+  return sea(field, tiles, {rest, footprint, seen, true}, readers);
+}
+
+SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const {
+  const Here here = this->here(field, field.filter(asked.footprint_m), asked, readers);
   SeaSample result;
   result.height_gradient = here.level_gradient;
   result.displacement.y = here.level_m;
@@ -168,28 +197,28 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dve
     result.displacement.y = here.bed_m;
     result.height_gradient = here.bed_gradient;
   }
-  if (!dry(here, result.displacement, seconds(tiles))) return result;
+  if (!dry(here, result.displacement)) return result;
   result = {};
   result.displacement.y = here.bed_m;
   result.height_gradient = here.bed_gradient;
   return result;
 }
 
-QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place, const QueryOptions& options) const {
+QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place, const QueryOptions& options, Readers& readers) const {
   QueryAnswer answer;
   if (!std::isfinite(place.x + place.y)) return answer;
-  const double time = seconds(tiles), footprint = options.footprint_m;
+  const double footprint = options.footprint_m;
   glm::dvec2 rest = place, nearest = place;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= options.most_iterations; ++i) {
-    const glm::dvec3 d = displacement(field, tiles, here(field, filter, rest, footprint, time, false));
+    const glm::dvec3 d = displacement(field, tiles, here(field, filter, {rest, footprint, nullptr, false}, readers));
     const double residual = glm::length(rest + glm::dvec2(d.x, d.z) - place);
     if (residual < least) least = residual, nearest = rest;
     answer.iterations = i;
     if (residual <= options.tolerance_m) break;
     rest = place - glm::dvec2(d.x, d.z);
   }
-  const SeaSample s = sea(field, tiles, nearest, footprint);
+  const SeaSample s = sea(field, tiles, {nearest, footprint, nullptr, true}, readers);
   const glm::dvec2 slope = s.slope(), missed = place - nearest - glm::dvec2(s.displacement.x, s.displacement.z);
   answer.displacement = s.displacement;
   answer.residual_m = least;
@@ -200,11 +229,12 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
   answer.contraction = std::abs(middle) + std::hypot(half, s.shift_gradient.z);
   answer.converged = least <= options.tolerance_m && s.jacobian() > 0.0;
   if (!tiles.has_velocity()) return answer;
-  const Here there = here(field, filter, nearest, footprint, time, false);
+  const Asked found{nearest, footprint, nullptr, false};
+  const Here there = here(field, filter, found, readers);
   if (shallows_ && s.displacement.y <= there.bed_m) return answer;  // land stands still
   glm::dvec3 v(0.0);
   for (const Part& part : there.parts) v += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) * field.velocity(tiles, part.place, part.filter);
-  const glm::dvec2 flow = flow_mps(nearest, footprint, time);
+  const glm::dvec2 flow = readers.flow ? glm::dvec2((*readers.flow)(reading(found), nearest)) : glm::dvec2(0.0);
   answer.orbital_velocity_mps = v + glm::dvec3(flow.x, flow.x * s.height_gradient.x + flow.y * s.height_gradient.y, flow.y);
   answer.eulerian_velocity_mps = answer.orbital_velocity_mps.y - answer.orbital_velocity_mps.x * slope.x - answer.orbital_velocity_mps.z * slope.y;
   return answer;
@@ -216,7 +246,8 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
   const WaveField::Filter filter = field.filter(options.footprint_m);
   constexpr std::size_t block = 64;
   tbb::parallel_for(std::size_t(0), (places.size() + block - 1) / block, [&](std::size_t n) {
-    for (std::size_t i = n * block; i < std::min(places.size(), (n + 1) * block); ++i) answers[i] = answer(field, tiles, filter, places[i], options);
+    Readers readers(*this, seconds(tiles));
+    for (std::size_t i = n * block; i < std::min(places.size(), (n + 1) * block); ++i) answers[i] = answer(field, tiles, filter, places[i], options, readers);
   });
 }
 

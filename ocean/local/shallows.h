@@ -34,6 +34,7 @@ class Shallows {
   Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
            std::shared_ptr<const Inputs> level);
 
+  double depth_m() const { return -double(outside_bed_.x); }                     // of the open sea
   double bed_m(glm::dvec2 place_m, double footprint_m, double time_s) const;    // above y = 0
   double still_m(glm::dvec2 place_m, double footprint_m, double time_s) const;  // of the still water, dry or not
   PlaceWaves waves(glm::dvec2 place_m, double depth_m) const;

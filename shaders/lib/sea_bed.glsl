@@ -7,7 +7,7 @@ vec4 sea_bed_more;           // of the fifth; of other sources; of the run-up; o
 vec4 sea_bed_x, sea_bed_z;   // what sea_bed_here changes by along x and z, a metre
 float sea_bed_still;         // the still water's height; where it has levels lib/sea.glsl tells
 
-vec4 sea_bed_height(LodRead read, vec2 place) { return place_value(sea_bed_windows, read, place, frame.sea.place.outside_bed); }
+vec4 sea_bed_height(LodRead read, vec2 place) { return place_value(sea_bed_windows, read, place, vec4(frame.sea.place.outside_bed.x, 0.0, 0.0, 0.0)); }
 
 vec4 sea_bed_layer(int slice, vec2 place, int number) {
   const int layer = 2 * lod_layer(frame.sea.place.windows.first_layer, slice, frame.sea.place.windows.slices) + number;

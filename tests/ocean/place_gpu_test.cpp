@@ -56,6 +56,9 @@ struct Worst {
   int moved = 0;  // points that the effects have moved by more than the tolerance
 };
 
+// As of the waves alone (surface_gpu_test.cpp).
+double bar(const Worst& worst) { return std::min(1e-3 * worst.hs_m, 5e-3); }
+
 // A thousand vertices near the viewer against PlaceSea.
 Worst worst(const std::vector<std::string>& effects, Set set, double time_s, const std::vector<InputSpec>& inputs = lake_and_whirlpool()) {
   const Pose head = pose({12.3, 6.0, -45.6}, 30.0, -30.0);
@@ -69,21 +72,24 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s, con
   const WaveField field(settings.sea, settings.waves, tile_sources(shot.scene()));
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s), tiles);
-  const PlaceSea place(place_inputs(shot.scene()), field);
+  const PlaceInputs places = place_inputs(shot.scene());
+  const PlaceSea place(places, field);
+  const LodWindowSettings& windows = places.settings.windows;
+  const LodPlacement seen = lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
   const glm::dvec2 viewer(head.position_m.x - selection.grid_origin_m.x, head.position_m.z - selection.grid_origin_m.y);
   Worst result;
   result.hs_m = 4.0 * std::sqrt(field.statistics().height_variance);
   std::mt19937 random(7);
-  for (int i = 0, seen = 0; i < 400000 && seen < 1000; ++i) {
+  for (int i = 0, points = 0; i < 400000 && points < 1000; ++i) {
     const std::size_t at = (random() % selection.patches.size()) * vertices + random() % vertices;
     glm::vec4 rest, drawn;
     std::memcpy(&rest, &bytes[at * 32], 16);
     std::memcpy(&drawn, &bytes[at * 32 + 16], 16);
     const glm::dvec2 from_viewer = glm::dvec2(rest) - viewer;
-    if (glm::length(from_viewer) > 20.0) continue;  // the finest window
-    ++seen;
+    if (glm::length(from_viewer) > 100.0) continue;  // three windows
+    ++points;
     const glm::dvec2 world = selection.grid_origin_m + glm::dvec2(rest);
-    const glm::dvec3 want = place.sea(field, tiles, world, double(rest.z)).displacement;
+    const glm::dvec3 want = place.sea(field, tiles, world, double(rest.z), &seen).displacement;
     const glm::dvec3 got(double(drawn.x) - from_viewer.x, drawn.z, double(drawn.y) - from_viewer.y);
     result.error_m = std::max(result.error_m, glm::length(got - want));
     result.moved += glm::length(field.sea(tiles, world, double(rest.z)).displacement - want) > 0.01 * result.hs_m;
@@ -91,29 +97,27 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s, con
   return result;
 }
 
-// A lake higher than the sea, its shore a slope of 24 m; and a whirlpool of 3 m/s that carries the waves round. What texels of a quarter of a metre leave of
-// them between their middles: of lake and waves together 1 cm, and of waves that are carried a little too far 1/100 of their height. Controls seen: the level read half a
-// texel off; the flow's x and z changed about; one pattern alone; the patterns' sum left at its height.
+// A lake higher than the sea, its shore a slope of 24 m; and a whirlpool of 3 m/s that carries the waves round. Controls seen: the level read half a
+// texel off; the flow's x and z changed about; one pattern alone; the patterns' sum left at its height; the inputs themselves instead of what lies between texels (1 cm).
 TEST_F(DrawnPlaces, StandWhereTheProcessorSays) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   const Worst level = worst({"waves", "level"}, {}, 33.3);
   EXPECT_GT(level.moved, 300);
-  EXPECT_LE(level.error_m, 0.01) << level.hs_m;
+  EXPECT_LE(level.error_m, bar(level)) << level.hs_m;
   for (const double time : {33.3, 34.1, 34.9}) {
     const Worst flow = worst({"waves", "flow"}, {}, time);
-    EXPECT_GT(flow.moved, 60);
-    EXPECT_LE(flow.error_m, 0.01 * flow.hs_m) << time;
+    EXPECT_GT(flow.moved, 40);
+    EXPECT_LE(flow.error_m, bar(flow)) << time;
   }
 }
 
-// Waves over a bank and the land on it: what quarter-metre texels leave of a bed that falls by a metre in nine and of waves that it shapes: 1/100 of their height.
-// Controls seen: the second layer of a slice read as the first; a shift along the wrong axis; no land; no run-up.
+// Waves over a bank and the land on it, with a bed that falls by a metre in nine, and a dry one by one in one. Controls seen: the second layer of a slice read as the first; a shift along the wrong axis; no land; no run-up.
 TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   for (const char* depth : {"40", "6"}) {
     const Worst bed = worst({"waves", "sea_depth"}, {{"waves.depth_m", depth}}, 33.3, bank_and_island());
     EXPECT_GT(bed.moved, 300);
-    EXPECT_LE(bed.error_m, 0.01 * bed.hs_m) << bed.hs_m << ' ' << depth;
+    EXPECT_LE(bed.error_m, bar(bed)) << bed.hs_m << ' ' << depth;
   }
   // In a lake that stands higher its banks lie deeper.
   std::vector<InputSpec> lake = bank_and_island();
@@ -123,9 +127,9 @@ TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
     dock.push_back(area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {14.0, -50.0}, {400.0, 400.0}, 0.0));
     return dock;
   }());
-  EXPECT_LE(dry.error_m, 0.03) << "where it is clipped the bed lies dry, whose flank falls by one in one";
+  EXPECT_LE(dry.error_m, bar(dry)) << "where it is clipped the bed lies dry, whose flank falls by one in one";
   const Worst both = worst({"waves", "sea_depth", "level"}, {{"waves.depth_m", "40"}}, 33.3, lake);
-  EXPECT_LE(both.error_m, 0.01 * both.hs_m) << both.hs_m;
+  EXPECT_LE(both.error_m, bar(both)) << both.hs_m;
 }
 
 // Pixels whose water stands where it is clipped show the sky that is beneath them, and no others do; in both frame shapes. Control seen: clipped by the rest

@@ -72,14 +72,18 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
   EXPECT_GT(converged, 180);
 }
 
-// The level is that of the rest place, and nothing else of the waves changes but their slopes, by its own. Control seen: the level where the water stands.
+// The level is that of the rest place, at the middle of a texel to the bit and elsewhere straight between them, and nothing else of the waves changes but their
+// slopes, by its own. Controls seen: the level where the water stands; texels taken at their corners.
 TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
   const PlaceSea place(inputs_of({hill(6.0)}), field);
   const Inputs alone(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
   for (int i = 0; i < 40; ++i) {
-    const glm::dvec2 rest(-45.0 + 2.3 * i, 12.0 - 0.7 * i);
+    const glm::dvec2 rest(-44.875 + 2.25 * i, 12.125 - 0.75 * i), between = rest + glm::dvec2(0.1, 0.0625);
     const SeaSample with = place.sea(field, tiles, rest, 0.0), without = field.sea(tiles, rest, 0.0);
-    EXPECT_NEAR(with.displacement.y - without.displacement.y, alone.value(rest, 0.0, 0.0, glm::vec4(0.0f)).x, 1e-9);
+    const auto level = [&](glm::dvec2 at) { return double(alone.value(at, 0.25, 0.0, glm::vec4(0.0f)).x); };
+    EXPECT_NEAR(with.displacement.y - without.displacement.y, level(rest), 1e-9);
+    const double north = 0.6 * level(rest) + 0.4 * level(rest + glm::dvec2(0.25, 0.0)), south = 0.6 * level(rest + glm::dvec2(0.0, 0.25)) + 0.4 * level(rest + glm::dvec2(0.25));
+    EXPECT_NEAR(place.level_m(between, 0.0, 0.0), 0.75 * north + 0.25 * south, 1e-6);
     EXPECT_EQ(with.displacement.x, without.displacement.x);
     EXPECT_EQ(with.shift_gradient, without.shift_gradient);
   }
