@@ -158,7 +158,7 @@ TEST_F(ShallowsTest, LandIsFoundAsItStands) {
     const auto ground = [&](glm::dvec2 at) { return place.shallows()->bed_m(at, 0.0, 0.0); };
     ASSERT_GT(ground(asked), 0.3);
     EXPECT_TRUE(answer.converged);
-    EXPECT_NEAR(answer.height_m, ground(asked), 1e-6);
+    EXPECT_NEAR(answer.height_m, ground(asked), 1e-3);  // between texels of a quarter of a metre
     EXPECT_EQ(answer.orbital_velocity_mps, glm::dvec3(0.0));
     const double e = 0.25;
     const glm::dvec3 normal = glm::normalize(glm::dvec3(ground(asked - glm::dvec2(e, 0.0)) - ground(asked + glm::dvec2(e, 0.0)), 2.0 * e, ground(asked - glm::dvec2(0.0, e)) - ground(asked + glm::dvec2(0.0, e))));
