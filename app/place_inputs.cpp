@@ -7,10 +7,14 @@
 namespace seascape {
 
 PlaceInputs place_inputs(const Scene& scene) {
-  PlaceInputs result{scene.settings.place, {}, nullptr};
+  PlaceInputs result{scene.settings.place, {}, {}, nullptr};
   for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
     if (!calls_for(scene.effects, traits(kind).name)) continue;
-    auto inputs = std::make_shared<const Inputs>(kind, scene.inputs);
+    const bool on_water = kind == InputTarget::albedo || kind == InputTarget::shadow;
+    auto follow = [](const InputSpec& spec) { return spec.follow_waves; };
+    auto stay = [](const InputSpec& spec) { return !spec.follow_waves; };
+    auto inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay) : std::make_shared<const Inputs>(kind, scene.inputs);
+    if (auto following = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr; following && !following->empty()) result.following.push_back(std::move(following));
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
   }
   if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)) result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);

@@ -51,10 +51,10 @@ std::vector<std::string> remarks_of(std::span<const InputSpec> specs) {
   return remarks;
 }
 
-Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs) : to_(to) {
+Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs, bool (*taken)(const InputSpec&)) : to_(to) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < specs.size(); ++i)
-    if (specs[i].to == to && !is_volume(specs[i])) numbers.push_back(i);
+    if (specs[i].to == to && !is_volume(specs[i]) && taken(specs[i])) numbers.push_back(i);
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
   std::vector<InputBounds> boxes;
   for (const std::size_t i : numbers) {

@@ -13,7 +13,9 @@ namespace seascape {
 class Inputs {
  public:
   // Takes those of `specs` that are for `to`, sorted by their order, but volumes (ClipVolumes); the rest may be for others. Throws Error as validate() does.
-  Inputs(InputTarget to, std::span<const InputSpec> specs);
+  Inputs(InputTarget to, std::span<const InputSpec> specs) : Inputs(to, specs, [](const InputSpec&) { return true; }) {}
+  // The same of those that `taken` says yes to.
+  Inputs(InputTarget to, std::span<const InputSpec> specs, bool (*taken)(const InputSpec&));
 
   // `base` is what there is without inputs: the same comes back, to the bit, where none is; else every channel of the target's within its range
   // (InputTargetTraits), the others as they were. `footprint_m` is the side of what is asked for as one: no edge is sharper, and pictures

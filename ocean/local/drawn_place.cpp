@@ -32,11 +32,16 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
     : settings_(inputs.settings), depth_m_(depth_m), shallows_{std::move(shallows), nullptr} {
   validate(settings_);
   const bool whole = device.facts().float32_linear;
-  for (const auto& kind : inputs.kinds) {
-    if (kind->target() == InputTarget::sea_depth) continue;
-    const std::string name(traits(kind->target()).name);
+  for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
+    std::vector<Drawn::Part> parts;
+    int laid = 0;
+    if (auto stays = inputs.of(kind)) parts.push_back({std::move(stays), nullptr}), laid |= gpu::laid_stays;
+    if (auto follows = PlaceInputs::of(inputs.following, kind)) parts.push_back({std::move(follows), nullptr}), laid |= gpu::laid_follows;
+    if (parts.empty()) continue;
+    const std::string name(traits(kind).name);
     const EffectScope scope(device, name);
-    drawn_.push_back({kind->target(), nullptr, kind, DrawnWindows(device, name, settings_.windows, format_of(kind->target(), whole))});
+    const int layers = int(parts.size());
+    drawn_.push_back({kind, laid, std::move(parts), DrawnWindows(device, name, settings_.windows, format_of(kind, whole), layers)});
   }
   if (shallows_) {
     const EffectScope scope(device, traits(InputTarget::sea_depth).name);
@@ -55,16 +60,18 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
   for (Drawn& drawn : drawn_) {
-    std::uint32_t changed = all_slices(settings_);
-    if (drawn.field) changed = drawn.field->follow(placement_, time_s);
-    else drawn.field = std::make_unique<PlaceField<glm::vec4>>(place_values(drawn.inputs, settings_), settings_, placement_, time_s);
+    std::uint32_t changed = 0;
+    for (Drawn::Part& part : drawn.parts) {
+      if (part.field) changed |= part.field->follow(placement_, time_s);
+      else part.field = std::make_unique<PlaceField<glm::vec4>>(place_values(part.inputs, settings_), settings_, placement_, time_s), changed = all_slices(settings_);
+    }
     if (changed == 0) continue;
-    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(*drawn.field, changed);
-    const LodField<glm::vec4>& field = drawn.field->field();
+    const auto field = [&drawn](int layer) -> const PlaceField<glm::vec4>& { return *drawn.parts[std::size_t(layer)].field; };
+    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(field(0), changed);
     const int channels = drawn.windows.channels();
-    drawn.windows.copy(frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int, int z, std::span<float> texels) {
+    drawn.windows.copy(frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); }, [&](int slice, int layer, int z, std::span<float> texels) {
       std::size_t at = 0;
-      for (const glm::vec4& texel : row_of(field, slice, z, settings_.windows.resolution))
+      for (const glm::vec4& texel : row_of(field(layer).field(), slice, z, settings_.windows.resolution))
         for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
     });
   }
@@ -154,9 +161,13 @@ const Image* DrawnPlace::image(InputTarget kind) const {
   const Drawn* found = drawn(kind);
   return found == nullptr ? nullptr : &found->windows.image();
 }
+int DrawnPlace::laid(InputTarget kind) const {
+  const Drawn* found = drawn(kind);
+  return found == nullptr ? 0 : found->laid;
+}
 const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
   const Drawn* found = drawn(kind);
-  return found == nullptr ? nullptr : found->field.get();
+  return found == nullptr ? nullptr : found->parts.front().field.get();
 }
 
 bool DrawnPlace::clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const {

@@ -27,6 +27,8 @@ class DrawnPlace {
   // The image of a kind, null where there is none; that of the bed, and of what it makes of the waves.
   const Image* image(InputTarget kind) const;
   const Image* bed_waves() const { return bed_ ? &bed_->waves.image() : nullptr; }
+  // Which parts of it there are (gpu::laid_stays, gpu::laid_follows); 0 without.
+  int laid(InputTarget kind) const;
   VkSampler sampler() const { return sampler_.get(); }
   const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
@@ -47,9 +49,13 @@ class DrawnPlace {
 
  private:
   struct Drawn {
+    struct Part {
+      std::shared_ptr<const Inputs> inputs;
+      std::unique_ptr<PlaceField<glm::vec4>> field;  // from the first update on
+    };
     InputTarget kind;
-    std::unique_ptr<PlaceField<glm::vec4>> field;  // from the first update on
-    std::shared_ptr<const Inputs> inputs;
+    int laid;                 // gpu::laid_stays, gpu::laid_follows: a part each, in this order, and a layer of a slice
+    std::vector<Part> parts;
     DrawnWindows windows;
   };
   struct Bed {

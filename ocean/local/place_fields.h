@@ -23,12 +23,14 @@ namespace seascape {
 struct PlaceInputs {
   PlaceSettings settings;
   std::vector<std::shared_ptr<const Inputs>> kinds;  // each kind once at most
+  std::vector<std::shared_ptr<const Inputs>> following;  // of what lies on the water (albedo, shadow), those that go with the waves; each kind once at most
   std::shared_ptr<const ClipVolumes> volumes;        // of clip beside its flat inputs; null where there are none
 
-  bool empty() const { return kinds.empty() && volumes == nullptr; }
+  bool empty() const { return kinds.empty() && following.empty() && volumes == nullptr; }
 
   // Null where there are none.
-  std::shared_ptr<const Inputs> of(InputTarget kind) const {
+  std::shared_ptr<const Inputs> of(InputTarget kind) const { return of(kinds, kind); }
+  static std::shared_ptr<const Inputs> of(const std::vector<std::shared_ptr<const Inputs>>& kinds, InputTarget kind) {
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& inputs) { return inputs->target() == kind; });
     return found == kinds.end() ? nullptr : *found;
   }

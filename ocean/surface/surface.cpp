@@ -59,7 +59,10 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
                  {7, std::uint32_t(waves.cascades())},     {10, look.deferred},
                  {13, dynamic_waves != nullptr ? dynamic_waves->shift().spec().layers : 0u}};
   spec.values.push_back({21, foam != nullptr});
-  for (const PlaceSlot& slot : place_slots) spec.values.push_back({slot.constant, place != nullptr && place->image(slot.kind) != nullptr});
+  for (const PlaceSlot& slot : place_slots) {
+    const bool bed = slot.kind == InputTarget::sea_depth;
+    spec.values.push_back({slot.constant, place == nullptr ? 0u : bed ? std::uint32_t(place->image(slot.kind) != nullptr) : std::uint32_t(place->laid(slot.kind))});
+  }
   const DrawnClip* clip = place != nullptr ? place->clip_volumes() : nullptr;
   const bool flat_clip = place != nullptr && place->image(InputTarget::clip) != nullptr;
   for (SpecValue& value : spec.values)

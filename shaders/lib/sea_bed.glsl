@@ -9,17 +9,7 @@ float sea_bed_still;         // the still water's height; where it has levels li
 
 vec4 sea_bed_height(LodRead read, vec2 place) { return place_value(sea_bed_windows, read, place, vec4(frame.sea.place.outside_bed.x, 0.0, 0.0, 0.0)); }
 
-vec4 sea_bed_layer(int slice, vec2 place, int number) {
-  const int layer = 2 * lod_layer(frame.sea.place.windows.first_layer, slice, frame.sea.place.windows.slices) + number;
-  return textureLod(sea_bed_waves, vec3(lod_coordinates(frame.sea.place.windows.slice[slice], place), float(layer)), 0.0);
-}
-
-vec4 sea_bed_layers(LodRead read, vec2 place, int number, vec4 outside) {
-  if (read.present <= 0.0) return outside;
-  vec4 value = sea_bed_layer(read.fine, place, number);
-  if (read.coarser > 0.0) value = mix(value, sea_bed_layer(read.fine + 1, place, number), read.coarser);
-  return mix(outside, value, read.present);
-}
+vec4 sea_bed_layers(LodRead read, vec2 place, int number, vec4 outside) { return place_value(sea_bed_waves, 2, number, read, place, outside); }
 
 // Slopes of the bed and of the shifts, over a texel to either side.
 void sea_bed_slopes_at(LodRead read, vec2 place) {

@@ -8,9 +8,9 @@
 
 layout(constant_id = 3) const bool foam = false;
 // Data of places (lib/sea.glsl).
-layout(constant_id = 18) const bool water_albedo = false;
+layout(constant_id = 18) const int water_albedo = 0;
 layout(binding = 31) uniform sampler2DArray water_albedo_windows;  // a colour that lies on the water, times its cover; the cover
-layout(constant_id = 19) const bool water_shadow = false;
+layout(constant_id = 19) const int water_shadow = 0;
 layout(binding = 32) uniform sampler2DArray water_shadow_windows;  // light kept away from within the water, and from its surface
 
 #include "lib/albedo.glsl"
@@ -33,7 +33,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   float above = p.height_shear.x;
   if (sea_level) above -= sea_level_at(p.rest);
   vec2 sunlit = vec2(1.0);  // within the water, on its surface
-  if (water_shadow) sunlit -= place_value(water_shadow_windows, place_read(p.place, 0.0), p.place, vec4(0.0)).xy;
+  if (water_shadow > 0) sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
   const float height = clamp(above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
   const vec3 to_eye = view.eye.xyz - p.relative;
   const float range = length(to_eye);
@@ -121,7 +121,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
 
   if (sea_bed) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, sea_bed_below.water);
 
-  if (water_albedo) lay_albedo(lit, p.place, lit_white);
+  if (water_albedo > 0) lay_albedo(lit, p.place, p.rest, lit_white);
 
   // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the
   // viewer, where no horizon lies behind, the mean of the sky's.

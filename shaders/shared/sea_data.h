@@ -30,6 +30,10 @@ SEASCAPE_CONST float dry_depth_m = -0.1f;         // of still water, from which 
 SEASCAPE_CONST float wet_depth_m = 0.2f;          // and from which on water does as in the open
 SEASCAPE_CONST float ground_pattern_m = 512.0f;   // after which the pattern of sand and growth comes again
 
+// What lies on the water is asked for where the water stands, if it stays in its place, and at the water's rest position if it goes with the waves: which of both
+// there is. Of both: two layers a slice, in this order.
+SEASCAPE_CONST int laid_stays = 1, laid_follows = 2;
+
 // What belongs to places: windows that all of its textures share, and what there is beyond them.
 struct PlaceData {
   LodWindows windows;

@@ -292,5 +292,36 @@ TEST_F(DrawnPlaces, ColourAndShadeOnlyWhatLiesWithinTheInput) {
   EXPECT_LT(in_dark.y, 0.8 * in_plain.y) << test::leave(dark, "shadow");
 }
 
+// In a storm a red disc that stays in its place and a green one that goes with the waves lie on the water, of which each pixel shows where it stands and where it
+// rests: the green over the red. Controls seen: the two layers of a slice changed about; both asked for at the rest position.
+TEST_F(DrawnPlaces, ColoursStayOrGoWithTheWaves) {
+  if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
+  constexpr int width = 160, height = 120;
+  const glm::dvec2 middle(0.0), size(16.0);
+  std::vector<InputSpec> discs{area(InputTarget::albedo, {0.9f, 0.0f, 0.0f, 1.0f}, middle, size, 0.0), area(InputTarget::albedo, {0.0f, 0.9f, 0.0f, 1.0f}, middle, size, 0.0)};
+  discs[1].follow_waves = true;
+  for (const bool both : {true, false}) {
+    if (!both) discs.erase(discs.begin());
+    SeaShot shot({.scene = "storm", .preset = "high", .width = width, .height = height, .probe = true, .set = {{"foam.simulated", "false"}, {"water.whitecaps", "0"}}, .effects = std::vector<std::string>{"waves", "albedo"}, .inputs = discs});
+    const Viewpoint view = shot.viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
+    const Image8 picture = shot.picture(view, 4.0);
+    const std::vector<test::DrawnMesh::Shown> shown = test::DrawnMesh(shot, view).shown(width, height);
+    int told = 0, wrong = 0, apart = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      if (!shown[i].any) continue;
+      const double rest = glm::length(shown[i].point.rest), stands = std::hypot(shown[i].point.at.x, shown[i].point.at.z);
+      if (std::abs(rest - 8.0) < 0.5 || std::abs(stands - 8.0) < 0.5) continue;
+      const glm::dvec3 light = test::light_at(picture, i);
+      const bool green = light.y > 2.0 * light.x && light.y > 2.0 * light.z, red = light.x > 2.0 * light.y && light.x > 2.0 * light.z;
+      ++told;
+      wrong += green != (rest < 8.0) || red != (both && rest > 8.0 && stands < 8.0);
+      apart += (rest < 8.0) != (stands < 8.0);
+    }
+    EXPECT_GT(told, width * height / 2);
+    EXPECT_GT(apart, 50) << "waves move the water away from its rest";
+    EXPECT_LE(wrong, told / 500) << both << ' ' << test::leave(picture, "laid");
+  }
+}
+
 }  // namespace
 }  // namespace seascape

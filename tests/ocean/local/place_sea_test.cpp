@@ -31,7 +31,7 @@ InputSpec hill(double top_m) {
 }
 
 PlaceInputs inputs_of(const std::vector<InputSpec>& specs, const PlaceSettings& settings = {}) {
-  PlaceInputs result{settings, {}, nullptr};
+  PlaceInputs result{settings, {}, {}, nullptr};
   for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip}) {
     auto inputs = std::make_shared<const Inputs>(kind, specs);
     if (!inputs->empty() || place_outside(settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
