@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "app/tile_sources.h"
 #include "ocean/effects.h"
+#include "ocean/local/shore_lines.h"
 
 namespace seascape {
 
@@ -18,6 +20,7 @@ PlaceInputs place_inputs(const Scene& scene) {
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
   }
   if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)) result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);
+  if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene)) result.shore = std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
   return result;
 }
 

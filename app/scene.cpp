@@ -130,7 +130,14 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   };
   const SeaState& sea = scene.settings.sea;
   check("baked", [&] { Baked(read_loop(loop_folder(scene.settings.baked.loop, where)), scene.settings.baked); });
-  check("gerstner", [&] { Gerstner(scene.settings.gerstner, sea.gravity_mps2, sea.depth_m); });
+  check("gerstner", [&] {
+    const GerstnerSettings& g = scene.settings.gerstner;
+    validate_together(Gerstner(g, sea.gravity_mps2, sea.depth_m), Gerstner(g, sea.gravity_mps2, sea.depth_m, 0.0, true), g.chop);
+    const bool sets = (g.set1.shore && g.set1.height_m > 0.0) || (g.set2.shore && g.set2.height_m > 0.0);
+    const bool splines = std::any_of(scene.inputs.begin(), scene.inputs.end(), [](const InputSpec& spec) { return spec.to == InputTarget::gerstner; });
+    if (splines && !sets) scene.remarks.push_back(where + ": inputs to gerstner give nothing, for no set of waves is for them; set gerstner.set1_shore");
+    if (sets && !splines) scene.remarks.push_back(where + ": a set of gerstner is for splines and there are none, so that it is nowhere; add an input to gerstner");
+  });
   check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
   check("foam", [&] { validate(scene.settings.foam); });
   for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"}) check(effect, [&] { validate(scene.settings.place); });

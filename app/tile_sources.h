@@ -1,6 +1,7 @@
 // What feeds a scene's sea beside its waves, by the effects that it names.
 #pragma once
 #include "app/scene.h"
+#include "ocean/waves/gerstner.h"
 #include "ocean/waves/tile_source.h"
 
 namespace seascape {
@@ -8,5 +9,8 @@ namespace seascape {
 // One source for each effect of the scene's closure that is one, in the order of their names in the design; made for its settings.
 // Throws Error where they do not go together.
 TileSources tile_sources(const Scene& scene);
+
+// The tile of the sets that run along the scene's splines; null where there are no such sets or no splines.
+std::shared_ptr<const Gerstner> shore_gerstner(const Scene& scene);
 
 }  // namespace seascape

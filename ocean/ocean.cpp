@@ -46,7 +46,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   for (const auto& source : settings.sources) {
     if (source->still()) continue;
     sources_.push_back(std::make_unique<DrawnSource>(device, source, waves_.half_storage()));
-    const SourceStatistics s = source->statistics();
+    const SourceStatistics s = source->along_curves() && settings.place.shore ? settings.place.shore->bent(source->statistics()) : source->statistics();
     of_sources_.height_variance += s.height_variance;
     of_sources_.largest_height_m += s.largest_height_m;
     of_sources_.largest_shift_m += s.largest_shift_m;
@@ -57,7 +57,9 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
   if (!settings.place.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
   if (settings.foam && keeps_foam(*settings.foam, bool(shallows()), dynamic_waves_ != nullptr)) {
-    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, settings.sources);
+    TileSources everywhere = settings.sources;
+    std::erase_if(everywhere, [](const auto& source) { return source->along_curves(); });
+    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(everywhere));
     if (shallows()) foam_->sea().set_water(still_water(shallows().from));
   }
 }
@@ -205,7 +207,8 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   data.sea = waves_.sea_data(s.grid_origin_m);
   for (const auto& source : sources_) {
     const std::string_view name = source->source().name();
-    source->describe(name == "baked" ? std::span(&data.sea.baked, 1) : name == "gerstner" ? std::span(&data.sea.gerstner, 1) : std::span(data.sea.particles), s.grid_origin_m);
+    const auto one = [](gpu::CascadeData& laid) { return std::span(&laid, 1); };
+    source->describe(name == "baked" ? one(data.sea.baked) : name == "gerstner" ? one(source->source().along_curves() ? data.sea.shore : data.sea.gerstner) : std::span(data.sea.particles), s.grid_origin_m);
   }
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
   if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);

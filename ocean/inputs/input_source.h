@@ -31,6 +31,8 @@ class InputSource {
 // of it was left out.
 std::unique_ptr<const InputSource> make_input(const InputSpec& spec, std::vector<std::string>& remarks);
 
+// The points of a spline, without those that lie where the one before does; none where they are too few for a curve. `remarks` says what was left out.
+std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::string>& remarks);
 std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vector<std::string>& remarks);
 std::unique_ptr<const InputSource> make_area(const InputSpec& spec);
 std::unique_ptr<const InputSource> make_vortex(const InputSpec& spec);

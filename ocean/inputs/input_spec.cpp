@@ -38,6 +38,14 @@ struct Checker {
     if (spec.to != to) refuse(what + " is no input of " + std::string(traits(spec.to).name), "give it \"to\": \"" + std::string(traits(to).name) + "\"");
   }
 
+  // Gerstner waves run along curves, and patterns of waves do not join as numbers do (ocean/local/shore_lines.h).
+  void curve() const {
+    const SplineInput* spline = std::get_if<SplineInput>(&spec.shape);
+    if (spline == nullptr) refuse("kind: Gerstner waves run along splines alone", "give \"kind\": \"spline\"");
+    if (spline->filled) refuse("filled: Gerstner waves run along the spline and not over what it surrounds", "remove \"filled\"");
+    if (spec.blend != InputBlend::add) refuse("blend: waves of two splines do not join; the stronger is left where they meet", "remove \"blend\"");
+    if (spec.follow_waves) refuse("follow_waves: waves that run along a spline stay in their place", "remove \"follow_waves\"");
+  }
   void operator()(const SplineInput& s) const {
     if (s.points.size() > most_input_points) refuse("points: " + std::to_string(s.points.size()) + " of them", "give at most " + std::to_string(most_input_points));
     if (s.filled && !s.closed) refuse("filled: the spline is not closed", "add \"closed\": true");
@@ -168,6 +176,7 @@ void validate(const InputSpec& spec) {
   check.value(spec.value, "value");
   if ((spec.blend == InputBlend::min || spec.blend == InputBlend::max) && (spec.to == InputTarget::flow || spec.to == InputTarget::albedo))
     check.refuse("blend: neither velocities nor colours have a " + std::string(input_blends[std::size_t(spec.blend)]), "give \"add\", \"replace\" or \"scale\"");
+  if (spec.to == InputTarget::gerstner) check.curve();
   std::visit(check, spec.shape);
 }
 

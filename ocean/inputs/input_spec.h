@@ -14,7 +14,7 @@ struct ImageF;  // engine/image_file.h
 struct Model;   // engine/gltf.h
 
 // The local data an input can feed, each of the name of its effect.
-enum class InputTarget { level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves };
+enum class InputTarget { level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves, gerstner };
 
 struct InputTargetTraits {
   std::string_view name;
@@ -25,7 +25,7 @@ struct InputTargetTraits {
   bool asked = false;       // the sea of this version asks for it; else an input of it changes nothing, and a remark says so
 };
 // In the order of InputTarget.
-inline constexpr std::array<InputTargetTraits, 8> input_targets{{
+inline constexpr std::array<InputTargetTraits, 9> input_targets{{
     {"level", 1, -10000.0, 10000.0, "m", "the still water's height above y = 0", true},
     {"sea_depth", 1, -12000.0, 12000.0, "m", "the bed's height above the still sea, above 0 on land", true},
     {"flow", 2, -100.0, 100.0, "m/s", "the water's velocity along x and z", true},
@@ -34,6 +34,7 @@ inline constexpr std::array<InputTargetTraits, 8> input_targets{{
     {"albedo", 4, 0.0, 1.0, "", "a colour that lies on the water: red, green, blue (linear) and cover; the sea keeps them multiplied by the cover", true},
     {"shadow", 2, 0.0, 1.0, "", "light kept away: from within the water (soft) and from its surface (hard)", true},
     {"dynamic_waves", 1, -100.0, 100.0, "m", "a pressure on the water, as a head", true},
+    {"gerstner", 1, 0.0, 1.0, "", "how high the waves stand, as a share of what their sets say", true},
 }};
 inline constexpr const InputTargetTraits& traits(InputTarget to) { return input_targets[std::size_t(to)]; }
 

@@ -144,7 +144,7 @@ class Spline final : public InputSource {
 
 }  // namespace
 
-std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vector<std::string>& remarks) {
+std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::string>& remarks) {
   const SplineInput& spline = std::get<SplineInput>(spec.shape);
   std::vector<SplinePoint> points;
   for (const SplinePoint& point : spline.points)
@@ -154,12 +154,19 @@ std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vecto
   if (points.size() < least) {
     remarks.push_back(fmt::format("{}: a {}spline of {} point{} at {} place{} gives nothing; give {} points or more that lie apart", spec.where, spline.closed ? "closed " : "",
                                   spline.points.size(), spline.points.size() == 1 ? "" : "s", points.size(), points.size() == 1 ? "" : "s", least));
-    return nullptr;
+    return {};
   }
   // The point that closes a curve, given once more, is no fault.
   const bool again = spline.closed && spline.points.front().at_m == spline.points.back().at_m;
   if (const std::size_t lost = spline.points.size() - points.size() - (again ? 1 : 0); lost > 0)
     remarks.push_back(fmt::format("{}: {} of {} points lie{} where the one before does and {} left out", spec.where, lost, spline.points.size(), lost == 1 ? "s" : "", lost == 1 ? "is" : "are"));
+  return points;
+}
+
+std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vector<std::string>& remarks) {
+  const SplineInput& spline = std::get<SplineInput>(spec.shape);
+  const std::vector<SplinePoint> points = points_apart(spec, remarks);
+  if (points.empty()) return nullptr;
   return std::make_unique<Spline>(spec, points, spline.closed, spline.filled);
 }
 

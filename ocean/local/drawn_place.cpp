@@ -50,8 +50,12 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
                                      DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr, BedTurns(settings_.windows.slices)});
   }
   if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
-  if (drawn_.empty() && !bed_) return;
-  const EffectScope scope(device, traits(drawn_.empty() ? InputTarget::sea_depth : drawn_.front().kind).name);
+  if (inputs.shore) {
+    const EffectScope scope(device, traits(InputTarget::gerstner).name);
+    shore_ = std::make_unique<DrawnShore>(device, inputs.shore, shallows_.from, settings_);
+  }
+  if (drawn_.empty() && !bed_ && !shore_) return;
+  const EffectScope scope(device, traits(!drawn_.empty() ? drawn_.front().kind : shallows_ ? InputTarget::sea_depth : InputTarget::gerstner).name);
   sampler_ = make_sampler(device, "places", {});
 }
 
@@ -77,6 +81,7 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
   }
   time_s_ = time_s;
   if (bed_) update(frame, *bed_, time_s);
+  if (shore_) shore_->update(frame, placement_, time_s);
 }
 
 MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& others) const {
@@ -147,6 +152,7 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
 void DrawnPlace::add_uses(Uses& uses, Access access) const {
   for (const Drawn& drawn : drawn_) uses.add(use(drawn.windows.image(), access));
   if (clip_) clip_->add_uses(uses, access);
+  if (shore_) shore_->add_uses(uses, access);
   if (!bed_) return;
   uses.add(use(bed_->heights.image(), access));
   uses.add(use(bed_->waves.image(), access));

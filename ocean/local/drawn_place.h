@@ -6,6 +6,7 @@
 #include "ocean/local/bed_change.h"
 #include "ocean/local/clip_mask.h"
 #include "ocean/local/drawn_clip.h"
+#include "ocean/local/drawn_shore.h"
 #include "ocean/local/drawn_windows.h"
 #include "ocean/local/place_sea.h"
 #include "ocean/waves/sea_change.h"
@@ -29,6 +30,8 @@ class DrawnPlace {
   const Image* bed_waves() const { return bed_ ? &bed_->waves.image() : nullptr; }
   // Which parts of it there are (gpu::laid_stays, gpu::laid_follows); 0 without.
   int laid(InputTarget kind) const;
+  // Null where no waves run along curves.
+  const DrawnShore* shore() const { return shore_.get(); }
   VkSampler sampler() const { return sampler_.get(); }
   const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
@@ -72,6 +75,7 @@ class DrawnPlace {
   std::vector<Drawn> drawn_;
   ShallowsMix shallows_;
   std::unique_ptr<Bed> bed_;
+  std::unique_ptr<DrawnShore> shore_;
   ClipMask mask_;
   std::unique_ptr<DrawnClip> clip_;
   Owned<VkSampler> sampler_;

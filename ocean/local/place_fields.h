@@ -19,6 +19,8 @@
 
 namespace seascape {
 
+class ShoreLines;  // ocean/local/shore_lines.h
+
 // What of a scene belongs to places: the inputs of each kind that an effect calls for.
 struct PlaceInputs {
   PlaceSettings settings;
@@ -26,7 +28,9 @@ struct PlaceInputs {
   std::vector<std::shared_ptr<const Inputs>> following;  // of what lies on the water (albedo, shadow), those that go with the waves; each kind once at most
   std::shared_ptr<const ClipVolumes> volumes;        // of clip beside its flat inputs; null where there are none
 
-  bool empty() const { return kinds.empty() && following.empty() && volumes == nullptr; }
+  std::shared_ptr<const ShoreLines> shore = nullptr;  // along which waves run; null where none do
+
+  bool empty() const { return kinds.empty() && following.empty() && volumes == nullptr && shore == nullptr; }
 
   // Null where there are none.
   std::shared_ptr<const Inputs> of(InputTarget kind) const { return of(kinds, kind); }

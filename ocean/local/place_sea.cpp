@@ -22,9 +22,10 @@ double flow_height(double longest_m, double shortest_m, double way_m, double fir
   return 1.0 / std::sqrt(first * first + second * second + 2.0 * first * second * std::exp(-0.5 * way * way));
 }
 
-PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field) : PlaceSea(inputs, ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
+PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field) : PlaceSea(inputs, field, ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
 
-PlaceSea::PlaceSea(PlaceInputs inputs, ShallowsMix shallows) : settings_(inputs.settings), volumes_(inputs.volumes) {
+PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows)
+    : settings_(inputs.settings), volumes_(inputs.volumes), shore_(field.has_curved() ? inputs.shore : nullptr) {
   validate(settings_);
   for (const auto& [kind, values] : {std::pair(InputTarget::level, &level_), std::pair(InputTarget::flow, &flow_), std::pair(InputTarget::clip, &clip_)})
     if (auto of_kind = inputs.of(kind)) *values = place_values(std::move(of_kind), settings_);
@@ -104,6 +105,7 @@ PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& f
     if (asked.gradients) result.level_gradient = around(*readers.level, at, asked.rest).gradient([](const glm::vec4& value) { return value.x; });
   }
   if (readers.bed) add_shallows(field, result, asked, readers);
+  if (shore_ != nullptr) add_shore(result, filter, asked, readers);
   if (readers.flow) add_current(field, result, asked, readers);
   return result;
 }
@@ -140,6 +142,26 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, const Asked& ask
   }
 }
 
+// Straight from the curves; a picture has it between the texels of its windows.
+void PlaceSea::add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const {
+  const double footprint = asked.footprint_m, time = readers.time_s;
+  const auto share_at = [&](glm::dvec2 at, float of_curve) {
+    if (!shallows_ || of_curve == 0.0f) return double(of_curve);
+    return double(of_curve) * shallows_.from->placed(shallows_.from->still_m(at, footprint, time) - shallows_.bed_m(at, footprint, time));
+  };
+  ShorePart part{shore_->at(asked.rest, footprint), filter};
+  part.share = share_at(asked.rest, part.at.share);
+  if (asked.gradients) {
+    const double e = reading(asked).fine_texel_m();
+    const auto at = [&](double x, double z) {
+      const glm::dvec2 place = asked.rest + glm::dvec2(x, z);
+      return share_at(place, shore_->at(place, footprint).share);
+    };
+    part.share_gradient = glm::dvec2(at(e, 0.0) - at(-e, 0.0), at(0.0, e) - at(0.0, -e)) / (2.0 * e);
+  }
+  if (part.share != 0.0 || part.share_gradient != glm::dvec2(0.0)) here.shore.push_back(part);
+}
+
 // Two of each pattern, which the current has brought from elsewhere.
 void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const {
   const glm::dvec2 velocity((*readers.flow)(reading(asked), asked.rest));
@@ -159,11 +181,24 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
     }
     here.parts.push_back(second);
   }
+  for (std::size_t n = 0, all = here.shore.size(); n < all; ++n) {
+    ShorePart second = here.shore[n];
+    ShorePart& first = here.shore[n];
+    const glm::dvec2 bent(double(first.at.stretch) * glm::dot(velocity, first.at.forward), glm::dot(velocity, first.at.right()));
+    const WaveField::Place& place = field.curved_place();
+    const double height = flow_height(place.longest_m, place.shortest_m, glm::length(bent) * 0.5 * period, phase.first);
+    first.at.bent_m -= bent * phase.first_s;
+    second.at.bent_m -= bent * phase.second_s;
+    first.filter.share[field.curved()] *= float(height * phase.first);
+    second.filter.share[field.curved()] *= float(height * (1.0 - phase.first));
+    here.shore.push_back(second);
+  }
 }
 
 glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
   glm::dvec3 sum(0.0, here.level_m, 0.0);
   for (const Part& part : here.parts) sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
+  for (const ShorePart& part : here.shore) sum += part.displacement(field, tiles);
   if (!shallows_) return sum;
   sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
   return dry(here, sum) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
@@ -189,6 +224,7 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const As
     result.height_gradient += part.lift * bent(s.height_gradient) + s.displacement.y * part.lift_gradient;
     result.shift_gradient += part.share * glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
   }
+  for (const ShorePart& part : here.shore) part.add(field, tiles, result);
   if (!shallows_) return result;
   result.displacement.x *= here.wet;
   result.displacement.z *= here.wet;
@@ -234,6 +270,7 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
   if (shallows_ && s.displacement.y <= there.bed_m) return answer;  // land stands still
   glm::dvec3 v(0.0);
   for (const Part& part : there.parts) v += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) * field.velocity(tiles, part.place, part.filter);
+  for (const ShorePart& part : there.shore) v += glm::dvec3(there.wet, 1.0, there.wet) * part.velocity(field, tiles);
   const glm::dvec2 flow = readers.flow ? glm::dvec2((*readers.flow)(reading(found), nearest)) : glm::dvec2(0.0);
   answer.orbital_velocity_mps = v + glm::dvec3(flow.x, flow.x * s.height_gradient.x + flow.y * s.height_gradient.y, flow.y);
   answer.eulerian_velocity_mps = answer.orbital_velocity_mps.y - answer.orbital_velocity_mps.x * slope.x - answer.orbital_velocity_mps.z * slope.y;

@@ -7,6 +7,7 @@
 
 #include "ocean/local/bed_field.h"
 #include "ocean/local/place_reader.h"
+#include "ocean/local/shore_sea.h"
 #include "ocean/waves/query.h"
 
 namespace seascape {
@@ -17,13 +18,13 @@ class PlaceSea {
  public:
   // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays, however the waves change.
   PlaceSea(PlaceInputs inputs, const WaveField& field);
-  // Of a sea whose Shallows are there already.
-  PlaceSea(PlaceInputs inputs, ShallowsMix shallows);
+  // The same where its Shallows are there already.
+  PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows);
   // Has the bed make of the waves what it does now, in a change of the sea. Not while anybody asks.
   void follow(ShallowsMix shallows);
 
   // Whether the surface moves otherwise than the waves alone.
-  bool moves() const { return level_ || flow_ || bool(shallows_); }
+  bool moves() const { return level_ || flow_ || bool(shallows_) || shore_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;           // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
@@ -52,6 +53,7 @@ class PlaceSea {
   // All of a rest position's, and what stands still there.
   struct Here {
     std::vector<Part> parts;
+    std::vector<ShorePart> shore;  // of waves along curves
     double level_m = 0.0, bed_m = 0.0, wet = 1.0;
     glm::dvec2 rest{0.0};
     bool flat_clipped = false;  // by flat inputs; over a bed
@@ -73,6 +75,7 @@ class PlaceSea {
   };
   Here here(const WaveField& field, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
+  void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   // Clipped over a bed: that is the surface.
   bool dry(const Here& here, glm::dvec3 displacement) const;
@@ -83,6 +86,7 @@ class PlaceSea {
   PlaceSettings settings_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
   std::shared_ptr<const ClipVolumes> volumes_;  // null: none
+  std::shared_ptr<const ShoreLines> shore_;     // null where no waves run along curves
   ShallowsMix shallows_;
   std::optional<PlaceValues<BedTexel>> bed_;
 };

@@ -38,6 +38,8 @@ class Shallows {
   double bed_m(glm::dvec2 place_m, double footprint_m, double time_s) const;    // above y = 0
   double still_m(glm::dvec2 place_m, double footprint_m, double time_s) const;  // of the still water, dry or not
   PlaceWaves waves(glm::dvec2 place_m, double depth_m) const;
+  // By which the displacement of waves is multiplied that the scene puts there, and that nothing shelters therefore: the others', by depth alone.
+  double placed(double depth_m) const { return double(water_.others(depth_m)); }
   // Along which a cascade's pattern is shifted: a unit vector, or 0.
   glm::dvec2 direction(int cascade) const { return refraction_.direction(cascade); }
   // Share of the waves' energy that breaking has taken at a place of this depth, 0 to 1.

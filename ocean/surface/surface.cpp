@@ -13,8 +13,10 @@ namespace {
 struct SourceSlot {
   std::string_view name;
   std::uint32_t constant, binding;
+  bool along_curves = false;
+  bool of(const TileSource& source) const { return source.name() == name && source.along_curves() == along_curves; }
 };
-constexpr SourceSlot slots[] = {{"baked", 12, 22}, {"gerstner", 11, 19}, {"wave_particles", 8, 12}};
+constexpr SourceSlot slots[] = {{"baked", 12, 22}, {"gerstner", 11, 19}, {"gerstner", 28, 44, true}, {"wave_particles", 8, 12}};
 
 // The same of the data of places.
 struct PlaceSlot {
@@ -71,7 +73,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)
     for (std::size_t i = 0; i < std::size(slots); ++i)
-      if (slots[i].name == source->source().name())
+      if (slots[i].of(source->source()))
         spec.values[spec.values.size() - std::size(slots) + i].value = std::uint32_t(source->source().layings().size());
   spec.buffers = {{0, gpu::patches_an_instance * sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   for (std::uint32_t patch = 0; patch < std::uint32_t(gpu::patches_an_instance); ++patch)
@@ -88,7 +90,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   };
   for (const auto& source : sources)
     for (const SourceSlot& slot : slots) {
-      if (slot.name != source->source().name()) continue;
+      if (!slot.of(source->source())) continue;
       entries_.push_back({.binding = slot.binding, .view = source->displacement().view(), .sampler = waves.vertex_sampler()});
       entries_.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
       entries_.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
@@ -108,6 +110,10 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
     entries_.push_back({.binding = 38, .buffer = &clip->node_buffer()});
     entries_.push_back({.binding = 39, .buffer = &clip->volume_buffer()});
     if (clip->hulls() != nullptr) entries_.push_back({.binding = 40, .view = clip->hulls()->view(), .sampler = clip->sampler()});
+  }
+  if (place != nullptr && place->shore() != nullptr) {
+    entries_.push_back({.binding = 47, .view = place->shore()->lines().view(), .sampler = place->sampler()});
+    entries_.push_back({.binding = 48, .view = place->shore()->ways().view(), .sampler = place->sampler()});
   }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);

@@ -54,7 +54,7 @@ class Surface {
     const char* effect;
     std::uint32_t constant;
   };
-  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"wave_particles", 8}, {"dynamic_waves", 13},
+  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"gerstner", 28}, {"wave_particles", 8}, {"dynamic_waves", 13},
                                                 {"level", 14}, {"sea_depth", 15}, {"flow", 16}, {"clip", 17}, {"albedo", 18}, {"shadow", 19}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).

@@ -14,7 +14,7 @@ namespace seascape {
 DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half)
     : source_(std::move(source)), half_(half || !device.facts().float32_linear), workspace_(source_->workspace_floats(false)) {
   const EffectScope scope(device, source_->name());
-  const std::string name(source_->name());
+  const std::string name = std::string(source_->name()) + (source_->along_curves() ? " along curves" : "");
   const int samples = source_->samples();
   ImageSpec tile;
   tile.width = tile.height = std::uint32_t(samples);
@@ -76,7 +76,8 @@ void DrawnSource::describe(std::span<gpu::CascadeData> layings, glm::dvec2 grid_
   std::size_t i = 0;
   for (const Laying& laying : source_->layings()) {
     const glm::dvec2 row = glm::dvec2(std::cos(laying.rotation_rad), std::sin(laying.rotation_rad)) / laying.side_m, column(-row.y, row.x);
-    const glm::dvec2 origin = glm::dvec2(glm::dot(row, grid_origin_m), glm::dot(column, grid_origin_m)) + laying.offset;
+    const glm::dvec2 from = source_->along_curves() ? glm::dvec2(0.0) : grid_origin_m;  // coordinates along a curve do not count from the grid
+    const glm::dvec2 origin = glm::dvec2(glm::dot(row, from), glm::dot(column, from)) + laying.offset;
     gpu::CascadeData& d = layings[i++];
     d.tile_from_rest = glm::vec4(glm::dvec4(row, column));
     d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel), float(origin.y - std::floor(origin.y) + half_texel),

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -67,13 +68,15 @@ struct Lattice {
 };
 
 // The lattice that has the highest wave, and the others as nearly as any: their mean square distance from it, over their own vectors, by energy.
-Lattice best_lattice(const std::vector<Asked>& waves, int most) {
+// `turned`: at any angle.
+Lattice best_lattice(const std::vector<Asked>& waves, int most, bool turned) {
   const Asked& highest = *std::max_element(waves.begin(), waves.end(), [](const Asked& a, const Asked& b) { return a.amplitude_m < b.amplitude_m; });
   const auto through = [&](int mx, int mz) {
-    return Lattice{turn * std::hypot(double(mx), double(mz)) / glm::length(highest.k), std::atan2(highest.k.y, highest.k.x) - std::atan2(double(mz), double(mx))};
+    return Lattice{turn * std::hypot(double(mx), double(mz)) / glm::length(highest.k), turned ? std::atan2(highest.k.y, highest.k.x) - std::atan2(double(mz), double(mx)) : 0.0};
   };
   Lattice best = through(4, 0);
-  if (waves.size() == 1) return best;
+  const glm::dvec2 first = best.m(highest.k);
+  if (waves.size() == 1 && glm::distance(first, glm::round(first)) < 1e-9) return best;
   double least = 1e300;
   for (int mz = 0; mz <= most; ++mz)
     for (int mx = 1; mx <= most; ++mx) {  // the other quadrants have the same lattices
@@ -100,10 +103,19 @@ std::uint64_t turns_of(double k, double gravity_mps2, double depth_m, double loo
   return static_cast<std::uint64_t>(std::round(turns_a_second * 0x1p64L / static_cast<long double>(gpu::ticks_per_second)));
 }
 
+[[noreturn]] void refuse_fold(double chop, double steepness) {
+  throw Error("gerstner.chop", text_from(chop) + " would fold the surface over: the steepnesses of its waves come to " + text_from(std::round(steepness * 1e3) / 1e3) + " and may come to 1",
+              "take " + text_from(std::floor(1e3 * chop / steepness) / 1e3) + " or less, or lower or longer waves");
+}
+
 }  // namespace
 
+void validate_together(const Gerstner& everywhere, const Gerstner& shore, double chop) {
+  if (const double steepness = everywhere.steepness() + shore.steepness(); steepness > 1.0) refuse_fold(chop, steepness);
+}
+
 void validate(const GerstnerSettings& s) {
-  double longest_m = 0.0, shortest_m = 1e300;
+  std::array<double, 2> longest_of{}, shortest_of{1e300, 1e300};  // of the sets that share a tile
   for (int i = 0; i < GerstnerSettings::sets; ++i) {
     const GerstnerSet& set = i == 0 ? s.set1 : s.set2;
     const std::string name = "gerstner.set" + std::to_string(i + 1) + "_";
@@ -115,6 +127,7 @@ void validate(const GerstnerSettings& s) {
     require(set.waves, 1, 16, name + "waves");
     require(set.reverse, 0.0, 1.0, name + "reverse");
     if (set.height_m == 0.0) continue;
+    double &longest_m = longest_of[set.shore], &shortest_m = shortest_of[set.shore];
     longest_m = std::max(longest_m, set.wavelength_m);
     shortest_m = std::min(shortest_m, set.wavelength_m / std::exp2(set.octaves));
     if (longest_m > most_ratio * shortest_m)
@@ -124,18 +137,19 @@ void validate(const GerstnerSettings& s) {
   require(s.chop, 0.0, 2.0, "gerstner.chop");
 }
 
-Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double depth_m, double loop_s) {
+Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double depth_m, double loop_s, bool shore) : shore_(shore) {
   validate(settings);
   std::vector<Asked> asked;
   for (int i = 0; i < GerstnerSettings::sets; ++i)
-    if (const GerstnerSet& set = i == 0 ? settings.set1 : settings.set2; set.height_m > 0.0)
+    if (const GerstnerSet& set = i == 0 ? settings.set1 : settings.set2; set.height_m > 0.0 && set.shore == shore)
       for (const Asked& wave : asked_of(set, i, settings.seed)) asked.push_back(wave);
   plan_ = make_fft_plan(tile, 16);
   laying_ = {1.0, 1.0, 0.0, 1.0, 1.0};
   if (asked.empty() || !(depth_m > 0.0)) return;
-  const bool spectra = (settings.set1.height_m > 0.0 && settings.set1.octaves > 0) || (settings.set2.height_m > 0.0 && settings.set2.octaves > 0);
+  const auto spectrum = [&](const GerstnerSet& set) { return set.height_m > 0.0 && set.octaves > 0 && set.shore == shore; };
+  const bool spectra = spectrum(settings.set1) || spectrum(settings.set2);
   const int reach = spectra ? most_m : most_m_alone;
-  const Lattice lattice = best_lattice(asked, reach);
+  const Lattice lattice = best_lattice(asked, reach, !shore);
   laying_.side_m = lattice.side_m;
   laying_.rotation_rad = lattice.rotation_rad;
 
@@ -206,9 +220,7 @@ Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double
     longest_m = std::max(longest_m, turn / k);
     shortest_m = std::min(shortest_m, turn / k);
   }
-  if (steepness_ > 1.0)
-    throw Error("gerstner.chop", text_from(settings.chop) + " would fold the surface over: the steepnesses of its waves come to " + text_from(std::round(steepness_ * 1e3) / 1e3) + " and may come to 1",
-                "take " + text_from(std::floor(1e3 * settings.chop / steepness_) / 1e3) + " or less, or lower or longer waves");
+  if (steepness_ > 1.0) refuse_fold(settings.chop, steepness_);
   table_.moment_share = float(moments / of_texels);
   table_.shear_length_m = std::exp2(std::round(std::log2(float(longest_m / turn))));
   laying_.longest_m = longest_m;

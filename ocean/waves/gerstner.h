@@ -1,4 +1,4 @@
-// Gerstner waves that cover the sea: a few trochoidal waves of given length, direction and height, on one periodic tile.
+// Gerstner waves that cover the sea or run along its shores: a few trochoidal waves of given length, direction and height, on one periodic tile.
 #pragma once
 #include <span>
 #include <vector>
@@ -25,6 +25,7 @@ struct GerstnerWave {
 //
 // The waves lie on the lattice of one tile, whose side and rotation let the highest wave be exactly what was asked and the others least off (mean square by energy):
 // two waves by less than 3 % of their length and direction (as a vector; mostly by less than 1 %), many by about half a step of the lattice each, up to 6 %.
+// Along curves the tile is not turned, so that it closes along the crests: the highest wave then has its length, and is off in direction by half a step.
 class Gerstner final : public TileSource {
  public:
   static constexpr int tile_samples = 256;
@@ -32,12 +33,13 @@ class Gerstner final : public TileSource {
   static constexpr int most_m = 31, most_m_alone = 15;
 
   // Throws Error as validate() does, and where the surface would fold. With `loop_s` above 0 the waves repeat after that time, their periods rounded to whole
-  // fractions of it. A depth of 0 or less is dry land: still().
-  explicit Gerstner(const GerstnerSettings& settings, double gravity_mps2 = 9.81, double depth_m = 1e6, double loop_s = 0.0);
+  // fractions of it. A depth of 0 or less is dry land: still(). Of the sets it takes those that are (not) for shores.
+  explicit Gerstner(const GerstnerSettings& settings, double gravity_mps2 = 9.81, double depth_m = 1e6, double loop_s = 0.0, bool shore = false);
 
   std::string_view name() const override { return "gerstner"; }
   int samples() const override { return tile_samples; }
   bool still() const override { return waves_.empty(); }
+  bool along_curves() const override { return shore_; }
   std::span<const Laying> layings() const override { return {&laying_, 1}; }
   SourceStatistics statistics() const override { return statistics_; }
   std::size_t workspace_floats(bool velocity) const override;
@@ -51,6 +53,7 @@ class Gerstner final : public TileSource {
   double steepness() const { return steepness_; }
 
  private:
+  bool shore_;
   std::vector<GerstnerWave> waves_;
   FftPlan plan_;
   WaveTable table_;
@@ -58,5 +61,8 @@ class Gerstner final : public TileSource {
   SourceStatistics statistics_;
   double steepness_ = 0.0;
 };
+
+// Throws Error where the waves of both would fold the surface over together.
+void validate_together(const Gerstner& everywhere, const Gerstner& shore, double chop);
 
 }  // namespace seascape

@@ -112,9 +112,9 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
 
 // Calls visit.resolved(spot) for each place that the footprint resolves and visit.unresolved(tile) for each other.
 template <class Visit>
-void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, Visit visit) const {
+void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, bool curved, Visit visit) const {
   assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
+  for (std::size_t i = curved ? laid_ : 0; i < (curved ? places_.size() : laid_); ++i) {
     const Place& place = places_[i];
     if (filter.level[i] >= tiles.levels(place.tile) - 1 || filter.share[i] <= 0.0f) {
       visit.unresolved(place.tile);
@@ -139,21 +139,38 @@ void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filt
 
 SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   SeaSample result;
-  visit_places(tiles, rest_xz_m, filter, SeaSum{tiles, result});
+  visit_places(tiles, rest_xz_m, filter, false, SeaSum{tiles, result});
   result.slope_moments += statistics_.tail_slope_moments;
   return result;
 }
 
 glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   glm::dvec3 result(0.0);
-  visit_places(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::shift, result});
+  visit_places(tiles, rest_xz_m, filter, false, PlaneSum{tiles, WavePlane::shift, result});
   return result;
 }
 
 glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   assert(tiles.has_velocity());
   glm::dvec3 result(0.0);
-  visit_places(tiles, rest_xz_m, filter, PlaneSum{tiles, WavePlane::velocity, result});
+  visit_places(tiles, rest_xz_m, filter, false, PlaneSum{tiles, WavePlane::velocity, result});
+  return result;
+}
+
+SeaSample WaveField::sea_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
+  SeaSample result;
+  visit_places(tiles, bent_m, filter, true, SeaSum{tiles, result});
+  return result;
+}
+glm::dvec3 WaveField::displacement_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
+  glm::dvec3 result(0.0);
+  visit_places(tiles, bent_m, filter, true, PlaneSum{tiles, WavePlane::shift, result});
+  return result;
+}
+glm::dvec3 WaveField::velocity_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
+  assert(tiles.has_velocity());
+  glm::dvec3 result(0.0);
+  visit_places(tiles, bent_m, filter, true, PlaneSum{tiles, WavePlane::velocity, result});
   return result;
 }
 

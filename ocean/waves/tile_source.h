@@ -21,7 +21,7 @@ struct Laying {
   double longest_m, shortest_m;  // waves in it: a footprint of half the longest begins to fade it (kept_share)
   double rotation_rad = 0.0;
 };
-inline constexpr int most_layings = 5, most_sources = 3;  // of all of a sea's sources together
+inline constexpr int most_layings = 6, most_sources = 4;  // of all of a sea's sources together
 static_assert(most_sources <= most_layings);
 
 // Sums over a source's layings, as SeaStatistics has them.
@@ -49,6 +49,8 @@ class TileSource {
   // Fills the planes (WavePlane) of every level for a time in ticks, on all cores: levels[0] has samples() texels a side, the last has
   // one. The result depends on the source and the ticks alone. No allocation.
   virtual void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const = 0;
+  // Laid along the curves of a place (ocean/local/shore_lines.h), x along them and -z towards the shore, and nowhere else. Then there is one laying, not turned.
+  virtual bool along_curves() const { return false; }
   // Of the processor's memory that it keeps for as long as it lives, where that is more than a few settings.
   virtual std::size_t bytes() const { return 0; }
 };

@@ -150,6 +150,12 @@ class WaveField {
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
+  // The same of the source that is laid along curves (TileSource::along_curves), which the others leave out, at a place of its own; nothing where there is none. What
+  // comes back is along the axes of that place.
+  bool has_curved() const { return laid_ < places_.size(); }
+  SeaSample sea_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
+  glm::dvec3 displacement_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
+  glm::dvec3 velocity_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
 
   const SeaState& state() const { return sea_; }
   const WaveQuality& quality() const { return quality_; }
@@ -161,7 +167,10 @@ class WaveField {
     double offset = 0.0, size = 1.0;   // of a laying (tile_source.h)
     double longest_m = 0.0, shortest_m = 0.0;
   };
-  std::span<const Place> places() const { return places_; }  // of each cascade, then of each laying of the other sources
+  std::span<const Place> places() const { return {places_.data(), laid_}; }  // of each cascade, then of each laying of the other sources
+  // Of what is laid along curves, and where a filter has its share.
+  const Place& curved_place() const { return places_[laid_]; }
+  std::size_t curved() const { return laid_; }
   const TileSources& others() const { return others_; }
 
  private:
@@ -172,9 +181,10 @@ class WaveField {
   std::vector<FftPlan> plans_;  // these three a cascade
   std::vector<WaveTable> tables_;
   std::vector<Place> places_;
+  std::size_t laid_ = 0;  // of them over the sea; what follows is laid along curves
   TileSources others_;
   template <class Visit>
-  void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, Visit visit) const;
+  void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, bool curved, Visit visit) const;
 };
 
 }  // namespace seascape

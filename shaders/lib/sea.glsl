@@ -76,6 +76,10 @@ void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, int n
   sum += share * by * texel;
 }
 
+// Gerstner waves along curves; false: there are none, and nothing of shores is left here.
+layout(constant_id = 28) const bool shore_waves = false;
+#include "lib/shore.glsl"
+
 // What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing.
 float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0); }
 
@@ -99,6 +103,9 @@ vec4 sea_displacement(vec2 rest, float footprint) {
   if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), rest, footprint);
   if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), rest, footprint);
   if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), rest, footprint);
+  if (shore_waves) shore_read(place_read(rest, footprint), rest);
+  if (shore_waves && sea_flow) flow_velocity = shore_vector(flow_velocity);  // nothing below asks for it
+  if (shore_waves) add_shore_displacement(sum, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
   if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed && sea_level) sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
@@ -211,6 +218,7 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
   s.variance += mix(c.moments.xyz, part.variance, near);
 }
 
+#include "lib/shore_slopes.glsl"
 #include "lib/dynamic_slopes.glsl"
 
 // The height of the still water.
@@ -245,6 +253,11 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, rest, along, across, blur, 1.0);
   if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, rest, along, across, blur, 1.0);
+  if (shore_waves) shore_read(place_read(rest, blur), rest);
+  if (shore_waves && sea_flow) shore_flow = flow_velocity;
+  if (shore_waves && sea_flow) flow_velocity = shore_vector(shore_flow);
+  if (shore_waves) add_shore_slopes(s, rest, along, across, blur);
+  if (shore_waves && sea_flow) flow_velocity = shore_flow;
   if (dynamic_levels > 0) add_dynamic_slopes(s, rest, blur);
   if (sea_level) s.gradient += place_gradient(sea_level_windows, rest, blur, frame.sea.place.outside);
   return s;

@@ -30,9 +30,9 @@ void sea_bed_read(vec2 rest, float footprint) {
   sea_bed_still = 0.0;
 }
 
-// Numbers: 0 to 4 the cascades, 5 the other sources.
+// Numbers: 0 to 4 the cascades, 5 the other sources, 6 what has the bed's share by other ways.
 float sea_bed_of(int number) {
-  return number == 0 ? sea_bed_share.x : number == 1 ? sea_bed_share.y : number == 2 ? sea_bed_share.z : number == 3 ? sea_bed_share.w : number == 4 ? sea_bed_more.x : sea_bed_more.y;
+  return number == 0 ? sea_bed_share.x : number == 1 ? sea_bed_share.y : number == 2 ? sea_bed_share.z : number == 3 ? sea_bed_share.w : number == 4 ? sea_bed_more.x : number == 5 ? sea_bed_more.y : 1.0;
 }
 
 // By which a texel of displacement is multiplied: the run-up lifts the water and does not push it.

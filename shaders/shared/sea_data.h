@@ -49,7 +49,8 @@ struct PlaceData {
 struct SeaData {
   CascadeData cascade[max_cascades];
   CascadeData baked;                            // of a recorded loop,
-  CascadeData gerstner;                         // of Gerstner waves, and
+  CascadeData gerstner;                         // of Gerstner waves,
+  CascadeData shore;                            // of those that run along curves, and
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   DynamicData dynamic;                          // of dynamic waves
   PlaceData place;                              // of what belongs to places

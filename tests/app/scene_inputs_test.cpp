@@ -19,7 +19,7 @@
 namespace seascape {
 namespace {
 
-const std::vector<std::string> every{"level", "sea_depth", "flow", "foam", "clip", "albedo", "shadow", "dynamic_waves"};
+const std::vector<std::string> every{"level", "sea_depth", "flow", "foam", "clip", "albedo", "shadow", "dynamic_waves", "gerstner"};
 
 // A folder with a model, a height field and a painted picture, which scenes in it name.
 std::string scene_file() {
@@ -131,8 +131,8 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({})", ":1: inputs: an object is not a list; write \"inputs\": [{\"to\": \"level\", ...}]"},
       {"[\n3]", ":2: inputs[0]: 3 is not an object; write {\"key\": value, ...}"},
-      {R"([{}])", ":1: the key 'inputs[0].to' is missing; add \"to\": level, sea_depth, flow, foam, clip, albedo, shadow or dynamic_waves"},
-      {R"([{"to": "levl"}])", ":1: inputs[0].to: 'levl' is not known (did you mean 'level'?); take level, sea_depth, flow, foam, clip, albedo, shadow or dynamic_waves"},
+      {R"([{}])", ":1: the key 'inputs[0].to' is missing; add \"to\": level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves or gerstner"},
+      {R"([{"to": "levl"}])", ":1: inputs[0].to: 'levl' is not known (did you mean 'level'?); take level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves or gerstner"},
       {R"([{"to": "level"}])", ":1: the key 'inputs[0].kind' is missing; add \"kind\": spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
       {"[{\"to\": \"level\",\n\"kind\": 3}]", ":2: inputs[0].kind: 3 is not known; take spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
       {"[{\"to\": \"level\", \"kind\": \"ellipse\",\n\"weight\": 2}]", ":2: inputs[0].weight: 2 is out of range; give a number from 0 to 1"},
@@ -237,7 +237,7 @@ TEST(SceneInputs, ASceneHasThemAndValidateSaysWhatGivesNothing) {
 TEST(SceneInputs, DataThatNobodyAsksForIsSaidToChangeNothing) {
   const char* ellipse = R"({"to": "%", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "blend": "scale", "value": 1})";
   for (const InputTargetTraits& target : input_targets) {
-    std::string one = ellipse;
+    std::string one = target.name == "gerstner" ? R"({"to": "%", "kind": "spline", "points": [[0, 0], [9, 0]], "value": 1})" : ellipse;
     one.replace(one.find('%'), 1, target.name);
     const auto specs = read("[" + one + "," + one + "]");
     const std::vector<std::string> remarks = remarks_of(specs);

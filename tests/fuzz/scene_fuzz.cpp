@@ -1,8 +1,11 @@
 // Any bytes as a scene: read or refused, and what is read lies in every range.
+#include <cmath>
+
 #include "app/scene.h"
 #include "app/scene_inputs.h"
 #include "ocean/effects.h"
 #include "ocean/inputs/inputs.h"
+#include "ocean/local/shore_lines.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace seascape;
@@ -21,6 +24,7 @@ void ask_inputs(std::string_view text) {
     Faults faults(true);
     const std::vector<InputSpec> specs = read_inputs(*list, effects, "scene.json", faults);
     for (const std::string& remark : remarks_of(specs)) fuzz::require(remark.find('\n') == std::string::npos, "a remark is one line");
+    const ShoreLines shore(specs, 40.0);
     for (std::size_t t = 0; t < input_targets.size(); ++t) {
       const Inputs inputs(InputTarget(t), specs);
       const InputBounds box = inputs.bounds();
@@ -29,6 +33,9 @@ void ask_inputs(std::string_view text) {
         const glm::vec4 value = inputs.value(place, i % 3, 10.0 * i, glm::vec4(0.0f));
         for (int c = 0; c < input_targets[t].channels; ++c)
           fuzz::require(value[c] >= input_targets[t].least && value[c] <= input_targets[t].most, "inputs give what is in their range");
+        if (InputTarget(t) != InputTarget::gerstner) continue;
+        const ShorePlace along = shore.at(place, i % 3);
+        fuzz::require(along.share >= 0.0f && along.share <= 1.0f && std::isfinite(along.bent_m.x + along.bent_m.y), "waves along splines are finite");
       }
     }
   });

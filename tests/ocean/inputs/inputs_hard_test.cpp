@@ -91,6 +91,7 @@ TEST(InputsHard, Hard35SumsStayWithinHalfFloats) {
   for (std::size_t t = 0; t < input_targets.size(); ++t) {
     EXPECT_LE(input_targets[t].most, 65504.0);
     EXPECT_GE(input_targets[t].least, -65504.0);
+    if (InputTarget(t) == InputTarget::gerstner) continue;  // takes curves, which do not add up (shore_lines_hard_test.cpp)
     std::vector<InputSpec> specs;
     for (int i = 0; i < 400; ++i) {
       specs.push_back(of(InputTarget(t), AreaInput{}, float(input_targets[t].most)));
