@@ -88,7 +88,7 @@ void Experience::build() {
     dynamic_waves->waves.depth_m = s.sea.depth_m;
   }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_)});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_), calls_for(scene_.effects, "spray") ? std::optional(s.spray) : std::nullopt});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -100,8 +100,11 @@ void Experience::build() {
   look.deferred = deferred();
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
+  const SurfaceLight light{sky_->map().view(), sky_->sampler(), &sky_->light()};
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), ocean_->place(), ocean_->foam(), frame_->ring(),
-                                       SurfaceLight{sky_->map().view(), sky_->sampler(), &sky_->light()}, look);
+                                       light, look);
+  spray_.reset();
+  if (ocean_->spray() && !look.debug) spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most, SprayLook{tile, surface_->depths()});
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
     const EffectScope scope(device_, "sky");
@@ -161,6 +164,7 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
   options_.height = height;
   build_targets();
   surface_->resize(in_tile() ? picture_ : lit_);
+  if (spray_) spray_->resize(surface_->depths());
   if (tone_pipeline_)
     tone_bindings_ = Bindings(device_, tone_pipeline_,
                               {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},

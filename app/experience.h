@@ -4,6 +4,7 @@
 
 #include "app/scene.h"
 #include "app/sky.h"
+#include "ocean/local/drawn_spray.h"
 #include "ocean/ocean.h"
 
 namespace seascape {
@@ -41,6 +42,8 @@ class Experience {
   Ocean& ocean() { return *ocean_; }
   Sky& sky() { return *sky_; }
   const Surface& surface() const { return *surface_; }
+  // Null where there is none, or a debug view shows something else than light.
+  const DrawnSpray* spray() const { return spray_.get(); }
   // The finished picture, one layer a view, sRGB.
   const RenderTarget& picture() const { return picture_; }
   // The desktop frame's scene light before tone mapping; null in the tile frame.
@@ -62,6 +65,7 @@ class Experience {
   std::unique_ptr<Ocean> ocean_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
+  std::unique_ptr<DrawnSpray> spray_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   Owned<VkSampler> lit_sampler_;
   Pipeline sky_pipeline_, tone_pipeline_;

@@ -50,7 +50,10 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const std::uint32_t uniform = frame.upload_uniform(data);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
-  // 4. Sea, then the sky where no sea is: in the tile up to the finished picture, or into the desktop frame's lit picture. Deferred: what
+  // 4. Spray, where there is any: what is to be seen of it at this moment.
+  if (e.spray_) e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m);
+
+  // 5. Sea, then the sky where no sea is, and spray over both: in the tile up to the finished picture, or into the desktop frame's lit picture. Deferred: what
   // the sea is in each pixel first, then the light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
@@ -63,13 +66,17 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
+    if (e.spray_) e.spray_->draw(c, uniform);
   });
   if (deferred) {
     e.surface_->add_points(uses);
-    frame.draw_pass("light", drawn, uses, [&](Commands& c) { e.surface_->light(c, uniform); });
+    frame.draw_pass("light", drawn, uses, [&](Commands& c) {
+      e.surface_->light(c, uniform);
+      if (e.spray_) e.spray_->draw(c, uniform);
+    });
   }
 
-  // 5. The desktop frame's tone mapping.
+  // 6. The desktop frame's tone mapping.
   if (!tile)
     frame.draw_pass("tone", e.picture_, {use(e.lit_.colour(), Access::fragment_sample)}, [&](Commands& c) {
       c.bind(e.tone_pipeline_, e.tone_bindings_, {uniform});

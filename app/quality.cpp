@@ -18,6 +18,7 @@ constexpr PresetRow rows[] = {
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"dynamic_waves.resolution", "128", "128", "256",     "256"},
     {"foam.resolution",      "128",   "128",   "256",     "256"},
+    {"spray.most",           "2000",  "4000",  "6000",    "8000"},
     {"place.resolution",     "128",   "128",   "256",     "256"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
     {"lod.pixel_error",      "8",     "4",     "2",       "1"},

@@ -140,6 +140,7 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   });
   check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
   check("foam", [&] { validate(scene.settings.foam); });
+  check("spray", [&] { validate(scene.settings.spray); });
   for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"}) check(effect, [&] { validate(scene.settings.place); });
   check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;

@@ -13,6 +13,7 @@
 #include "ocean/local/dynamic_sea_settings.h"
 #include "ocean/local/foam_settings.h"
 #include "ocean/local/place_settings.h"
+#include "ocean/local/spray_settings.h"
 #include "ocean/lod/lod_settings.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/baked_settings.h"
@@ -32,6 +33,7 @@ struct Settings {
   WaveParticleSettings wave_particles;  // keys wave_particles.*
   DynamicSeaSettings dynamic_waves;     // keys dynamic_waves.*
   FoamSettings foam;                    // keys foam.*
+  SpraySettings spray;                  // keys spray.*
   PlaceSettings place;                  // keys place.*, level.*, flow.*, clip.*
   LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;   // keys water.*

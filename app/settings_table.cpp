@@ -34,6 +34,7 @@ template <auto member> constexpr auto dynamic_windows = &at<&Settings::dynamic_w
 template <auto member> constexpr auto rain = &at<&Settings::dynamic_waves, &DynamicSeaSettings::rain, member>;
 template <auto member> constexpr auto foam = &at<&Settings::foam, member>;
 template <auto member> constexpr auto foam_windows = &at<&Settings::foam, &FoamSettings::windows, member>;
+template <auto member> constexpr auto spray = &at<&Settings::spray, member>;
 template <auto member> constexpr auto place = &at<&Settings::place, member>;
 template <auto member> constexpr auto place_windows = &at<&Settings::place, &PlaceSettings::windows, member>;
 template <auto member> constexpr auto lod = &at<&Settings::lod, member>;
@@ -204,6 +205,18 @@ const std::vector<Setting>& table() {
        240.0, {}, false, rebuild},
       {"foam.settle_s", "s", "Simulated before the first moment shown and after each jump of the time, so that foam lies there already.", foam<&FoamSettings::settle_s>, 0.0,
        60.0, {}, false, rebuild},
+
+      {"spray.amount", "", "How much spray breaking crests throw up and the wind carries off: 1 usual, 0 none; below 7 m/s of wind there is none.", spray<&SpraySettings::amount>,
+       0.0, 4.0, {}, false, rebuild},
+      {"spray.most", "", "The most puffs of spray aloft at once; where there would be more they are thinned evenly.", spray<&SpraySettings::most>, 64.0, 32768.0, {}, quality,
+       rebuild},
+      {"spray.range_m", "m", "How far around the viewer there is spray; it thins out from two thirds of this on.", spray<&SpraySettings::range_m>, 10.0, 300.0, {}, false,
+       rebuild},
+      {"spray.life_s", "s", "The longest that a puff of spray is seen.", spray<&SpraySettings::life_s>, 0.2, 6.0, {}, false, rebuild},
+      {"spray.size", "", "Size of the puffs of spray, which begin with radii of 5 to 24 cm times this.", spray<&SpraySettings::size>, 0.25, 4.0, {}, false, rebuild},
+      {"spray.rate_hz", "1/s", "Steps of the spray a second; between them what is aloft flies on.",
+       spray<&SpraySettings::rate_hz>, 4.0, 60.0, {}, false, rebuild},
+      {"spray.seed", "", "Which spray of the same statistics.", spray<&SpraySettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},
 
       {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.", place<&PlaceSettings::level_m>, -10000.0, 10000.0,
        {}, false, rebuild},

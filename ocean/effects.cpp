@@ -17,7 +17,7 @@ struct Effect {
 constexpr Effect effects[] = {
     {"waves", true, ""},           {"gerstner", true, "waves"},  {"wave_particles", true, "waves"},
     {"baked", true, "waves"},     {"dynamic_waves", true, ""}, {"foam", true, "waves"},
-    {"spray", false, "foam"},      {"flow", true, ""},          {"sea_depth", true, ""},
+    {"spray", true, "waves"},     {"flow", true, ""},          {"sea_depth", true, ""},
     {"level", true, ""},          {"clip", true, ""},          {"shadow", true, ""},
     {"albedo", true, ""},         {"reflections", false, ""},   {"refraction", false, ""},
     {"caustics", false, ""},       {"underwater", false, ""},    {"portals", false, ""},

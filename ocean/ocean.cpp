@@ -62,6 +62,27 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(everywhere));
     if (shallows()) foam_->sea().set_water(still_water(shallows().from));
   }
+  if (settings.spray && settings.spray->amount > 0.0) make_spray();
+}
+
+void Ocean::make_spray() {
+  const double foam_life_s = settings_.foam ? settings_.foam->settings.life_s : FoamSettings{}.life_s;
+  spray_ = std::make_unique<Spray>(*settings_.spray, settings_.sea, settings_.waves, settings_.sources, foam_life_s);
+  const std::shared_ptr<const Inputs> level = settings_.place.of(InputTarget::level), clip = settings_.place.of(InputTarget::clip);
+  const Shallows* shallows = place_ ? place_->shallows() : nullptr;
+  if (!level && !clip && shallows == nullptr) return;
+  spray_->set_water([level, clip, shallows, place = settings_.place.settings](glm::dvec2 at, double time_s) {
+    constexpr double footprint_m = 1.0;
+    const auto value = [&](const std::shared_ptr<const Inputs>& inputs, InputTarget kind) { return double(inputs->value(at, footprint_m, time_s, place_outside(place, kind)).x); };
+    Spray::Water water;
+    if (level) water.still_m = value(level, InputTarget::level);
+    if (shallows != nullptr) {
+      water.depth_m = shallows->still_m(at, footprint_m, time_s) - shallows->bed_m(at, footprint_m, time_s);
+      water.waves = double(shallows->waves(at, water.depth_m).share[0]);
+    }
+    if (clip && value(clip, InputTarget::clip) > 0.5) water.depth_m = 0.0;
+    return water;
+  });
 }
 
 ShallowsMix Ocean::shallows() const { return place_ ? place_->shallows() : ShallowsMix{}; }
@@ -79,6 +100,7 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   if (dynamic_waves_) dynamic_waves_->update(frame, time_s, viewer_m);
   if (place_) place_->update(frame, time_s, viewer_m);
   if (foam_) foam_->update(frame, time_s, viewer_m, dynamic_waves_ ? &dynamic_waves_->sea().surface() : nullptr);
+  if (spray_) spray_->update(time_s, viewer_m);
   time_s_ = time_s;
 }
 
@@ -130,6 +152,7 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
   if (compute_) compute_->take(frame, bins_, chop_);
   if (upload_) upload_->take(bins_, chop_, statistics_);
   if (foam_) foam_->sea().take(bins_, chop_, statistics_, settings_.sea.wind_speed_mps);
+  if (spray_) spray_->take(bins_, chop_, statistics_, settings_.sea);
   if (long_waves_) {
     long_waves_->take(bins_, chop_, statistics_);
     long_ticks_.reset();

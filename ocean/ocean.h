@@ -7,6 +7,7 @@
 #include "ocean/local/drawn_dynamic_waves.h"
 #include "ocean/local/drawn_foam.h"
 #include "ocean/local/drawn_place.h"
+#include "ocean/local/spray.h"
 #include "ocean/lod/quadtree.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
@@ -36,6 +37,7 @@ struct OceanSettings {
   std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
   std::shared_ptr<const Inputs> pressure;  // on dynamic waves; null for none
   PlaceInputs place;  // of the effects whose data belong to places
+  std::optional<SpraySettings> spray;  // none: the effect is not called for
 };
 
 class Ocean {
@@ -82,6 +84,8 @@ class Ocean {
   const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_.get(); }
   // Null where no foam is kept, but at most what breaks at the moment is drawn.
   const DrawnFoam* foam() const { return foam_.get(); }
+  // Null where the scene has none, or none is wished.
+  const Spray* spray() const { return spray_.get(); }
   // Null where nothing belongs to places.
   const DrawnPlace* place() const { return place_.get(); }
   // What the bed makes of the waves now; null where no bed is known.
@@ -102,6 +106,8 @@ class Ocean {
   std::unique_ptr<DrawnDynamicWaves> dynamic_waves_;
   std::unique_ptr<DrawnPlace> place_;
   std::unique_ptr<DrawnFoam> foam_;
+  std::unique_ptr<Spray> spray_;
+  void make_spray();
   double time_s_ = 0.0;  // of the last update
   double others_height_m() const;  // of all but the waves, no more than that
   double others_shift_m() const;

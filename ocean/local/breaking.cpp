@@ -49,8 +49,8 @@ glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec
   return glm::mix(low, high, fz);
 }
 
-Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s)
-    : field_(sea, of_breakers(quality), std::move(others)), wind_mps_(sea.wind_speed_mps), life_s_(life_s) {
+Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s, bool with_velocity)
+    : field_(sea, of_breakers(quality), std::move(others)), tiles_(with_velocity), wind_mps_(sea.wind_speed_mps), life_s_(life_s) {
   for (const auto& source : field_.others()) {
     const SourceStatistics s = source->statistics();
     others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
@@ -61,6 +61,7 @@ Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources 
 
 void Breaking::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
   wind_mps_ = wind_mps;
+  ticks_.reset();
   field_.take(bins, chop, statistics);
   slope_variance_ = chop * chop * (statistics.slope_moments.x + statistics.slope_moments.y);
 }
@@ -72,13 +73,19 @@ double Breaking::below(double jacobian, double variance) const {
   return z > 4.0 ? 0.0 : 0.5 * std::erfc(z / std::numbers::sqrt2);
 }
 
-void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
+void Breaking::evaluate(std::int64_t ticks) {
+  if (ticks_ == ticks) return;
+  ticks_ = ticks;
   field_.evaluate(ticks, tiles_);
   variance_ = 0.0;
   for (const WaveField::Place& place : field_.places()) variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
   // In balance W = gain / (gain + 1 / life); a third more, for where it breaks is covered already.
   const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5), breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
   threshold_ = std::clamp(1.0 + quantile(std::min(breaking, 0.5)) * (thinner * std::sqrt(variance_) + least_sigma), least_threshold, most_threshold);
+}
+
+void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
+  evaluate(ticks);
   slices_.resize(std::size_t(slices));
   for (int i = 0; i < slices; ++i) {
     const double footprint = std::ldexp(texel_m, i);

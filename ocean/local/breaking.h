@@ -1,6 +1,7 @@
 // Where the waves break: the share of each texel whose surface is squeezed to less than a threshold, of waves on the processor.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,16 +22,18 @@ namespace seascape {
 // the threshold is that of a Gaussian (Dupuy and Bruneton 2012). The variance is the sea's mean for the footprint.
 class Breaking {
  public:
-  // `others`: what moves the water beside its waves; `life_s`: in which foam goes.
-  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s);
+  // `others`: what moves the water beside its waves; `life_s`: in which foam goes. `with_velocity`: its tiles tell how fast the water moves.
+  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s, bool with_velocity = false);
   // As WaveField::take, with the wind.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
 
   // Whether these waves ever break to speak of.
   bool ever() const;
-  // Waves as they are at a time, for texels of a slice i of texel_m 2^i (lod_texel_m).
+  // Waves and threshold as they are at a time; nothing where they are of that already.
+  void evaluate(std::int64_t ticks);
+  // The same, for texels of a slice i of texel_m 2^i (lod_texel_m).
   void at(std::int64_t ticks, double texel_m, int slices);
-  // Of the whole sea, by the same Gaussian, as of at().
+  // Of the whole sea, by the same Gaussian, as of evaluate().
   double mean_share() const { return below(1.0, variance_); }
   double threshold() const { return threshold_; }
 
@@ -68,9 +71,10 @@ class Breaking {
   WaveField field_;
   WaveTiles tiles_;
   std::vector<Slice> slices_;
+  std::optional<std::int64_t> ticks_;  // that the tiles are of
   double wind_mps_, life_s_;
   double slope_variance_ = 0.0, others_variance_ = 0.0;  // no less than the divergence's
-  double variance_ = 0.0, threshold_ = 0.6;              // of the whole sea's divergence, as of at()
+  double variance_ = 0.0, threshold_ = 0.6;              // of the whole sea's divergence, as of evaluate()
 };
 
 }  // namespace seascape

@@ -46,6 +46,9 @@ class Surface {
   void light(Commands& commands, std::uint32_t frame_uniform) const;
   void add_points(Uses& uses) const;
 
+  // With look.deferred: how near what draw() drew is, a layer an eye; else null.
+  const Image* depths() const { return look_.deferred ? points_.depth() : nullptr; }
+
   const Pipeline& pipeline() const { return pipeline_; }
   // What its pixels are lit by.
   const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }

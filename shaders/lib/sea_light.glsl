@@ -123,15 +123,6 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
 
   if (water_albedo > 0) lay_albedo(lit, p.place, p.rest, lit_white);
 
-  // Air between: what it takes away, and what it adds: far off the sky's light from just above the horizon, beneath the
-  // viewer, where no horizon lies behind, the mean of the sky's.
-  // Its first half per cent is left out, so that near water need not look at the sky.
-  const float haze = 1.0 - exp(-frame.air.x * range) - 0.005;
-  if (haze > 0.0) {
-    const vec3 horizon = textureLod(sky_map, sky_coordinate(normalize(vec3(-v.x, 0.012, -v.z))), 0.0).rgb;
-    lit = mix(lit, mix(horizon, light.sky_irradiance.rgb * (0.5 / pi), smoothstep(0.05, 0.6, v.y)), haze / 0.995);
-  }
-
-  return lit;
+  return through_air(lit, v, range);
 }
 #endif
