@@ -88,7 +88,7 @@ void Experience::build() {
     dynamic_waves->waves.depth_m = s.sea.depth_m;
   }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_), calls_for(scene_.effects, "spray") ? std::optional(s.spray) : std::nullopt});
+  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_), calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -104,7 +104,7 @@ void Experience::build() {
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), ocean_->place(), ocean_->foam(), frame_->ring(),
                                        light, look);
   spray_.reset();
-  if (ocean_->spray() && !look.debug) spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most, SprayLook{tile, surface_->depths()});
+  if (ocean_->spray()) spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most, SprayLook{tile, surface_->depths()});
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
     const EffectScope scope(device_, "sky");

@@ -70,8 +70,9 @@ void Ocean::make_spray() {
   spray_ = std::make_unique<Spray>(*settings_.spray, settings_.sea, settings_.waves, settings_.sources, foam_life_s);
   const std::shared_ptr<const Inputs> level = settings_.place.of(InputTarget::level), clip = settings_.place.of(InputTarget::clip);
   const Shallows* shallows = place_ ? place_->shallows() : nullptr;
-  if (!level && !clip && shallows == nullptr) return;
-  spray_->set_water([level, clip, shallows, place = settings_.place.settings](glm::dvec2 at, double time_s) {
+  const std::shared_ptr<const ClipVolumes> volumes = settings_.place.volumes;
+  if (!level && !clip && !volumes && shallows == nullptr) return;
+  spray_->set_water([level, clip, volumes, shallows, place = settings_.place.settings](glm::dvec2 at, double time_s) {
     constexpr double footprint_m = 1.0;
     const auto value = [&](const std::shared_ptr<const Inputs>& inputs, InputTarget kind) { return double(inputs->value(at, footprint_m, time_s, place_outside(place, kind)).x); };
     Spray::Water water;
@@ -80,7 +81,8 @@ void Ocean::make_spray() {
       water.depth_m = shallows->still_m(at, footprint_m, time_s) - shallows->bed_m(at, footprint_m, time_s);
       water.waves = double(shallows->waves(at, water.depth_m).share[0]);
     }
-    if (clip && value(clip, InputTarget::clip) > 0.5) water.depth_m = 0.0;
+    const bool dry = clip && value(clip, InputTarget::clip) > 0.5;
+    if (volumes ? volumes->clipped({at.x, water.still_m, at.y}, dry) : dry) water.depth_m = 0.0;
     return water;
   });
 }

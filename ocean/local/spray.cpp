@@ -159,7 +159,7 @@ double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer,
   const SeaSample sea = breaking_.field().sea(breaking_.tiles(), rest, coarse);
   const glm::dvec3 d = sea.displacement;
   const double height = 4.0 * std::sqrt(breaking_.field().statistics().height_variance);
-  const double out = height > 0.0 ? smooth(0.0, 0.3, d.y / height) * (1.0 - smooth(0.65, 0.95, sea.jacobian())) : 0.0;
+  const double out = height > 0.0 ? smooth(0.0, 0.2, d.y / height) * (1.0 - smooth(0.75, 1.0, sea.jacobian())) : 0.0;
   if (!(out > 0.0)) return 0.0;
   const double still = water_ ? water_({rest.x + d.x, rest.y + d.z}, time_s).still_m : 0.0;
   const double distance = glm::length(glm::dvec3(rest.x + d.x, still + d.y, rest.y + d.z) - viewer);
@@ -268,7 +268,7 @@ void Spray::step(std::int64_t tick, const glm::dvec3& viewer) {
 void Spray::update(double time_s, const glm::dvec3& viewer) {
   if (!(std::abs(time_s * settings_.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) || !std::isfinite(viewer.y)) return;
   const std::int64_t now = std::int64_t(std::floor(time_s * settings_.rate_hz + 1e-6)), life = std::int64_t(std::ceil(settings_.life_s * settings_.rate_hz));
-  const bool anew = !begun_ || now < tick_ || now - tick_ > life || std::hypot(viewer.x - viewer_.x, viewer.z - viewer_.z) > 0.5 * settings_.range_m;
+  const bool anew = !begun_ || now < tick_ || now - tick_ > life || glm::length(viewer - viewer_) > 0.5 * settings_.range_m;
   if (anew) {
     puffs_.clear();
     tick_ = now - life;
@@ -289,9 +289,9 @@ std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu:
     const glm::dvec3 from = p.place_m - viewer;
     const double distance = glm::length(from), old = p.age_s / p.life_s;
     // Eddies draw it apart, and what it hides with it; drops stay together longer.
-    const double radius = p.radius_m + (0.25 - 0.2 * p.drops) * profile_.friction_mps * p.age_s, thin = std::pow(p.radius_m / radius, 1.5);
-    double hides = (0.5 + 0.3 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
-    hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) * smooth(0.4, 2.0, distance);
+    const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s, thin = std::pow(p.radius_m / radius, 1.5);
+    double hides = (0.65 + 0.2 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
+    hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) * smooth(0.5, 3.0, distance);
     if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
     if (!(hides > 0.004)) continue;
     constexpr double seen_for_s = 0.02;  // half of how long an eye's picture is of

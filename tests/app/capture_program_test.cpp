@@ -202,8 +202,8 @@ TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
   }
   EXPECT_EQ(plan.at("totals").at("bytes"), bytes);
   EXPECT_EQ(plan.at("totals").at("draws"), draws);
-  EXPECT_EQ(plan.at("totals").at("passes"), passes - 1) << "the sky is drawn in the surface's pass";
-  ASSERT_THAT(effects, testing::SizeIs(5));
+  EXPECT_EQ(plan.at("totals").at("passes"), passes - 2) << "sky and spray are drawn in the surface's pass";
+  ASSERT_THAT(effects, testing::SizeIs(6));
   EXPECT_EQ(effects.at("waves").at("because"), "the scene names it");
   EXPECT_GT(effects.at("waves").at("bytes"), 1000);
   EXPECT_GE(effects.at("waves").at("pipelines").size(), 3u);

@@ -21,6 +21,7 @@ TEST(Effects, TheClosureAddsWhatIsNeededAndSaysWhy) {
   EXPECT_EQ(entries({"foam"}), (Entries{{"waves", "foam needs it"}, {"foam", "the scene names it"}}));
   EXPECT_EQ(entries({"wave_particles"}), (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
   EXPECT_EQ(entries({"gerstner"}), (Entries{{"waves", "gerstner needs it"}, {"gerstner", "the scene names it"}}));
+  EXPECT_EQ(entries({"spray"}), (Entries{{"waves", "spray needs it"}, {"spray", "the scene names it"}}));
   EXPECT_EQ(entries({"foam", "waves"}), (Entries{{"waves", "the scene names it"}, {"foam", "the scene names it"}}));
 }
 
@@ -34,6 +35,7 @@ TEST(Effects, TheNamesAreThoseOfTheDesign) {
   EXPECT_EQ(effect_names().size(), 22u);
   EXPECT_TRUE(effect_is_built("waves"));
   EXPECT_TRUE(effect_is_built("foam"));
+  EXPECT_TRUE(effect_is_built("spray"));
   EXPECT_TRUE(effect_is_built("baked"));
   EXPECT_TRUE(effect_is_built("gerstner"));
   EXPECT_TRUE(effect_is_built("wave_particles"));

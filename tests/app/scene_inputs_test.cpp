@@ -184,7 +184,7 @@ TEST(SceneInputs, AnInputNeedsTheEffectThatItFeeds) {
   const char* text = "[\n{\"to\": \"foam\", \"kind\": \"ellipse\", \"at_m\": [0, 0], \"size_m\": 1, \"value\": 1}]";
   EXPECT_EQ(fault_of(text, {"waves"}), ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"");
   EXPECT_EQ(fault_of(text, {"foam"}), "");
-  EXPECT_EQ(fault_of(text, {"spray"}), "") << "spray needs foam";
+  EXPECT_EQ(fault_of(text, {"spray"}), ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"") << "spray needs no foam";
 }
 
 // Control: Faults that ends an input at its first fault leaves one fault here; an input without a fault is kept.

@@ -32,7 +32,7 @@ TEST(SteadyFrame, AllocatesNothing) {
     for (const char* preset : {"medium", "high"}) {
       test::SeaShot shot(device, {.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2,
                                   .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}},
-                                  .effects = {{"waves", "foam", "wave_particles"}}});
+                                  .effects = {{"waves", "foam", "spray", "wave_particles"}}});
       Frame& frame = shot.experience().frame();
       std::uint64_t ours = 0, planted = 0;
       for (int i = 0; i <= 25; ++i) {
