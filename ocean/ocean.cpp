@@ -69,17 +69,16 @@ void Ocean::make_spray() {
   const double foam_life_s = settings_.foam ? settings_.foam->settings.life_s : FoamSettings{}.life_s;
   spray_ = std::make_unique<Spray>(*settings_.spray, settings_.sea, settings_.waves, settings_.sources, foam_life_s);
   const std::shared_ptr<const Inputs> level = settings_.place.of(InputTarget::level), clip = settings_.place.of(InputTarget::clip);
-  const Shallows* shallows = place_ ? place_->shallows() : nullptr;
   const std::shared_ptr<const ClipVolumes> volumes = settings_.place.volumes;
-  if (!level && !clip && !volumes && shallows == nullptr) return;
-  spray_->set_water([level, clip, volumes, shallows, place = settings_.place.settings](glm::dvec2 at, double time_s) {
+  if (!level && !clip && !volumes && !shallows()) return;
+  spray_->set_water([level, clip, volumes, bed = place_.get(), place = settings_.place.settings](glm::dvec2 at, double time_s) {
     constexpr double footprint_m = 1.0;
     const auto value = [&](const std::shared_ptr<const Inputs>& inputs, InputTarget kind) { return double(inputs->value(at, footprint_m, time_s, place_outside(place, kind)).x); };
     Spray::Water water;
     if (level) water.still_m = value(level, InputTarget::level);
-    if (shallows != nullptr) {
-      water.depth_m = shallows->still_m(at, footprint_m, time_s) - shallows->bed_m(at, footprint_m, time_s);
-      water.waves = double(shallows->waves(at, water.depth_m).share[0]);
+    if (const ShallowsMix& mix = bed->shallows()) {
+      water.depth_m = mix.from->still_m(at, footprint_m, time_s) - mix.bed_m(at, footprint_m, time_s);
+      water.waves = double(mix.waves(at, water.depth_m).share[0]);
     }
     const bool dry = clip && value(clip, InputTarget::clip) > 0.5;
     if (volumes ? volumes->clipped({at.x, water.still_m, at.y}, dry) : dry) water.depth_m = 0.0;
