@@ -96,7 +96,7 @@ TEST_F(DrawnSprayPuffs, AreHiddenBehindCrests) {
   }
 }
 
-// Where no wind tears anything off there is no draw more than without the effect, nor from high above; down again, or once it blows, the first frame has it. Control seen: a draw of no instances.
+// Where no wind tears anything off there is no draw more than without the effect, nor from high above; down again, or once it blows, the first frame has it.
 TEST_F(DrawnSprayPuffs, CostNoDrawWhereNoneFly) {
   const Set set{{"waves.resolution", "64"}, {"waves.wind_speed_mps", "6"}, {"waves.change_s", "0"}};
   const auto shot_of = [&](std::vector<std::string> effects) {

@@ -165,8 +165,7 @@ TEST(Spray, BelongsToTheWorld) {
   EXPECT_GT(near, 20);
 }
 
-// The wildest sea: never more than the most, all of it finite, and thinned evenly around the viewer, not on one side. Controls seen: the most not asked for within a throw (a crash); no thinning (the
-// middle of it 37 m to one side).
+// The wildest sea: never more than the most, all of it finite, and thinned evenly around the viewer, not on one side. Control seen: no thinning (the middle of it 37 m to one side).
 TEST(Spray, KeepsItsMost) {
   for (const int most : {64, 1000}) {
     SpraySettings settings = plenty();
@@ -223,8 +222,7 @@ TEST(Spray, EndsOnTheWater) {
   for (const Spray::Puff& p : spray.puffs()) EXPECT_GE(p.above_m, 0.0);
 }
 
-// At a million metres, over water that stands higher or is not there, from high above, and of no numbers. Controls seen: the still water's height left out of place_m; waves computed
-// however high the viewer is.
+// At a million metres, over water that stands higher or is not there, from high above, and of no numbers. Control seen: the still water's height left out of place_m.
 TEST(Spray, KnowsItsPlace) {
   Spray far = spray_of(plenty(), storm());
   const glm::dvec3 away{1e6, 4.0, -3e6};
