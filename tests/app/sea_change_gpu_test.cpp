@@ -145,7 +145,7 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   field.take(live.experience().ocean().bins(), live.experience().ocean().chop(), live.experience().ocean().statistics());
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + 0.7), tiles);
-  const PlaceSea now(place_inputs(live.scene()), mix), first(place_inputs(live.scene()), ShallowsMix{mix.from, nullptr});
+  const PlaceSea now(place_inputs(live.scene()), field, mix), first(place_inputs(live.scene()), field, ShallowsMix{mix.from, nullptr});
   const test::DrawnMesh mesh(live, view);
   const double hs = 4.0 * std::sqrt(live.experience().ocean().statistics().height_variance);
   double worst = 0.0, other = 0.0;
