@@ -3,6 +3,6 @@
 string(CONCAT VULKAN_SOURCES_REGEX "^("
   "engine/(barrier|device|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
   "platform/.*|"
-  "ocean/ocean|ocean/local/drawn_(clip|dynamic_waves|foam|place|spray|windows)|ocean/surface/surface|ocean/waves/(drawn_source|wave_(compute|images|upload))|"
+  "ocean/ocean|ocean/local/drawn_(clip|dynamic_waves|foam|place|shore|spray|windows)|ocean/surface/surface|ocean/waves/(drawn_source|wave_(compute|images|upload))|"
   "app/(capture|doctor|effect_costs|experience|explore|explore_window|frame|panel|plan|program|replay|sky)"
   ")\\.cpp$")

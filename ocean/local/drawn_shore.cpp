@@ -14,14 +14,7 @@ void DrawnShore::update(Frame& frame, const LodPlacement& placement, double time
   if (field_) {
     changed = field_->follow(placement, time_s);
   } else {
-    PlaceValues<ShoreTexel> values;
-    values.value = [lines = lines_, shallows = shallows_](glm::dvec2 middle, double texel, double time) {
-      ShorePlace at = lines->at(middle, texel);
-      if (shallows && at.share > 0.0f) at.share *= float(shallows->placed(shallows->still_m(middle, texel, time) - shallows->bed_m(middle, texel, time)));
-      return shore_texel(at, lines->period_m());
-    };
-    if (shallows_) values.still = shallows_->still(), values.moving = shallows_->bounds();
-    field_ = std::make_unique<PlaceField<ShoreTexel>>(std::move(values), settings_, placement, time_s);
+    field_ = std::make_unique<PlaceField<ShoreTexel>>(shore_values(lines_, shallows_), settings_, placement, time_s);
   }
   if (changed == 0) return;
   const LodField<ShoreTexel>& field = field_->field();

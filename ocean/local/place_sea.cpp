@@ -35,6 +35,7 @@ PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shall
 void PlaceSea::follow(ShallowsMix shallows) {
   shallows_ = std::move(shallows);
   if (shallows_) bed_ = bed_values(shallows_, shallows_.from->depth_m());
+  if (shore_ != nullptr) along_curves_ = shore_values(shore_, shallows_.from);
 }
 
 PlaceSea::Readers::Readers(const PlaceSea& sea, double time) : time_s(time) {
@@ -42,6 +43,7 @@ PlaceSea::Readers::Readers(const PlaceSea& sea, double time) : time_s(time) {
   if (sea.flow_) flow.emplace(*sea.flow_, sea.settings_, time);
   if (sea.clip_) clip.emplace(*sea.clip_, sea.settings_, time);
   if (sea.bed_) bed.emplace(*sea.bed_, sea.settings_, time);
+  if (sea.along_curves_) shore.emplace(*sea.along_curves_, sea.settings_, time);
 }
 
 double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
@@ -105,7 +107,7 @@ PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& f
     if (asked.gradients) result.level_gradient = around(*readers.level, at, asked.rest).gradient([](const glm::vec4& value) { return value.x; });
   }
   if (readers.bed) add_shallows(field, result, asked, readers);
-  if (shore_ != nullptr) add_shore(result, filter, asked, readers);
+  if (readers.shore) add_shore(result, filter, asked, readers);
   if (readers.flow) add_current(field, result, asked, readers);
   return result;
 }
@@ -142,24 +144,15 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, const Asked& ask
   }
 }
 
-// Straight from the curves; a picture has it between the texels of its windows.
 void PlaceSea::add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const {
-  const double footprint = asked.footprint_m, time = readers.time_s;
-  const auto share_at = [&](glm::dvec2 at, float of_curve) {
-    if (!shallows_ || of_curve == 0.0f) return double(of_curve);
-    return double(of_curve) * shallows_.from->placed(shallows_.from->still_m(at, footprint, time) - shallows_.bed_m(at, footprint, time));
-  };
-  ShorePart part{shore_->at(asked.rest, footprint), filter};
-  part.share = share_at(asked.rest, part.at.share);
+  const PlaceReading at = reading(asked);
+  ShorePart part{shore_place((*readers.shore)(at, asked.rest), shore_->period_m(), at.read.present), filter};
+  part.share = double(part.at.share);
   if (asked.gradients) {
-    const double e = reading(asked).fine_texel_m();
-    const auto at = [&](double x, double z) {
-      const glm::dvec2 place = asked.rest + glm::dvec2(x, z);
-      return share_at(place, shore_->at(place, footprint).share);
-    };
-    part.share_gradient = glm::dvec2(at(e, 0.0) - at(-e, 0.0), at(0.0, e) - at(0.0, -e)) / (2.0 * e);
+    part.share_gradient = around(*readers.shore, at, asked.rest).gradient([](const ShoreTexel& texel) { return texel.line.w; });
+    part.at.turning_per_m = shore_->at(asked.rest, asked.footprint_m).turning_per_m;
   }
-  if (part.share != 0.0 || part.share_gradient != glm::dvec2(0.0)) here.shore.push_back(part);
+  if (part.share != 0.0) here.shore.push_back(part);
 }
 
 // Two of each pattern, which the current has brought from elsewhere.

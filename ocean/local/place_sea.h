@@ -7,6 +7,7 @@
 
 #include "ocean/local/bed_field.h"
 #include "ocean/local/place_reader.h"
+#include "ocean/local/shore_field.h"
 #include "ocean/local/shore_sea.h"
 #include "ocean/waves/query.h"
 
@@ -65,6 +66,7 @@ class PlaceSea {
     double time_s;
     std::optional<PlaceReader<glm::vec4>> level, flow, clip;
     std::optional<PlaceReader<BedTexel>> bed;
+    std::optional<PlaceReader<ShoreTexel>> shore;
   };
   // Where it is asked: for a footprint, by a picture's windows or none.
   struct Asked {
@@ -89,6 +91,7 @@ class PlaceSea {
   std::shared_ptr<const ShoreLines> shore_;     // null where no waves run along curves
   ShallowsMix shallows_;
   std::optional<PlaceValues<BedTexel>> bed_;
+  std::optional<PlaceValues<ShoreTexel>> along_curves_;
 };
 
 // How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts for `first` and the second for the
