@@ -134,7 +134,7 @@ TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
   EXPECT_LE(both.error_m, bar(both)) << both.hs_m;
 }
 
-// Gerstner waves along a bay: to a thousandth of their height, as every source.
+// Gerstner waves along a bay. Controls seen: right taken for left; the pattern laid backwards along the curve.
 TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   InputSpec bay;
@@ -150,7 +150,7 @@ TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   for (const double time : {33.3, 61.7}) {
     const Worst alone = worst({"waves", "gerstner"}, set, time, {bay});
     EXPECT_GT(alone.moved, 300);
-    EXPECT_LE(alone.error_m, std::min(1e-3 * alone.hs_m, 0.005)) << alone.hs_m << ' ' << time;
+    EXPECT_LE(alone.error_m, bar(alone)) << alone.hs_m << ' ' << time;
   }
   // Beside the set everywhere, over a bank and in a current.
   Set both = set;
@@ -159,7 +159,7 @@ TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   inputs.push_back(bay);
   const Worst all = worst({"waves", "gerstner", "sea_depth", "flow"}, both, 33.3, inputs);
   EXPECT_GT(all.moved, 300);
-  EXPECT_LE(all.error_m, 0.01 * all.hs_m) << all.hs_m;
+  EXPECT_LE(all.error_m, bar(all)) << all.hs_m;
 }
 
 // Pixels whose water stands where it is clipped show the sky that is beneath them, and no others do; in both frame shapes. Control seen: clipped by the rest
