@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <random>
 
+#include "ocean/local/place_reader.h"
 #include "ocean/local/place_sea.h"
 #include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_tiles.h"
@@ -210,6 +212,14 @@ TEST(ShoreSea, AClosedCurveHasNoSeam) {
   EXPECT_LT(worst, 0.008);
 }
 
+// As data of places are read (PlaceReader).
+double between_texels(glm::dvec2 at_m, const std::function<double(glm::dvec2, double)>& value) {
+  const double texel = place_reading(PlaceSettings{}.windows, at_m, 0.0, nullptr).fine_texel_m();
+  const glm::dvec2 at = at_m / texel - 0.5, cell = glm::floor(at), part = at - cell;
+  const auto row = [&](double z) { return glm::mix(value((cell + glm::dvec2(0.5, z)) * texel, texel), value((cell + glm::dvec2(1.5, z)) * texel, texel), part.x); };
+  return glm::mix(row(0.5), row(1.5), part.y);
+}
+
 // Over a bed they fade with depth as other sources do, and a current carries them. Controls seen: the bed's share left out; a current that is not turned into the pattern.
 TEST(ShoreSea, ABedAndACurrentMakeOfThemWhatTheyMakeOfOthers) {
   InputSpec bank;
@@ -226,10 +236,10 @@ TEST(ShoreSea, ABedAndACurrentMakeOfThemWhatTheyMakeOfOthers) {
   for (double x = -100.0; x < 130.0; x += 3.1)
     for (double z = -60.0; z < 40.0; z += 2.9) {
       const glm::dvec2 rest(x, z);
-      const double share = shallow.place->shallows()->placed(-shallow.place->shallows()->bed_m(rest, 0.0, 0.0));
+      const double share = between_texels(rest, [&](glm::dvec2 at, double texel) { return shallow.place->shallows()->placed(-shallow.place->shallows()->bed_m(at, texel, 0.0)); });
       const glm::dvec3 a = open.sea(rest).displacement, b = shallow.sea(rest).displacement;
       if (-shallow.place->shallows()->bed_m(rest, 0.0, 0.0) < 0.3 + 1.2 * std::abs(a.y)) continue;  // where the bed shows
-      ASSERT_NEAR(b.y, share * a.y, 1e-6);
+      ASSERT_NEAR(b.y, share * a.y, 3e-3);  // the share is read with the strength of the curve, which changes too between texels
       weaker += share < 0.8 && std::abs(a.y) > 0.05;
     }
   EXPECT_GT(weaker, 40);
