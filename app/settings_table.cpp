@@ -213,7 +213,7 @@ const std::vector<Setting>& table() {
       {"spray.range_m", "m", "How far around the viewer there is spray; it thins out from two thirds of this on.", spray<&SpraySettings::range_m>, 10.0, 300.0, {}, false,
        rebuild},
       {"spray.life_s", "s", "The longest that a puff of spray is seen.", spray<&SpraySettings::life_s>, 0.2, 6.0, {}, false, rebuild},
-      {"spray.size", "", "Size of the puffs of spray, which begin with radii of 5 to 24 cm times this.", spray<&SpraySettings::size>, 0.25, 4.0, {}, false, rebuild},
+      {"spray.size", "", "Size of the puffs of spray, which begin with radii of 6 to 36 cm times this.", spray<&SpraySettings::size>, 0.25, 4.0, {}, false, rebuild},
       {"spray.rate_hz", "1/s", "Steps of the spray a second; between them what is aloft flies on.",
        spray<&SpraySettings::rate_hz>, 4.0, 60.0, {}, false, rebuild},
       {"spray.seed", "", "Which spray of the same statistics.", spray<&SpraySettings::seed>, 0.0, 4294967295.0, {}, false, rebuild},

@@ -36,6 +36,6 @@ void main() {
   if (within <= 0.0) discard;
   const vec2 place = vec2(at.x / (1.0 + shape.x), at.y) + 300.0 * vec2(shape.z, fract(shape.z * 77.0));
   const float cloud = 0.6 * noise(2.7 * place) + 0.4 * noise(6.9 * place);
-  const float mist = within * smoothstep(0.0, 0.9, within + 1.4 * (cloud - 0.62)), drops = smoothstep(0.66, 0.8, noise(6.0 * place) + 0.25 * (within - 0.5)) * sqrt(within);
+  const float mist = within * within * smoothstep(0.1, 1.0, within + 1.8 * (cloud - 0.55)), drops = smoothstep(0.66, 0.8, noise(6.0 * place) + 0.25 * (within - 0.5)) * sqrt(within);
   shown = vec4(colour, shape.y * mix(mist, drops, shape.w));
 }

@@ -242,7 +242,7 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
         p.eddy_mps = eddy + this->eddy(chance, 0.8);
         p.diameter_m = finest_m * std::pow(coarsest_m / finest_m, std::pow(chance.next(), 1.5));
         p.drops = smooth(seen_from_m, seen_by_m, p.diameter_m);
-        p.radius_m = settings_.size * (1.0 - 0.5 * p.drops) * (0.1 + 0.14 * chance.next());
+        p.radius_m = settings_.size * (1.0 - 0.65 * p.drops) * (0.16 + 0.2 * chance.next());
         p.life_s = settings_.life_s * (0.35 + 0.65 * chance.next());
         p.shape = chance.next();
         feel_air(p);
@@ -290,11 +290,12 @@ std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu:
     const double distance = glm::length(from), old = p.age_s / p.life_s;
     // Eddies draw it apart, and what it hides with it; drops stay together longer.
     const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s, thin = std::pow(p.radius_m / radius, 1.5);
-    double hides = (0.65 + 0.2 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
+    double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
     hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) * smooth(0.5, 3.0, distance);
     if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
     if (!(hides > 0.004)) continue;
-    constexpr double seen_for_s = 0.02;  // half of how long an eye's picture is of
+    // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that.
+    const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s);
     to[count++] = {glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)), glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
                    glm::vec2(float(p.shape), float(p.drops))};
   }
