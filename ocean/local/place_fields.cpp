@@ -1,11 +1,15 @@
 #include "ocean/local/place_fields.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <utility>
 
 #include "engine/require.h"
 
 namespace seascape {
+
+void for_each_row(int rows, const std::function<void(int)>& row) { tbb::parallel_for(0, rows, row); }
 
 void validate(const PlaceSettings& s) {
   validate(s.windows);

@@ -1,7 +1,5 @@
 // Data that belong to places, kept in windows around the viewer: what the scene's inputs make of each kind, as the shaders read it.
 #pragma once
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -18,6 +16,9 @@
 #include "ocean/local/place_settings.h"
 
 namespace seascape {
+
+// Calls `row` with 0 to rows - 1, on all threads.
+void for_each_row(int rows, const std::function<void(int)>& row);
 
 class ShoreLines;  // ocean/local/shore_lines.h
 
@@ -123,7 +124,7 @@ class PlaceField {
     const int side = settings_.windows.resolution;
     bool any = false;
     std::mutex together;
-    tbb::parallel_for(0, side, [&](int z) {
+    for_each_row(side, [&](int z) {
       bool some = false;
       double least = std::numeric_limits<double>::infinity(), most = -least;
       for (int x = 0; x < side; ++x) {

@@ -9,6 +9,7 @@
 
 #include "ocean/local/dynamic_waves.h"
 #include "ocean/local/place_fields.h"
+#include "tests/support/sanitized.h"
 
 namespace seascape {
 namespace {
@@ -50,6 +51,7 @@ InputSpec disc(glm::dvec2 at, double radius, float per_s) {
 // last 24 s. Seen: 0.9, 0.8 and 0.8 of it or thereabouts. Controls seen: a threshold of the Jacobian half a standard deviation lower (0.2 of it in the weakest wind); a life
 // of 1 s instead of 3.85 in the steps alone (0.3 to 0.4).
 TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
+  if (test::sanitized) GTEST_SKIP() << "minutes of statistics of the steps that the other tests take";
   for (const double wind : {8.0, 12.0, 18.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "tests/ocean/local/waves_support.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/wake_truth.h"
 
 namespace seascape {
@@ -32,6 +33,7 @@ double left(int level, double texels, double angle) {
 // coarsest 0.5 % up to 32 texels a wave and 2 % at 50, beyond which its share of waves ends. Controls seen: no border (90, 100 and 54 %
 // left); one twenty times as strong (0.76, 1.9 and 4.6 %).
 TEST(WaveBorder, GivesLittleBack) {
+  if (test::sanitized) GTEST_SKIP() << "thousands of the steps that the other tests take";
   double fine = 0.0, coarse = 0.0, longest = 0.0;
   for (const double texels : {10.0, 16.0, 20.0}) fine = std::max(fine, left(0, texels, 0.0));
   fine = std::max(fine, left(0, 16.0, 0.6));
