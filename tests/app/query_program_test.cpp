@@ -25,6 +25,18 @@ std::vector<int> processors() {
   return result;
 }
 
+TEST(QueryProgram, SaysWhatItLeavesOut) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "points.csv") << "x,z\n0,0\n";
+  const auto said = [&](const char* scene) {
+    const test::ProgramResult result = test::run_command({test::program_file(), "query", "--scene", scene, "--points", folder / "points.csv", "--out", folder / "out.csv"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.err.find("leave out rain_pool's dynamic_waves") != std::string::npos;
+  };
+  EXPECT_TRUE(said("rain_pool"));
+  EXPECT_FALSE(said("open_sea"));
+}
+
 // TBB takes as many threads as a process may use processors, so util-linux's taskset sets their number.
 TEST(QueryProgram, TwoProcessesWithDifferentNumbersOfThreadsGiveTheSameBits) {
   // Controls: another seed gives other bytes (below); a share of the waves scaled by 1 + 1e-6 (threads - 1) in the query
