@@ -284,10 +284,52 @@ EOF
     start
     [ "$status" -eq 1 ] && says err 'report.html: the capture did not write it' || { show; fail "an old report was taken for new"; }
     ;;
+  mutants)
+    # What plants faults (tests/mutants) still fits the code: every planted fault changes its file and names a test that is there.
+    mutants="$source_root/tests/mutants"
+    bash -n "$mutants/run" || fail "tests/mutants/run"
+    "$mutants/run" --check > "$work/out" 2> "$work/err" || { show; fail "planted faults that do not fit; mend or remove them"; }
+    [ "$(find "$mutants/planted" -name '*.fault' | wc -l)" -ge 12 ] || fail "fewer than 12 planted faults"
+    for wrong in --bogus '--swaps' '--swaps -1' '--seed 1,5' extra; do
+      "$mutants/run" $wrong > "$work/out" 2> "$work/err" && fail "$wrong: is taken"
+    done
+    # One seed gives one list, another another.
+    "$mutants/run" --swaps 50 --seed 3 --list > "$work/one" && "$mutants/run" --swaps 50 --seed 3 --list > "$work/two" && "$mutants/run" --swaps 50 --seed 4 --list > "$work/three"
+    [ "$(wc -l < "$work/one")" -eq 50 ] && cmp -s "$work/one" "$work/two" && ! cmp -s "$work/one" "$work/three" || fail "lists of swaps"
+    # Of this text nothing but its operators: no comment, string, directive, bracket, pointer, sign or assertion.
+    cat > "$work/text.cpp" << 'TEXT'
+#include <a + b>
+#define X a + \
+  b + c
+// a + b
+/* a + b
+ c - d */ int e = f + g;
+template <class T> void f(T&& a, int* b);
+const char* s = "a + b\" - c";  // 1 - 2
+auto r = R"x(a + b
+c + d)" + e)x"; int q = 1'000 + 1e-5 - .5, c = '+' + ' ';
+std::vector<float> v; if (a < -b && c >= d) x += std::min(a, b) * -c;
+assert(a == b);
+std::cout << a; p->q; auto m = hn::Add(a, b); auto k = [&](auto&& z) { return *p / *z; };
+TEXT
+    places() { awk -v seed=1 -f "$1" "$work/text.cpp" | cut -f 2-4 | sort -n -k 1,1 -k 2,2 | tr '\t\n' ': '; }
+    want='6:21:+ 10:31:+ 10:38:- 10:52:+ 11:29:< 11:34:&& 11:39:>= 11:47:+= 11:55:min 11:65:* 13:36:Add 13:82:/ '
+    [ "$(places "$mutants/swaps.awk")" = "$want" ] || fail "operators: $(places "$mutants/swaps.awk")"
+    # Controls: a generator that knows no comments, and faults that fit no longer.
+    sed 's|if (two == "//") break||' "$mutants/swaps.awk" > "$work/swaps.awk"
+    [ "$(places "$work/swaps.awk")" = "$want" ] && fail "control: comments"
+    mkdir -p "$tree/tests/mutants" && cp -r "$source_root/scripts" "$source_root/ocean" "$source_root/app" "$source_root/shaders" "$tree/"
+    (cd "$source_root" && find tests -name '*_test.cpp' -o -path 'tests/mutants/*' -type f) | (cd "$source_root" && xargs -d '\n' cp --parents -t "$tree")
+    "$tree/tests/mutants/run" --check > "$work/out" || { cat "$work/out" >&2; fail "control: the copy"; }
+    sed -i 's/tanh_of(k \* depth_m))/tanh_of(depth_m * k))/' "$tree/ocean/waves/dispersion.cpp"
+    sed -i 's/^TEST(SeaBlend, IsTheOldSea/TEST(SeaBlend, WasTheOldSea/' "$tree/tests/ocean/waves/sea_change_test.cpp"
+    "$tree/tests/mutants/run" --check > "$work/out" && fail "control: stale faults"
+    [ "$(grep -c fault: "$work/out")" -eq 2 ] || { cat "$work/out" >&2; fail "control: which faults are stale"; }
+    ;;
   house_rules)
     # No python in the scripts, and each is valid bash. Control: a planted line is found by the same search.
     make_tree
-    scripts=("$source_root/run" "$source_root/check" "$source_root/.ci/run" "$source_root"/scripts/*.sh)
+    scripts=("$source_root/run" "$source_root/check" "$source_root/.ci/run" "$source_root"/scripts/*.sh "$source_root/tests/mutants/run")
     for script in "${scripts[@]}"; do bash -n "$script" || fail "$script"; done
     grep -nE '\bpython3?\b' "${scripts[@]}" && fail "python in a script"
     printf 'python3 -c 1\n' > "$work/planted"
