@@ -35,8 +35,9 @@ const char* result_name(VkResult result) {
 
 VkResult check(VkResult result, const char* call) {
   if (result >= 0) return result;
-  const char* remedy = result == VK_ERROR_DEVICE_LOST
-                           ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
+  const char* remedy = result == VK_ERROR_DEVICE_LOST ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
+                       : result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY
+                           ? "close other programs, or choose a smaller --size, fewer msaa samples or a lower --preset"
                            : "run `seascape doctor` to see devices and drivers";
   throw Error("Vulkan", fmt::format("{} failed: {} ({})", call, result_name(result), int(result)), remedy);
 }
@@ -86,10 +87,15 @@ VkBool32 Device::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtils
 }
 
 Device::Device(const DeviceOptions& options) {
-  create_instance(options);
-  choose_physical(options);
-  create_device(options);
-  memory_ = std::make_unique<Memory>(*this);
+  try {
+    create_instance(options);
+    choose_physical(options);
+    create_device(options);
+    memory_ = std::make_unique<Memory>(*this);
+  } catch (...) {
+    give_back();
+    throw;
+  }
   spdlog::debug("device: {} ({}, Vulkan {})", facts_.name, facts_.driver, facts_.api_version);
 }
 
@@ -274,7 +280,9 @@ void Device::create_device(const DeviceOptions& options) {
   check(vkCreateCommandPool(device_, &pool, nullptr, &now_pool_), "vkCreateCommandPool");
 }
 
-Device::~Device() {
+Device::~Device() { give_back(); }
+
+void Device::give_back() {
   if (device_) vkDeviceWaitIdle(device_);
   while (!retired_.empty()) {
     destroy(retired_.front());
@@ -375,12 +383,12 @@ void Device::end_now(VkCommandBuffer commands) {
 }
 
 VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info) {
-  auto [place, fresh] = render_passes_.try_emplace(key, VkRenderPass{VK_NULL_HANDLE});
-  if (fresh) {
-    check(vkCreateRenderPass(device_, &info, nullptr, &place->second), "vkCreateRenderPass");
-    debug_name(VK_OBJECT_TYPE_RENDER_PASS, std::uint64_t(place->second), key.c_str());
-  }
-  return place->second;
+  if (const auto found = render_passes_.find(key); found != render_passes_.end()) return found->second;
+  VkRenderPass pass = VK_NULL_HANDLE;
+  check(vkCreateRenderPass(device_, &info, nullptr, &pass), "vkCreateRenderPass");
+  render_passes_.emplace(key, pass);
+  debug_name(VK_OBJECT_TYPE_RENDER_PASS, std::uint64_t(pass), key.c_str());
+  return pass;
 }
 
 void Device::debug_name(VkObjectType type, std::uint64_t handle, const char* name) {

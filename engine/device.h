@@ -94,6 +94,7 @@ class Device {
   void create_instance(const DeviceOptions& options);
   void choose_physical(const DeviceOptions& options);
   void create_device(const DeviceOptions& options);
+  void give_back();  // all that there is, at the end or where the beginning failed
   void destroy(const Retired& object);
   VkCommandBuffer begin_now();
   void end_now(VkCommandBuffer commands);

@@ -57,7 +57,9 @@ Memory::Block& Memory::new_block(std::uint32_t type, bool image, VkDeviceSize le
   check(result, "vkAllocateMemory");
   if (properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) {
     void* mapped = nullptr;
-    check(vkMapMemory(device_.handle(), block->memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
+    result = vkMapMemory(device_.handle(), block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+    if (result < 0) vkFreeMemory(device_.handle(), block->memory, nullptr);
+    check(result, "vkMapMemory");
     block->mapped = static_cast<char*>(mapped);
   }
   block->free.push_back({0, block->size});
