@@ -48,7 +48,8 @@ glm::dvec3 key_motion(const glm::dvec3& before, double before_s, const glm::dvec
 
 struct Segment {
   const PathKey *from, *to;
-  double duration() const { return to->time_s - from->time_s; }
+  // Keys may be as near in time as doubles are; speeds between such are held to what can be squared.
+  double duration() const { return std::max(to->time_s - from->time_s, 1e-12); }
   glm::dvec3 velocity() const { return (to->pose.position_m - from->pose.position_m) / duration(); }
   // rad/s about the axes of the head; with one turn a segment it is constant, so both ends' heads agree on it.
   glm::dvec3 turn() const {

@@ -61,7 +61,7 @@ Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs, bool (*taken)(c
     const InputSpec& spec = specs[i];
     validate(spec);
     std::unique_ptr<const InputSource> source = make_input(spec, remarks_);
-    if (source == nullptr || spec.weight == 0.0) continue;
+    if (source == nullptr || float(spec.weight) == 0.0f) continue;
     const InputBounds bounds = source->bounds();
     layers_.push_back({std::move(source), float(spec.weight), spec.blend, spec.follow_waves, bounds});
     boxes.push_back(bounds);

@@ -146,10 +146,12 @@ class Spline final : public InputSource {
 
 std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::string>& remarks) {
   const SplineInput& spline = std::get<SplineInput>(spec.shape);
+  // A millionth of a metre: knots are the roots of distances, summed up, and each has to be told from the one before.
+  const auto at_one_place = [](const SplinePoint& a, const SplinePoint& b) { return glm::distance(a.at_m, b.at_m) < 1e-6; };
   std::vector<SplinePoint> points;
   for (const SplinePoint& point : spline.points)
-    if (points.empty() || points.back().at_m != point.at_m) points.push_back(point);
-  if (spline.closed && points.size() > 1 && points.front().at_m == points.back().at_m) points.pop_back();
+    if (points.empty() || !at_one_place(points.back(), point)) points.push_back(point);
+  if (spline.closed && points.size() > 1 && at_one_place(points.front(), points.back())) points.pop_back();
   const std::size_t least = spline.closed ? 3 : 2;
   if (points.size() < least) {
     remarks.push_back(fmt::format("{}: a {}spline of {} point{} at {} place{} gives nothing; give {} points or more that lie apart", spec.where, spline.closed ? "closed " : "",
@@ -157,7 +159,7 @@ std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::st
     return {};
   }
   // The point that closes a curve, given once more, is no fault.
-  const bool again = spline.closed && spline.points.front().at_m == spline.points.back().at_m;
+  const bool again = spline.closed && at_one_place(spline.points.front(), spline.points.back());
   if (const std::size_t lost = spline.points.size() - points.size() - (again ? 1 : 0); lost > 0)
     remarks.push_back(fmt::format("{}: {} of {} points lie{} where the one before does and {} left out", spec.where, lost, spline.points.size(), lost == 1 ? "s" : "", lost == 1 ? "is" : "are"));
   return points;

@@ -74,7 +74,7 @@ class Texture final : public InputSource {
     const glm::dvec2 place = at * glm::dvec2(levels_[0].width, levels_[0].height) / double(1u << number) - 0.5;
     const glm::dvec2 low = glm::floor(place);
     const glm::vec2 f(place - low);
-    const int x = int(std::clamp(low.x, -2.0, 16385.0)), y = int(std::clamp(low.y, -2.0, 16385.0));
+    const int x = int(std::clamp(low.x, -2.0, double(level.width))), y = int(std::clamp(low.y, -2.0, double(level.height)));
     const glm::vec4 top = level.at(x, y) + (level.at(x + 1, y) - level.at(x, y)) * f.x;
     const glm::vec4 bottom = level.at(x, y + 1) + (level.at(x + 1, y + 1) - level.at(x, y + 1)) * f.x;
     return top + (bottom - top) * f.y;

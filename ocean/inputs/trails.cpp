@@ -42,6 +42,8 @@ class Trail final : public InputSource {
 
   InputSample sample(glm::dvec2 place_m, double footprint_m, double time_s) const override {
     double share = 0.0;
+    // By whole turns of a loop nearer to its keys, so that passes are told apart however late it is.
+    if (trail_.loop) time_s = trail_.keys.front().time_s + std::fmod(time_s - trail_.keys.front().time_s, period_s_);
     tree_.at(place_m, widest_m_ + soft_reach(feather_m_, footprint_m), [&](std::uint32_t i) {
       const Piece& piece = pieces_[i];
       // The newest pass that has begun, and those before it that have not yet faded.

@@ -35,7 +35,10 @@ void DynamicSea::advance(std::int64_t ticks) {
   const LodPlacement& placement = viewer_.placement();
   // Drops raise waves of two of their lengths and thereabouts: they fall as far as the level of those reaches.
   const double octaves = std::log2(std::max(settings_.rain.drop_length_m / (4.0 * lod_texel_m(waves.windows, placement, 0)), 1.0));
-  const double reach = lod_texel_m(waves.windows, placement, std::min(int(octaves), waves.windows.slices - 1)) * waves.windows.resolution / 2;
+  const double level_reach = lod_texel_m(waves.windows, placement, std::min(int(octaves), waves.windows.slices - 1)) * waves.windows.resolution / 2;
+  // From high up, and of wide windows, that is more water than drops can be counted on: those beyond are too far away to be seen.
+  const double most_drops_a_tick = 1000.0, per_m2 = std::max(settings_.rain.drops_per_m2_s / waves.rate_hz, 1e-6);
+  const double reach = std::min({level_reach, 0.5 * std::sqrt(most_drops_a_tick / per_m2), 256.0});
   sources_.clear();
   add_rain(settings_.rain, tick_ + 1, ticks, waves.rate_hz, placement.viewer, reach, sources_);
   tick_ += ticks;

@@ -254,7 +254,7 @@ int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::sp
   const double dt = 1.0 / settings_.rate_hz;
   const double due = std::floor(owed_s_ / dt + 1e-9);
   if (!active_ && !pushed) {
-    owed_s_ -= due * dt;
+    owed_s_ = std::clamp(owed_s_ - due * dt, -1e-6 * dt, dt);
     placed_ = false;
     return 0;
   }
@@ -263,7 +263,7 @@ int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::sp
   place(placement, owed_s_);
   const int steps = int(std::min(due, double(settings_.most_steps)));
   const double length = due * dt / steps;
-  owed_s_ -= due * dt;
+  owed_s_ = std::clamp(owed_s_ - due * dt, -1e-6 * dt, dt);  // of a very long time no digits are left for it
   for (int i = 0; i < steps; ++i) step(length, owed_s_ + (steps - 1 - i) * length, sources);
   if (!pushed) {
     double highest = 0.0;

@@ -33,7 +33,8 @@ glm::vec4 place_outside(const PlaceSettings& s, InputTarget kind) {
 
 double place_time_s(const PlaceSettings& s, bool still, double time_s) {
   if (still || !std::isfinite(time_s)) return 0.0;
-  return std::floor(time_s * s.rate_hz + 1e-6) / s.rate_hz;
+  const double step = std::floor(time_s * s.rate_hz + 1e-6);
+  return std::isfinite(step) ? step / s.rate_hz : time_s;
 }
 
 PlaceValues<glm::vec4> place_values(std::shared_ptr<const Inputs> inputs, const PlaceSettings& settings) {

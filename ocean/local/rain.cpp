@@ -22,6 +22,8 @@ void add_rain(const RainSettings& s, std::int64_t first, std::int64_t count, dou
   const double side = std::min(1.0, std::sqrt(most_expected / a_tick)), expected = a_tick * side * side;
   const double rise = s.drop_height_m * rate_hz / double(count);
   const glm::dvec2 low = glm::floor((place - reach) / side), high = glm::floor((place + reach) / side);
+  const double farthest = std::max(std::max(-low.x, -low.y), std::max(high.x, high.y));
+  if (!(farthest < 0x1p52)) return;  // out there a double is no whole cell, and counting would not go on
   for (std::int64_t tick = first; tick < first + count; ++tick)
     for (double z = low.y; z <= high.y; ++z)
       for (double x = low.x; x <= high.x; ++x) {

@@ -34,6 +34,7 @@ struct Waves {
   void add(double k, double wave_variance, const SeaState& sea) {
     if (!(wave_variance > 0.0) || !(k > 0.0) || !(sea.depth_m > 0.0)) return;
     const double w = airy_frequency(k, sea.gravity_mps2, sea.depth_m), deep_k = w * w / sea.gravity_mps2;
+    if (!(deep_k > 1e-30)) return;  // a film of less than 1e-24 m: its waves stand still, and no table goes so far
     const double place = std::log(deep_k) / step, low = std::floor(place), high_share = place - low;
     const double speed = airy_group_speed(k, sea.gravity_mps2, sea.depth_m) * 2.0 * w / sea.gravity_mps2;
     for (const int side : {0, 1}) {

@@ -94,7 +94,7 @@ void ShoreLines::add(const InputSpec& spec, const std::vector<SplinePoint>& poin
   if (closed) {
     vertices_.back().at = vertices_[first_vertex].at;
     vertices_.back().tangent = vertices_[first_vertex].tangent;
-    int periods = int(std::lround(line.length_m / period_m_));
+    double periods = std::round(line.length_m / period_m_);
     if (periods * period_m_ > most_stretch * line.length_m) --periods;
     line.scale = periods * period_m_ / line.length_m;
   } else {

@@ -125,7 +125,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
                                          const WaveTiles* tiles) {
   const glm::dvec3 eye = viewpoint.viewer.position_m;
   if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z) ||
-      std::max(std::abs(eye.x), std::abs(eye.z)) > std::ldexp(unit_m_, 50))
+      std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}) > std::ldexp(unit_m_, 50))
     throw Error("viewer", fmt::format("position ({}, {}, {}) m is not usable", eye.x, eye.y, eye.z),
                 "keep the camera within 1e12 m of the origin");
   if (!(bounds.vertical_m >= 0.0 && bounds.horizontal_m >= 0.0 && bounds.vertical_m <= 1e6 && bounds.horizontal_m <= 1e6))

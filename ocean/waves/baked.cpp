@@ -127,7 +127,8 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
   loop_.side_m *= settings.scale;
   const double rate = std::abs(settings.speed) / std::sqrt(settings.scale);
   if (rate > 0.0) {
-    loop_ticks_ = std::max<std::int64_t>(1, std::llround(loop_.frames / loop_.fps / rate * double(gpu::ticks_per_second)));
+    // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody waits for.
+    loop_ticks_ = std::llround(std::clamp(loop_.frames / loop_.fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
     turns_ = loop_turns(1, loop_ticks_);
     frames_a_second_ = double(loop_.frames) * gpu::ticks_per_second / double(loop_ticks_);
     if (settings.speed < 0.0) turns_ = std::uint64_t(0) - turns_, frames_a_second_ = -frames_a_second_;

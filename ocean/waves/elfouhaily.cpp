@@ -11,6 +11,7 @@ namespace seascape {
 namespace {
 constexpr double oldest = 0.84, youngest = 5.0;
 constexpr double karman = 0.4;
+constexpr double longest_number = 1e100;  // rad/m: beyond, squares of speeds are more than any double, and long since there are no waves
 constexpr double most_drag_root = 0.05;  // u* / U10 grows no more in a hurricane: drag 2.5e-3 (Donelan et al. 2004)
 constexpr double viscosity_m2_s = 1.05e-6;  // of sea water at 20 degrees C
 
@@ -55,13 +56,13 @@ Elfouhaily::Parts Elfouhaily::parts(double k) const {
 }
 
 double Elfouhaily::curvature(double k) const {
-  if (!(k > 0.0)) return 0.0;
+  if (!(k > 0.0 && k < longest_number)) return 0.0;
   const Parts p = parts(k);
   return p.low + p.high;
 }
 
 double Elfouhaily::tail_curvature(double k) const {
-  if (!(k > 0.0)) return 0.0;
+  if (!(k > 0.0 && k < longest_number)) return 0.0;
   const Parts p = parts(k);
   // Energy grows by 0.04 (u* / c)^2 w (Plant 1982) and is drained by 4 nu k^2 (Lamb 1932, art. 348).
   const double push = friction_ / p.speed, growth = 0.04 * push * push * p.speed * k;

@@ -90,7 +90,7 @@ Lattice best_lattice(const std::vector<Asked>& waves, int most, bool turned) {
         furthest = std::max({furthest, std::abs(m.x), std::abs(m.y)});
       }
       if (furthest < 0.6 * most || furthest > most) continue;
-      if (sum / energy < least) least = sum / energy, best = lattice;
+      if (energy > 0.0 && sum / energy < least) least = sum / energy, best = lattice;
     }
   return best;
 }
@@ -221,7 +221,7 @@ Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double
     shortest_m = std::min(shortest_m, turn / k);
   }
   if (steepness_ > 1.0) refuse_fold(settings.chop, steepness_);
-  table_.moment_share = float(moments / of_texels);
+  if (of_texels > 0.0) table_.moment_share = float(moments / of_texels);  // else no double holds the square of so low a wave
   table_.shear_length_m = std::exp2(std::round(std::log2(float(longest_m / turn))));
   laying_.longest_m = longest_m;
   laying_.shortest_m = shortest_m;

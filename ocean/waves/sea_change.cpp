@@ -63,7 +63,7 @@ SeaBlend::SeaBlend(MadeSea from, MadeSea to, std::int64_t begin_ticks, std::int6
     : from_(std::move(from)), to_(std::move(to)), begin_(begin_ticks), end_(end_ticks), same_waves_(same_waves) {}
 
 SeaBlend::Weights SeaBlend::weights(std::int64_t ticks) const {
-  const double t = std::clamp(double(ticks - begin_) / double(end_ - begin_), 0.0, 1.0);
+  const double t = ticks >= end_ ? 1.0 : std::clamp(double(ticks - begin_) / double(end_ - begin_), 0.0, 1.0);  // at once, where it ends as it begins
   const double s = t * t * (3.0 - 2.0 * t);  // neither jumps nor jerks
   if (same_waves_) return {1.0 - s, s, s};
   if (t >= 1.0) return {0.0, 1.0, 1.0};

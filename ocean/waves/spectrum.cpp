@@ -56,7 +56,7 @@ double Spectrum::frequency(double k) const { return wave_frequency(k, gravity_, 
 
 double Spectrum::suppression(double k) const {
   const double r = k * suppressed_below_m / (2.0 * pi);
-  const double r4 = r * r * r * r;
+  const double r4 = std::min(r * r * r * r, 1e300);
   return 1.0 - suppression_ * r4 / (1.0 + r4);
 }
 
@@ -77,11 +77,11 @@ double Spectrum::radial(int component, double k) const {
   } else {
     const double share = short_share(deep_k), mine = component == 1 ? share : 1.0 - share;
     if (mine == 0.0) return 0.0;
-    if (component == 1)
-      density = mine * short_waves_.tail_curvature(deep_k) / (k * k * k);
-    else if (spectrum_ == WaveSpectrum::elfouhaily)
-      density = mine * short_waves_.curvature(deep_k) / (k * k * k);
-    else
+    if (component == 1 || spectrum_ == WaveSpectrum::elfouhaily) {
+      density = mine * (component == 1 ? short_waves_.tail_curvature(deep_k) : short_waves_.curvature(deep_k));
+      if (density == 0.0) return 0.0;  // the cube of k may be less than any double
+      density /= k * k * k;
+    } else
       density = mine * frequency_density(wind_, gravity_, w) * airy_group_speed(k, gravity_, depth_);
     if (component == 0 && spectrum_ == WaveSpectrum::tma) density *= kitaigorodskii_factor(w, gravity_, depth_);
   }

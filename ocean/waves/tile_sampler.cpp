@@ -97,6 +97,7 @@ struct SeaSum {
 }  // namespace
 
 WaveField::Filter WaveField::filter(double footprint_m) const {
+  if (!(footprint_m > 0.0)) footprint_m = 0.0;  // what is no number, or below 0
   Filter result{};
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Place& place = places_[i];

@@ -112,6 +112,16 @@ class Search {
   bool too_many_ = false;
 };
 
+// Less than a float's last place of a metre; and where doubles still lie closer than a tenth of a millimetre.
+constexpr double least_reach_m = 1e-7, farthest_m = 1e11;
+
+WaterSide by_query(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m) {
+  const glm::dvec2 place(at_m.x, at_m.z);
+  QueryAnswer answer;
+  query(field, tiles, {&place, 1}, {&answer, 1}, {.most_iterations = 30});
+  return {at_m.y < answer.height_m, answer.height_m, 1, false};
+}
+
 }  // namespace
 
 WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m) {
@@ -130,12 +140,18 @@ WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::
   // Both bounds hold but for one wave in a million.
   height_m *= 1.5;
   reach_m *= 1.5;
-  if (std::abs(at_m.y) >= height_m || !(reach_m > 0.0)) {
+  const glm::dvec2 place(at_m.x, at_m.z);
+  if (std::abs(at_m.y) >= height_m) {
     side.in_water = at_m.y < 0.0;
-    side.height_m = std::abs(at_m.y) >= height_m ? 0.0 : side.height_m;
     return side;
   }
-  const glm::dvec2 place(at_m.x, at_m.z);
+  // Water that moves straight up and down, or by less than a lattice could tell, stands over its place at rest.
+  if (!(reach_m > least_reach_m)) {
+    side.height_m = field.displacement(tiles, place, 0.0).y;
+    side.in_water = at_m.y < side.height_m;
+    return side;
+  }
+  if (std::abs(place.x) + std::abs(place.y) > farthest_m) return by_query(field, tiles, at_m);
   // Between corners the water is straight but for waves shorter than the square; the slope of their shift is chop times that of their height.
   const double shear = field.state().chop * std::sqrt(sea.slope_moments.x + sea.slope_moments.y);
   for (double spread = 0.5 + 2.0 * shear; spread < 8.0 * (0.5 + 2.0 * shear); spread *= 2.0) {
@@ -157,12 +173,7 @@ WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::
     }
     return side;
   }
-  QueryAnswer answer;
-  query(field, tiles, {&place, 1}, {&answer, 1}, {.most_iterations = 30});
-  side.height_m = answer.height_m;
-  side.in_water = at_m.y < answer.height_m;
-  side.certain = false;
-  return side;
+  return by_query(field, tiles, at_m);
 }
 
 }  // namespace seascape

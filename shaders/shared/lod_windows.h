@@ -50,7 +50,7 @@ SEASCAPE_FUNCTION float lod_present(vec4 reach, int slice, float distance) {
 // (no texel finer than it) and by the viewer's height. A slice's number at which the binary logarithm rounds to either side gives the
 // same level.
 SEASCAPE_FUNCTION LodRead lod_read(vec4 reach, int slices, float distance, float footprint) {
-  int number = distance > reach.x ? min(int(ceil(log2(distance / reach.x))), slices - 1) : 0;
+  int number = distance > reach.x ? int(min(ceil(log2(distance / reach.x)), float(slices - 1))) : 0;
   float end = reach.x * float(1 << number);
   // The last slice comes in with height: at a blend of 0 it is not yet read.
   float border = number == slices - 2 ? lod_border * max(reach.z, 1e-6f) : lod_border;

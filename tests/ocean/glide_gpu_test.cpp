@@ -256,7 +256,7 @@ TEST_F(Glide, APlantedPopIsCaught) {
   EXPECT_GT(spike(popped.moved, 0.1), 3.0) << told(popped);
 }
 
-// Hard case 15 as it is drawn: a thousand kilometres from the origin nothing trembles either.
+// Hard case 15 as it is drawn: a thousand kilometres from the origin nothing trembles either. Controls: those of the glides above.
 TEST_F(Glide, hard_15_nothing_trembles_a_million_metres_away) {
   SeaShot shot = sea_of("open_sea", "low", "4096", "morphed");
   for (const NamedPath& p : paths(2.5, {1e6 + 0.3, -1e6 - 0.7})) {

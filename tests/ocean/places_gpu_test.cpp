@@ -74,7 +74,7 @@ TEST_F(HardPlaces, hard_15_a_million_metres_out_each_vertex_stands_within_a_mill
   }
 }
 
-// The grid's origin jumps by a unit when the viewer passes half of it; what lies there does not. Seen: the same control.
+// The grid's origin jumps by a unit when the viewer passes half of it; what lies there does not, by a millimetre. Control seen: that of the test above.
 TEST_F(HardPlaces, hard_16_a_shift_of_the_origin_moves_nothing_by_a_millimetre) {
   SeaShot shot = shot_of("open_sea");
   for (const double place : {0.0, 12345.0, -1e6}) {

@@ -116,9 +116,9 @@ double crest_about(const WaveField& field, const WaveTiles& tiles, const glm::dv
   return crest;
 }
 
-// Controls seen: an east edge not snapped, vertices that arrive 15 % late (3 % is not seen here, but by MorphHard), the skirt's row 0 moved
+// No pixel of the water is a hole from 2,000 poses: presets, ocean sizes of 256 to 8192 m, both joins, calm and storm. Controls seen: an east edge not snapped, vertices that arrive 15 % late (3 % is not seen here, but by MorphHard), the skirt's row 0 moved
 // outwards by 1/500; and ADroppedPatchIsSeen, in each combination.
-TEST_P(Watertight, FromEveryPoseNoHoleIsSeen) {
+TEST_P(Watertight, hard_19_and_21_and_23_from_every_pose_no_hole_is_seen) {
   const Sea sea = GetParam();
   int drawn = 0, combination = 0;
   for (const double size_m : {256.0, 1024.0, 8192.0}) {

@@ -27,8 +27,8 @@ std::string refusal(const InputSpec& spec) {
   return test::error_of([&] { ClipVolumes(std::vector{spec}); });
 }
 
-// Control seen: comparisons that let NaN pass.
-TEST(ClipVolumesHard, Hard03NumbersThatAreNoneAreRefusedByName) {
+// NaN, infinities, -1 and 0 as sizes, places and angles of volumes are refused with the key's name. Control seen: comparisons that let NaN pass.
+TEST(ClipVolumesHard, hard_3_numbers_that_are_none_are_refused_by_name) {
   for (const double bad : {nan, infinity, -infinity, -1.0, 0.0}) {
     SCOPED_TRACE(bad);
     EXPECT_NE(refusal(of({.form = Form::sphere, .radius_m = bad})).find("radius_m: "), std::string::npos);

@@ -27,8 +27,8 @@ std::string refusal(const InputSpec& spec) {
   return test::error_of([&] { Inputs(spec.to, std::vector{spec}); });
 }
 
-// Control: comparisons written the other way round (refuse where below least or above most) let NaN pass.
-TEST(InputsHard, Hard03NumbersThatAreNoneAreRefusedByName) {
+// NaN, infinities and -1 are refused with file, place and key, a picture that holds one with its texel; a place or a time that is none gets what there is without inputs. Control: comparisons written the other way round (refuse where below least or above most) let NaN pass.
+TEST(InputsHard, hard_3_numbers_that_are_none_are_refused_by_name) {
   for (const double bad : {nan, infinity, -infinity, -1.0}) {
     SCOPED_TRACE(bad);
     InputSpec spec = of(InputTarget::level, AreaInput{});
@@ -77,8 +77,9 @@ TEST(InputsHard, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_NE(refusal(of(InputTarget::level, TrailInput{.keys = {{0.0, {}}, {1.0, {9.0, 0.0}}}, .loop = true})).find("loop: the last key"), std::string::npos);
 }
 
-// Land is any height above the sea; a bed may lie at it or below. The seabed of nothing is the base.
-TEST(InputsHard, Hard06LandAndDryBedsAreHeightsLikeOthers) {
+// Land is any height above the sea; a bed may lie at it or below. The seabed of nothing is the base. Control seen: values between inputs held
+// to 1,000 m.
+TEST(InputsHard, hard_6_land_and_dry_beds_are_heights_like_others) {
   for (const float bed : {-12000.0f, -1e-6f, 0.0f, 3.0f, 8848.0f}) {
     InputSpec spec = of(InputTarget::sea_depth, AreaInput{}, bed);
     spec.blend = InputBlend::replace;
@@ -86,8 +87,8 @@ TEST(InputsHard, Hard06LandAndDryBedsAreHeightsLikeOthers) {
   }
 }
 
-// Control: without the last clamp the sum of 400 levels is 4e6.
-TEST(InputsHard, Hard35SumsStayWithinHalfFloats) {
+// 400 inputs at one place, sums and factors by turns, come to a value within the target's range, which half floats hold. Control: without the last clamp the sum of 400 levels is 4e6.
+TEST(InputsHard, hard_35_sums_stay_within_half_floats) {
   for (std::size_t t = 0; t < input_targets.size(); ++t) {
     EXPECT_LE(input_targets[t].most, 65504.0);
     EXPECT_GE(input_targets[t].least, -65504.0);
@@ -102,8 +103,8 @@ TEST(InputsHard, Hard35SumsStayWithinHalfFloats) {
   }
 }
 
-// Control: without the search for points at one place the curve's knots coincide, and the level is NaN.
-TEST(InputsHard, Hard36ASplineOfNoLengthGivesNothingAndSaysSo) {
+// Splines of no points, of one and of coincident ones give nothing and a message that says what to do; trails of one key and models that stand upright alike. Control: without the search for points at one place the curve's knots coincide, and the level is NaN.
+TEST(InputsHard, hard_36_a_spline_of_no_length_gives_nothing_and_says_so) {
   const auto at = [](double x, double z) { return SplinePoint{{x, z}, 10.0, glm::vec4(3.0f, 0.0f, 0.0f, 0.0f)}; };
   const std::pair<SplineInput, const char*> nothing[] = {
       {{}, "s.json:7: inputs[2]: a spline of 0 points at 0 places gives nothing; give 2 points or more that lie apart"},
@@ -134,8 +135,9 @@ TEST(InputsHard, Hard36ASplineOfNoLengthGivesNothingAndSaysSo) {
   EXPECT_EQ(Inputs(InputTarget::level, std::vector{of(InputTarget::level, shape)}).remarks().size(), 1u);
 }
 
-// Points almost at one place, and turns back on itself, stay finite.
-TEST(InputsHard, Hard36PointsNearlyAtOnePlaceStayFinite) {
+// Points almost at one place, and turns back on itself, stay finite, and values between those of the points. Control seen: a nearest place that may lie
+// beyond its span's ends.
+TEST(InputsHard, hard_36_points_nearly_at_one_place_stay_finite) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> off(-1e-9, 1e-9), place(-20.0, 20.0);
   for (int trial = 0; trial < 50; ++trial) {
@@ -151,7 +153,7 @@ TEST(InputsHard, Hard36PointsNearlyAtOnePlaceStayFinite) {
 }
 
 // Flows against each other add to rest; a whirlpool's middle rests and is finite. Control: 1 / r to the middle gives NaN there.
-TEST(InputsHard, Hard44OpposedFlowAndAWhirlpoolsMiddle) {
+TEST(InputsHard, hard_44_opposed_flow_and_a_whirlpools_middle) {
   const auto canal = [](double from, double to) {
     return of(InputTarget::flow, SplineInput{.points = {{{from, 0.0}, 20.0, {2.0f, 0.0f, 0.0f, 0.0f}}, {{to, 0.0}, 20.0, {2.0f, 0.0f, 0.0f, 0.0f}}}});
   };

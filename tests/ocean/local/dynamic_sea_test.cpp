@@ -131,7 +131,8 @@ TEST(DynamicSea, SettlesBeforeItIsShown) {
   EXPECT_LT(rms_difference(heights(early), heights(late)), 0.03 * rms(heights(early)));
 }
 
-// Time that runs backwards, or jumps, begins anew, as a sea would that began then; a long frame takes no more than so many steps.
+// Time that runs backwards, or jumps, begins anew, as a sea would that began then; a long frame takes no more than so many steps. Control
+// seen: a time before the last one taken for no time at all.
 TEST(DynamicSea, hard_12_time_runs_backwards_or_jumps) {
   DynamicSea sea(small_sea()), fresh(small_sea());
   for (int i = 0; i <= 60; ++i) sea.update(8.0 + i / 60.0, head);

@@ -66,7 +66,7 @@ TEST(Foam, ComesAndGoesAlikeAtAnyRate) {
 }
 
 // Hard case 43: an hour of more foam than water takes, also as half floats. Control seen: f += g dt without the saturation (left [0, 1] at once, and was told of).
-TEST(Foam, FullForAnHourStaysWithinOne) {
+TEST(Foam, hard_43_full_for_an_hour_stays_within_one) {
   const FoamSettings s = small_foam();
   Foam foam(s);
   foam.follow(around(s, {0.0, 0.0}), 0.0f);
@@ -137,7 +137,7 @@ TEST(Foam, AUniformFlowCarriesAPatchWhole) {
 
 // Hard case 44: a whirlpool that draws no water down keeps the foam that circles in it within 5 % for a minute; one that does gathers it in the middle, and no
 // more than all of the water is covered. Opposed flows pile it up where they meet. Control seen: the flow's divergence left out (nothing gathers).
-TEST(Foam, WhirlpoolsAndOpposedFlowsKeepItFinite) {
+TEST(Foam, hard_44_whirlpools_and_opposed_flows_keep_it_finite) {
   FoamSettings s = small_foam();
   s.life_s = 1000.0;
   const auto whirl = [](double inflow) {

@@ -95,8 +95,8 @@ TEST(RefractionHard, WithoutABedNothingBendsAndNothingIsSheltered) {
   for (const glm::dvec2 p : {glm::dvec2(0.0), glm::dvec2(300.0, 100.0)}) EXPECT_NEAR(deep.shelter(p), 1.0f, 1e-6f);
 }
 
-TEST(RefractionHard, Hard03ABedThatIsNoNumberIsRefusedByItsPlace) {
-  // Control, seen: the depths not looked at, and nothing is thrown.
+TEST(RefractionHard, hard_3_a_bed_that_is_no_number_is_refused_by_its_place) {
+  // A bed that is NaN or infinite somewhere is refused with the place where it is. Control, seen: the depths not looked at, and nothing is thrown.
   for (const double bad : {nan, infinity, -infinity}) {
     const std::string said = test::error_of([&] { Sea().over([&](glm::dvec2 p, double) { return p.x > 100.0 && p.y > 50.0 ? bad : 9.0; }); });
     EXPECT_EQ(said.rfind("sea_depth: the depth at x 1", 0), 0u) << said;

@@ -132,8 +132,9 @@ TEST_F(ShallowsTest, RunUpIsThatOfMeasuredBeaches) {
   EXPECT_NEAR(s->run_up_m() / s->swash_m(), 0.043 / 0.06, 1e-9);
 }
 
-// Hard case 6: where the bed stands at the water or above there is no water wave, no division and nothing that is no number.
-TEST_F(ShallowsTest, DryPlacesAreFinite) {
+// Hard case 6: where the bed stands at the water or above there is no water wave, no division and nothing that is no number. Control seen: shallow water's tables read without their case of no
+// depth (the logarithm of a negative depth).
+TEST_F(ShallowsTest, hard_6_dry_places_are_finite) {
   const auto s = shallows(island());
   for (const double depth : {0.0, -0.0, -1e-9, -5.0, 1e-9, 1e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
     const PlaceWaves waves = s->waves({3.0, 4.0}, depth);

@@ -26,8 +26,8 @@ std::string refusal(const InputSpec& spec) {
 }
 SplinePoint at(double x, double z, double width = 10.0) { return {{x, z}, width, glm::vec4(1.0f)}; }
 
-// Control seen: points_apart() that gives too few points all the same (the curve's assertion of two points or more, or NaN).
-TEST(ShoreLinesHard, Hard36ASplineOfNoLengthGivesNothingAndSaysSo) {
+// Of curves of no points, of one and of coincident ones there are no waves, and a message says what to do. Control seen: points_apart() that gives too few points all the same (the curve's assertion of two points or more, or NaN).
+TEST(ShoreLinesHard, hard_36_a_spline_of_no_length_gives_nothing_and_says_so) {
   for (const SplineInput& nothing : {SplineInput{}, SplineInput{{at(1, 1)}}, SplineInput{{at(1, 1), at(1, 1), at(1, 1)}}, SplineInput{{at(1, 1), at(2, 1), at(1, 1)}, true}}) {
     const InputSpec spec = along(nothing);
     EXPECT_TRUE(lines(spec).empty());
@@ -42,7 +42,8 @@ TEST(ShoreLinesHard, Hard36ASplineOfNoLengthGivesNothingAndSaysSo) {
   EXPECT_TRUE(lines(weightless).empty());
 }
 
-TEST(ShoreLinesHard, Hard03WhatIsNoNumberOrDoesNotGoTogetherIsRefusedByName) {
+// NaN in places, widths, values and edges, and what no waves run along, is refused with the key's name. Control seen: a blend of max let pass.
+TEST(ShoreLinesHard, hard_3_what_is_no_number_or_does_not_go_together_is_refused_by_name) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(along({{at(0, nan), at(9, 9)}})).find("points[0].at_m[1]: "), std::string::npos);
   EXPECT_NE(refusal(along({{at(0, 0), at(9, 9, nan)}})).find("points[1].width_m: "), std::string::npos);

@@ -32,7 +32,7 @@ double left(int level, double texels, double angle) {
 // Less than 0.5 % of the energy for all levels but the coarsest (truths.md, hard case 30, asks for 1 %), straight on and aslant; of the
 // coarsest 0.5 % up to 32 texels a wave and 2 % at 50, beyond which its share of waves ends. Controls seen: no border (90, 100 and 54 %
 // left); one twenty times as strong (0.76, 1.9 and 4.6 %).
-TEST(WaveBorder, GivesLittleBack) {
+TEST(WaveBorder, hard_30_a_border_gives_little_back) {
   if (test::sanitized) GTEST_SKIP() << "thousands of the steps that the other tests take";
   double fine = 0.0, coarse = 0.0, longest = 0.0;
   for (const double texels : {10.0, 16.0, 20.0}) fine = std::max(fine, left(0, texels, 0.0));

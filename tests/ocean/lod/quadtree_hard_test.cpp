@@ -245,7 +245,7 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
   }
 }
 
-// Hard case 19: the viewer exactly on corners of the tree, of every level.
+// Hard case 19: the viewer exactly on corners of the tree, of every level: 2:1 balance, no hole, no patch twice. Controls: those of hard_21 above, and TheTilingSeesADroppedPatch.
 TEST(QuadtreeHard, hard_19_quadtree_corner) {
   for (const Preset& preset : presets) {
     Quadtree tree(settings_of(preset, 1024.0));
@@ -287,7 +287,7 @@ TEST(QuadtreeHard, hard_20_jitter) {
   }
 }
 
-// Hard case 15 for the mesh: far from the world's origin the same list, and vertices relative to the viewer to 1 mm.
+// Hard case 15 for the mesh: far from the world's origin the same list, and vertices relative to the viewer to 1e-6 m. Control seen: the grid's origin in floats.
 TEST(QuadtreeHard, hard_15_a_million_metres_from_the_origin) {
   Quadtree tree{LodSettings{}};
   const glm::dvec3 near(12.34, 1.7, -56.78), far = near + glm::dvec3(1048576.0, 0.0, -2097152.0);

@@ -46,7 +46,7 @@ TEST(Dispersion, hard_7_depths_of_1e_6_and_1e6) {
 }
 
 TEST(Dispersion, hard_6_dry_land_and_no_wave) {
-  // Zeros, no division. Control: a depth of -1 let through gives the root of a negative number.
+  // Depths of 0 and less, and k = 0, give exactly 0 without a division. Control: a depth of -1 let through gives the root of a negative number.
   for (const double h : {0.0, -1.0, -1e6}) {
     EXPECT_EQ(airy_frequency(1, g, h), 0);
     EXPECT_EQ(airy_group_speed(1, g, h), 0);

@@ -158,10 +158,10 @@ TEST(Spectrum, young_sea_follows_hasselmann_1973) {
   EXPECT_NEAR(variance_of(sea) / m0, 1.0, 1e-4);
 }
 
-TEST(Spectrum, long_fetch_is_the_fully_developed_sea) {
-  // Control: without the cap on alpha it is passed by half its energy; with alpha falling on with fetch the sea of
+TEST(Spectrum, hard_5_long_fetch_is_the_fully_developed_sea) {
+  // Hard case 5: at fetches up to 1e9 m the sea is the fully developed one, and no higher. Control: without the cap on alpha it is passed by half its energy; with alpha falling on with fetch the sea of
   // 1e9 m was half as high (seen).
-  // (Hard case 5.) The short waves' part moves it by 0.2 % at most.
+  // The short waves' part moves it by 0.2 % at most.
   for (const double wind : {3.0, 10.0, 25.0, 60.0}) {
     double before = 0;
     for (const double fetch : {1e3, 1e4, 1e5, 1e6, 1e7, 1e9}) {
@@ -287,8 +287,8 @@ TEST(Spectrum, refuses_what_is_no_sea_by_name) {
   EXPECT_THROW(validate(WaveQuality{.cascades = 6}), Error);
 }
 
-TEST(Ladder, shares_add_to_one_and_vanish_inside_the_tile) {
-  // Hard case 34. Control: a band that rises but does not fall counts the overlaps twice.
+TEST(Ladder, hard_34_shares_add_to_one_and_vanish_inside_the_tile) {
+  // Hard case 34: the shares of all cascades add to 1 at every wave number, and vanish before a tile ends. Control: a band that rises but does not fall counts the overlaps twice.
   for (const double wind : {0.0, 3.0, 6.0, 10.0, 20.0, 40.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;

@@ -182,7 +182,7 @@ TEST(WaveBins, quality_never_changes_a_wave_that_it_keeps) {
     }
 }
 
-TEST(WaveBins, origin_and_edge_rows_are_zero) {
+TEST(WaveBins, hard_8_and_9_origin_and_edge_rows_are_zero) {
   // Hard cases 8 and 9, at every resolution. Control: starting the loops at -32 and keeping |m| = 32 fails.
   for (const int resolution : {16, 32, 64, 128, 256, 512}) {
     const WaveBins bins = make_wave_bins({}, {.resolution = resolution, .cascades = 5});
@@ -197,8 +197,8 @@ TEST(WaveBins, origin_and_edge_rows_are_zero) {
   }
 }
 
-TEST(WaveBins, no_wind_or_no_fetch_is_flat) {
-  // Hard cases 1 and 4. Control: a wind floored at 0.5 m/s leaves waves.
+TEST(WaveBins, hard_1_and_4_no_wind_or_no_fetch_is_flat) {
+  // Without wind, or without fetch, every bin of every spectrum has an amplitude of exactly 0 (hard cases 1 and 4). Control: a wind floored at 0.5 m/s leaves waves.
   for (const auto& [wind, fetch, spectrum] :
        {std::tuple{0.0, 300e3, WaveSpectrum::jonswap}, {10.0, 0.0, WaveSpectrum::jonswap}, {0.0, 0.0, WaveSpectrum::tma},
         {0.0, 300e3, WaveSpectrum::pierson_moskowitz}, {10.0, 0.0, WaveSpectrum::pierson_moskowitz},

@@ -164,7 +164,7 @@ TEST(WaveTiles, mip_levels_are_averages) {
         }
 }
 
-TEST(WaveTiles, mean_height_is_zero_and_variance_the_bins) {
+TEST(WaveTiles, hard_8_mean_height_is_zero_and_variance_the_bins) {
   // Hard case 8; drawn Hs, at places anywhere between texels, equals the sum of its own bins to 1 %, here over 24 times since
   // opposed waves beat. Controls: spectra halved once more give half the height; waves as high at texels as they are miss by 2.4 % (seen).
   const WaveField field(windy(), {.resolution = 128, .cascades = 4});
@@ -187,7 +187,7 @@ TEST(WaveTiles, mean_height_is_zero_and_variance_the_bins) {
   EXPECT_NEAR(std::sqrt(square / (times * places) / field.statistics().height_variance), 1, 0.01);
 }
 
-TEST(WaveTiles, bits_do_not_depend_on_threads_or_history) {
+TEST(WaveTiles, hard_10_bits_do_not_depend_on_threads_or_history) {
   // Hard cases 10 and 28's kin. Control: ticks added to those the tiles held.
   const WaveField field(windy(), {.resolution = 128, .cascades = 3});
   WaveTiles one(true), many(true);
