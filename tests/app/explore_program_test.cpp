@@ -159,8 +159,8 @@ TEST_F(OnADesktop, KeysAndMouseMoveRecordPhotographResizeAndClose) {
   expect_clean_end();
 }
 
-// Controls: a Window whose begin() always says should_render, or an Explorer that counts hidden time, fails here.
-TEST_F(OnADesktop, AHiddenWindowDrawsNothingAndComesBack) {
+// Minimised or taken off the screen, the window draws nothing, its path's clock stands, and it comes back with its picture. Controls: a Window whose begin() always says should_render, or an Explorer that counts hidden time, fails here.
+TEST_F(OnADesktop, hard_42_a_hidden_window_draws_nothing_and_comes_back) {
   start();
   WindowManager manager(display_);
   const ::Window window = std::stoul(window_);
@@ -203,7 +203,7 @@ TEST_F(OnADesktop, TwoViewsStandSideBySide) {
 }
 
 // The part of minimising that no virtual display without a window manager shows. Control: && for any of its || fails.
-TEST(Window, ShowsOnlyWithAnAreaOnTheScreen) {
+TEST(Window, hard_42_shows_only_with_an_area_on_the_screen) {
   EXPECT_TRUE(window_shows(1, 1, false, true));
   EXPECT_FALSE(window_shows(0, 0, false, true));
   EXPECT_FALSE(window_shows(640, 0, false, true));

@@ -102,6 +102,7 @@ TEST_F(Stereo, AnotherEyeDistanceIsSeen) {
   for (std::size_t eye = 0; eye < 2; ++eye) EXPECT_GT(differing_pixels(usual[eye], wider[eye]), 50);
 }
 
+// Two eyes at no distance with equal fields of view draw the same picture to the bit, which is also that of the one in the middle. Control: AnotherEyeDistanceIsSeen, above.
 TEST_F(Stereo, hard_39_eyes_at_no_distance_see_the_same) {
   for (const char* preset : {"low", "high"}) {
     ShotOptions options = small("storm", preset);
