@@ -107,7 +107,12 @@ TEST_F(LoopFaults, OfTheManifest) {
   EXPECT_NE(fault().find("not a whole number"), std::string::npos) << fault();
   manifest("\"texels\": 64.5", "\"texels\": 1024");
   EXPECT_NE(fault().find("out of range"), std::string::npos) << fault();
-  manifest("\"texels\": 1024", "\"texels\": 64");
+  // Told before any memory is taken. Control: the number of frames divided by their size (tests/mutants).
+  manifest("\"texels\": 1024", "\"texels\": 512");
+  manifest("\"frames\": 8", "\"frames\": 1000");
+  EXPECT_NE(fault().find("1000 frames of 512x512 texels take 3000 MiB"), std::string::npos) << fault();
+  manifest("\"frames\": 1000", "\"frames\": 8");
+  manifest("\"texels\": 512", "\"texels\": 64");
   manifest("\"size_m\": 90.0", "\"size_m\": -1");
   EXPECT_NE(fault().find("size_m"), std::string::npos) << fault();
   manifest("\"size_m\": -1", "\"size\": 90");

@@ -110,6 +110,8 @@ TEST(Settings, UnknownKeysNameTheNearest) {
   EXPECT_NE(fault_of("wind_speed", "9").find("'waves.wind_speed_mps'"), std::string::npos);
   EXPECT_NE(fault_of("water.wind_speed_mps", "9").find("'waves.wind_speed_mps'"), std::string::npos);
   EXPECT_EQ(fault_of("zzzzzzzzzzzzzz", "9").find("did you mean"), std::string::npos);
+  // What is left of a key after its group is too short to say anything. Control: the name's length and the point's place added (tests/mutants).
+  EXPECT_EQ(fault_of("zzzzzzzzzzzzzz.mps", "9").find("did you mean"), std::string::npos);
 }
 
 TEST(Settings, ValuesReachTheirMembers) {

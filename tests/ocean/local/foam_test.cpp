@@ -95,6 +95,14 @@ TEST(Foam, WhatIsNoNumberIsGoneWithinAStepAndToldOf) {
         if (!(foam.field().texels(slice)[i] >= 0.0f && foam.field().texels(slice)[i] <= 1.0f)) return false;
     return true;
   };
+  // Of what is a number nothing is told, be it none or all. Control: a gain of 0 taken for no number (tests/mutants).
+  for (const float covered : {0.0f, 0.5f, 1.0f}) {
+    Foam foam(s);
+    foam.follow(around(s, {0.0, 0.0}), 0.0f);
+    foam.fill(covered);
+    foam.step(0.1, [](const FoamRow&, std::span<float> per_s) { per_s[5] = 1.0f; });
+    EXPECT_FALSE(foam.take_fault()) << covered;
+  }
   for (const float bad : {nan, infinite, -infinite, -1.0f}) {
     Foam foam(s);
     foam.follow(around(s, {0.0, 0.0}), 0.0f);

@@ -224,7 +224,32 @@ TEST(Spray, EndsOnTheWater) {
   for (const Spray::Puff& p : spray.puffs()) EXPECT_GE(p.above_m, 0.0);
 }
 
-// At a million metres, over water that stands higher or is not there, from high above, and of no numbers. Control seen: the still water's height left out of place_m.
+// Drops hide more than mist; all of it less as eddies draw it apart, and nothing at the end of its life. Control: drops that hide less (tests/mutants).
+TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
+  Spray spray = spray_of(plenty(), storm());
+  std::vector<gpu::SprayPuff> shown(32768);
+  std::size_t compared = 0;
+  double least_drops = 1.0, most_drops = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const glm::dvec3 viewer = head + glm::dvec3(900.0 * i, 0.0, 0.0);
+    spray.update(50.0 + 13.0 * i, viewer);
+    const std::size_t n = spray.drawn(spray.step_s(), viewer, shown);
+    std::size_t next = 0;
+    for (const Spray::Puff& p : spray.puffs()) {
+      if (next == n || shown[next].look.x != float(p.shape)) continue;  // not to be seen
+      const gpu::SprayPuff& seen = shown[next++];
+      const double distance = glm::length(p.place_m - viewer), old = p.age_s / p.life_s;
+      if (p.age_s < 0.08 || (p.rising_mps < 0.0 && p.above_m < 0.2) || distance < 3.0 || distance > 33.0) continue;  // comes, goes, or is too near or far
+      EXPECT_NEAR(double(seen.streak.w), (0.4 + 0.4 * p.drops) * std::pow(p.radius_m / double(seen.place.w), 1.5) * std::pow(1.0 - old * old, 2.0), 1e-5);
+      least_drops = std::min(least_drops, p.drops), most_drops = std::max(most_drops, p.drops);
+      ++compared;
+    }
+    EXPECT_EQ(next, n);
+  }
+  EXPECT_GT(compared, 100u);
+  EXPECT_GT(most_drops - least_drops, 0.2);
+}
+
 TEST(Spray, KnowsItsPlace) {
   Spray far = spray_of(plenty(), storm());
   const glm::dvec3 away{1e6, 4.0, -3e6};
