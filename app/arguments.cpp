@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "app/command_options.h"
+#include "app/lab/lab.h"
 #include "app/quality.h"
 
 namespace seascape {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> command_names{"explore", "replay", "capture", "bake", "plan", "query", "validate", "doctor"};
+constexpr std::array<std::string_view, 9> command_names{"explore", "replay", "capture", "lab", "bake", "plan", "query", "validate", "doctor"};
 
 constexpr std::string_view overview = R"(Seascape: an ocean for virtual reality
 
@@ -22,6 +24,7 @@ Commands:
   explore    Fly, walk and ride over the sea, in a window or without a display (the default)
   replay     Draw a camera path to numbered pictures, the same bits every time
   capture    Measure frame times along a camera path: capture.csv, trace.json, report.html
+  lab        Measure what accuracy costs in time: curves.csv, plots, report.html
   bake       Record the waves of a scene as a loop of EXR pictures, for the effect baked
   plan       Say what a scene would build and run, why, its memory and its cost
   query      The surface's height, normal and velocity at points of a CSV file; needs no GPU
@@ -160,6 +163,22 @@ void add_capture(Options& options, Arguments& arguments) {
   options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
 }
 
+void add_lab(Options& options, Arguments& arguments) {
+  arguments.out = "out/lab";
+  std::vector<std::string_view> curves(std::begin(lab_curve_names), std::end(lab_curve_names));
+  curves.push_back("all");
+  options.choice("--curve", curves, "all", "One curve, or all of them", [&arguments, curves](int i) { arguments.curve = curves[static_cast<std::size_t>(i)]; });
+  options.flag("--quick", arguments.quick, "Fewer settings and rounds: all curves in five minutes on two cores, instead of forty");
+  options.flag("--recommend", arguments.recommend, "Names the quality settings on the front of the curve frame that fit --budget, from DIR/curves.csv where it is there");
+  options.option("--budget", "MS", "", "Milliseconds of a frame that --recommend may spend, as 4ms (0.01 to 10000)", [&arguments](const std::string& text) {
+    const std::string_view number = text.ends_with("ms") ? std::string_view(text).substr(0, text.size() - 2) : std::string_view(text);
+    const auto value = real_from(number);
+    if (!value || !(*value >= 0.01 && *value <= 10000.0)) refuse("--budget", in_quotes(text) + (value ? " is out of range" : " is not a time"), "give milliseconds from 0.01 to 10000, as 4ms");
+    arguments.budget_ms = *value;
+  });
+  options.text("--out", "DIR", arguments.out, "Folder of curves.csv, an SVG a plot and report.html; a run that was stopped goes on there");
+}
+
 void add_bake(Options& options, Arguments& arguments) {
   arguments.out = "out";
   arguments.fps = 4.0;
@@ -215,6 +234,8 @@ constexpr CommandRow commands[] = {
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
      "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1", add_capture},
+    {Command::lab, "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, for seas of 3, 10 and 25 m/s of wind.",
+     "  seascape lab --quick\n  seascape lab --curve query --out out/lab\n  seascape lab --recommend --budget 30ms", add_lab},
     {Command::bake, "Record the waves of a scene as a loop of EXR pictures of displacement, which the effect baked plays.",
      "  seascape bake --scene storm --frames 64 --fps 4 --size 128 --out loops/storm\n"
      "  seascape --scene baked --set baked.loop=loops/storm", add_bake},
@@ -258,6 +279,11 @@ Arguments parse_arguments(std::span<const std::string> words) {
   if (arguments.command == Command::query && (arguments.points.empty() || arguments.out.empty()))
     refuse(arguments.points.empty() ? "--points" : "--out", "a file is needed",
            "give both, as seascape query --points points.csv --out surface.csv");
+  if (arguments.recommend != (arguments.budget_ms > 0.0))
+    refuse(arguments.recommend ? "--budget" : "--recommend", arguments.recommend ? "a budget is needed" : "a budget needs it", "give both, as seascape lab --recommend --budget 30ms");
+  if (arguments.command == Command::lab)
+    for (const Override& one : arguments.overrides)
+      if (one.key != "waves.seed") refuse("--set", "the lab sets " + one.key + " itself", "leave it out; of the sea's settings it takes --seed alone");
   if (arguments.command == Command::validate && arguments.files.empty())
     refuse("", "no file to validate", "give one or more, as seascape validate scene.json");
   if (arguments.views == 2 && arguments.eye != Eye::centre)

@@ -10,7 +10,7 @@
 
 namespace seascape {
 
-enum class Command { text, explore, replay, capture, bake, plan, query, validate, doctor };
+enum class Command { text, explore, replay, capture, lab, bake, plan, query, validate, doctor };
 enum class DisplayKind { automatic, window, headset, headless };
 enum class Eye { left, right, centre };
 enum class PictureFormat { png, exr };
@@ -39,6 +39,10 @@ struct Arguments {
   PictureFormat format = PictureFormat::png;
   bool json = false;                // plan, doctor: machine-readable
   std::string matrix;               // plan: a folder for the plans of every preset; empty: none
+  std::string curve = "all";        // lab: of lab_curve_names
+  bool quick = false;               // lab
+  bool recommend = false;           // lab: names settings for budget_ms
+  double budget_ms = 0.0;           // lab: 0, none is given
   double time_s = 0.0;              // query
   double tile_m = 0.0;              // bake: the loop's side; 0: of the sea's own choice
   std::string points;               // query: CSV of x,z

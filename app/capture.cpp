@@ -2,13 +2,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <ctime>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "app/commands.h"
 #include "app/frame.h"
@@ -150,34 +147,6 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
   return result;
 }
 
-std::string processor_name() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name"))
-      if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
-  return {};
-}
-
-std::string date_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min);
-}
-
-Machine machine_of(const Program& program) {
-  const DeviceFacts& facts = program.device->facts();
-  Machine machine;
-  machine.device = facts.name;
-  machine.driver = facts.driver;
-  machine.cpu = processor_name();
-  machine.cores = int(std::thread::hardware_concurrency());
-  machine.build = build_name();
-  machine.date = date_utc();
-  machine.seed = program.scene.settings.sea.seed;
-  return machine;
-}
-
 void print_table(const std::vector<Measured>& all) {
   fmt::print("frame time in ms (the longer of CPU and GPU); interval: from one frame's begin to the next\n");
   fmt::print("{:<8} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {:>6} {:>6} {:>6} {:>6}  of frames\n", "preset", "frames", "min",
@@ -216,7 +185,7 @@ int run_capture(const Arguments& arguments) {
     if (all.empty()) {  // every fault that can be known is told before the long work
       (void)path_from(arguments, program.scene);
       make_output_directory(out);
-      machine = machine_of(program);
+      machine = machine_of(program.device->facts(), program.scene.settings.sea.seed);
     }
     all.push_back(measure(arguments, program, windows ? &*windows : nullptr));
   }

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/csv.h"
-#include "app/report_plots.h"
+#include "app/svg.h"
 #include "engine/text.h"
 
 namespace seascape {

@@ -90,6 +90,11 @@ CostSubject::CostSubject(Device& device, ShaderLibrary& shaders, const Scene& sc
 
 double CostSubject::draw_ms(int n) {
   const Scene& scene = experience_.scene();
+  return draw_ms(scene.start, scene.settings.time_start_s + n / 30.0);
+}
+
+double CostSubject::draw_ms(const Pose& from, double time_s, double pixels_per_radian) {
+  const Scene& scene = experience_.scene();
   HeadlessOptions shown;
   shown.width = experience_.options().width;
   shown.height = experience_.options().height;
@@ -101,7 +106,9 @@ double CostSubject::draw_ms(int n) {
   const Clock::time_point start = Clock::now();
   display.begin();
   frame.begin();
-  draw_frame(experience_, frame, display.viewpoint(scene.start), scene.settings.time_start_s + n / 30.0);
+  Viewpoint seen = display.viewpoint(from);
+  if (pixels_per_radian > 0.0) seen.pixels_per_radian = pixels_per_radian;
+  draw_frame(experience_, frame, seen, time_s);
   display.end(frame, &experience_.picture());
   frame.finish();
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -109,7 +116,7 @@ double CostSubject::draw_ms(int n) {
 
 Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds) {
   Cost cost;
-  std::vector<double> ms(std::size_t(frames), 0.0);
+  std::vector<double> ms;
   for (int round = 0; round < rounds; ++round) {
     const bool with_first = round % 2 == 0;
     std::unique_ptr<CostSubject> with, without;
@@ -120,7 +127,7 @@ Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, i
     for (int n = 0; n < frames; ++n) {
       const bool first = n % 2 == 0;  // whatever a frame leaves to the next in the machine's caches, either leaves it as often
       const double a = (first ? *with : *without).draw_ms(n + 2), b = (first ? *without : *with).draw_ms(n + 2);
-      ms[std::size_t(n)] += (first ? a - b : b - a) / rounds;
+      ms.push_back(first ? a - b : b - a);
     }
   }
   cost.ms = median_interval(ms);

@@ -18,6 +18,8 @@ class CostSubject {
 
   // Draws one frame of the sea's time `n` frames on, and waits for it: milliseconds of CPU and GPU together.
   double draw_ms(int n);
+  // The same from another place at a time; `pixels_per_radian` above 0: with the mesh of a picture that has so many.
+  double draw_ms(const Pose& from, double time_s, double pixels_per_radian = 0.0);
 
   // What it is built of, and records in a frame: all but the time.
   const Cost& holds() const { return holds_; }
@@ -32,7 +34,7 @@ class CostSubject {
 
 // What one scene has more than another. `frames` of either are timed, in turn, each first as often as the other; and all of it `rounds` times, an even
 // number, with the one built first and with the other: where a scene's memory comes to lie makes it faster or slower than its twin by some per cent
-// (measured: 5), and a frame's time is the mean of all rounds.
+// (measured: 5). The interval is that of the median of all differences of two frames in turn (a mean of rounds is no better than its worst frame is).
 using MakeSubject = std::function<std::unique_ptr<CostSubject>()>;
 Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds);
 

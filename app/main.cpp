@@ -21,6 +21,7 @@ int run(const Arguments& arguments) {
     case Command::explore: return run_explore(arguments);
     case Command::replay: return run_replay(arguments);
     case Command::capture: return run_capture(arguments);
+    case Command::lab: return run_lab(arguments);
     case Command::bake: return run_bake(arguments);
     case Command::plan: return run_plan(arguments);
     case Command::query: return run_query(arguments);

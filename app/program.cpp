@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <fstream>
 #include <glm/gtc/packing.hpp>
+#include <thread>
 
 #include "app/quality.h"
 #include "engine/error.h"
@@ -22,6 +25,21 @@ bool environment_says(const char* name) {
 DeviceClass device_class(const DeviceFacts& facts) {
   if (facts.software) return DeviceClass::software;
   return facts.kind == "discrete" ? DeviceClass::discrete : DeviceClass::integrated;
+}
+
+std::string processor_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name"))
+      if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return {};
+}
+
+std::string date_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min);
 }
 
 }  // namespace
@@ -93,6 +111,18 @@ HeadlessOptions headless_options(const Arguments& arguments, const RenderSetting
   options.eye_distance_m = render.eye_distance_m;
   options.eye = arguments.eye == Eye::left ? -1 : arguments.eye == Eye::right ? 1 : 0;
   return options;
+}
+
+Machine machine_of(const DeviceFacts& facts, std::uint64_t seed) {
+  Machine machine;
+  machine.device = facts.name;
+  machine.driver = facts.driver;
+  machine.cpu = processor_name();
+  machine.cores = int(std::thread::hardware_concurrency());
+  machine.build = build_name();
+  machine.date = date_utc();
+  machine.seed = seed;
+  return machine;
 }
 
 std::string build_name() {

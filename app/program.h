@@ -5,6 +5,7 @@
 
 #include "app/arguments.h"
 #include "app/experience.h"
+#include "app/report_page.h"
 #include "engine/image_file.h"
 #include "platform/headless.h"
 
@@ -37,6 +38,9 @@ int frames_of(const CameraPath& path, double fps);
 
 // The size, eyes and field of view that the command line and the scene ask of a display without a screen.
 HeadlessOptions headless_options(const Arguments& arguments, const RenderSettings& render);
+
+// This machine with a device, now.
+Machine machine_of(const DeviceFacts& facts, std::uint64_t seed);
 
 // "seascape 0.1, release, GCC 12.2.0".
 std::string build_name();

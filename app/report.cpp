@@ -7,21 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "app/csv.h"
+#include "app/report_page.h"
 #include "app/report_plots.h"
 #include "app/statistics.h"
+#include "app/svg.h"
 #include "engine/files.h"
 
 namespace seascape {
 
 namespace {
-
-// RFC 4180: a field with a comma, quote or line end goes into quotes, quotes inside are doubled.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
 
 // In the order in which they are first met.
 std::vector<std::string> all_passes(const std::vector<CaptureRun>& runs) {
@@ -62,12 +57,6 @@ std::string grouped(std::uint64_t value) {
   std::string text = std::to_string(value);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, "\u202f");
   return text;
-}
-
-bool software(const Machine& machine) {
-  for (const char* name : {"llvmpipe", "lavapipe", "SwiftShader"})
-    if (machine.device.find(name) != std::string::npos || machine.driver.find(name) != std::string::npos) return true;
-  return false;
 }
 
 std::string summary_table(const std::vector<CaptureRun>& runs) {
@@ -123,49 +112,23 @@ std::string memory_table(const std::vector<CaptureRun>& runs) {
 }
 
 std::string machine_list(const Machine& machine, const std::vector<CaptureRun>& runs) {
-  std::string text = "<dl>";
-  const auto row = [&](const char* name, const std::string& value) {
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>", name, value.empty() ? "not known" : html_escaped(value));
-  };
-  row("Device", machine.device);
-  row("Driver", machine.driver);
-  row("Processor", fmt::format("{}, {} cores", machine.cpu.empty() ? "not known" : machine.cpu, machine.cores));
-  row("Build", machine.build);
-  row("Date", machine.date);
-  row("Seed", std::to_string(machine.seed));
+  std::string text = "<dl>" + machine_rows(machine);
   std::string scenes;
   for (const CaptureRun& run : runs) {
     const std::string scene = run.path.empty() || run.path == run.scene ? run.scene : run.scene + " along " + run.path;
     if (scenes.find(scene) == std::string::npos) scenes += (scenes.empty() ? "" : ", ") + scene;
   }
-  row("Scene", scenes);
+  text += list_row("Scene", scenes);
   std::string pictures;  // once where all runs have the same
   for (const CaptureRun& run : runs) {
     const std::string picture = fmt::format("{} × {}, {}, {} × MSAA", run.width, run.height,
                                             run.views == 1 ? "1 view" : fmt::format("{} views", run.views), run.msaa);
     if (pictures.find(picture) == std::string::npos) pictures += (pictures.empty() ? "" : "; ") + picture;
   }
-  row("Picture", pictures);
-  if (!runs.empty()) row("Warm-up", fmt::format("{} frames, not counted", runs.front().warmup));
+  text += list_row("Picture", pictures);
+  if (!runs.empty()) text += list_row("Warm-up", fmt::format("{} frames, not counted", runs.front().warmup));
   return text + "</dl>\n";
 }
-
-constexpr const char* style = R"(
-:root{--page:#fbfcfd;--ink:#1b2530;--quiet:#5a6875;--line:#d5dce2;--good:#0b6e4f;--fair:#8a5a00;--bad:#b3261e;
---c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#9c4f96;--c4:#b07d00;--c5:#3a9bd1;--c6:#7a5230;--c7:#5f6b76}
-@media (prefers-color-scheme:dark){:root{--page:#11171c;--ink:#e3e9ee;--quiet:#9aa8b4;--line:#33404b;--good:#5fd3a5;--fair:#e8b64c;
---bad:#ff8a7d;--c0:#5cb3ec;--c1:#ff9155;--c2:#3fd0a0;--c3:#d78fd0;--c4:#e2b23f;--c5:#9bd4f5;--c6:#c79a70;--c7:#a3afba}}
-body{background:var(--page);color:var(--ink);font:16px/1.5 system-ui,sans-serif;max-width:1080px;margin:2rem auto;padding:0 1.2rem}
-h1{font-size:1.7rem;margin:0 0 .6rem}h2{font-size:1.15rem;margin:2.2rem 0 .4rem}p{margin:.4rem 0;max-width:75ch}
-.verdict{font-size:1.08rem}.note,figcaption{color:var(--quiet);font-size:.9rem}
-table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}
-th,td{padding:.3rem .5rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
-thead th{font-weight:600;color:var(--quiet);text-align:center}tbody th{text-align:left}
-.good{color:var(--good)}.fair{color:var(--fair)}.bad{color:var(--bad)}
-dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;font-size:.92rem}dt{color:var(--quiet)}dd{margin:0}
-figure{margin:.6rem 0}svg{width:100%;height:auto;display:block}svg text{fill:var(--ink);font:13px system-ui,sans-serif}
-svg .quiet{fill:var(--quiet)}svg .axis{stroke:var(--line)}svg .budget{stroke:var(--quiet);stroke-dasharray:5 4}
-)";
 
 }  // namespace
 
@@ -184,13 +147,13 @@ std::vector<double> frame_times_ms(const CaptureRun& run) {
 std::string capture_csv(const std::vector<CaptureRun>& runs) {
   const std::vector<std::string> passes = all_passes(runs);
   std::string text = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
-  for (const std::string& name : passes) text += "," + csv_field("gpu_" + name + "_ms");
+  for (const std::string& name : passes) text += "," + csv_cell("gpu_" + name + "_ms");
   text += "\n";
   for (const CaptureRun& run : runs) {
     std::vector<std::size_t> column(passes.size());  // of the run's own passes; past their end: none
     for (std::size_t i = 0; i < passes.size(); ++i)
       column[i] = static_cast<std::size_t>(std::find(run.pass_names.begin(), run.pass_names.end(), passes[i]) - run.pass_names.begin());
-    const std::string start = csv_field(run.scene) + "," + csv_field(run.preset);
+    const std::string start = csv_cell(run.scene) + "," + csv_cell(run.preset);
     for (const CaptureFrame& frame : run.frames) {
       const double ms = frame_ms(frame);
       fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.4f},{:.4f},{},{},{},{:d},{:d},{:d}", start, frame.frame,
@@ -224,10 +187,7 @@ std::string conclusion(const CaptureRun& run) {
 std::string report_html(const Machine& machine, const std::vector<CaptureRun>& runs) {
   std::string title = "Seascape capture";
   if (!runs.empty()) title += ": " + runs.front().scene;
-  std::string text = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
-      "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n", html_escaped(title), style);
+  std::string text = page_head(title);
   std::size_t fewest = runs.empty() ? 0 : runs.front().frames.size();
   for (const CaptureRun& run : runs) {
     text += "<p class=\"verdict\">" + html_escaped(conclusion(run)) + "</p>\n";
@@ -249,7 +209,7 @@ std::string report_html(const Machine& machine, const std::vector<CaptureRun>& r
     text += "<h2>Spread of frame times</h2>\n" + histogram_plot(runs);
     text += memory_table(runs);
   }
-  return text + "</body>\n</html>\n";
+  return text + page_end;
 }
 
 void write_capture_csv(const std::filesystem::path& file, const std::vector<CaptureRun>& runs) {

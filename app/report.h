@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/report_page.h"
+
 namespace seascape {
 
 struct CaptureFrame {
@@ -29,13 +31,6 @@ struct CaptureRun {
   std::vector<std::string> pass_names;
   std::vector<CaptureFrame> frames;
   std::vector<MemoryUse> memory;
-};
-
-struct Machine {
-  std::string device, driver, cpu;
-  int cores = 0;
-  std::string build, date;  // build: version and configuration
-  std::uint64_t seed = 0;
 };
 
 // What a display waits for: the longer of CPU and GPU, which work on different frames at the same time. Milliseconds; NaN if

@@ -7,45 +7,11 @@
 #include <fmt/format.h>
 
 #include "app/statistics.h"
+#include "app/svg.h"
 
 namespace seascape {
 
 namespace {
-
-constexpr double plot_width = 1000.0, left_edge = 64.0, right_edge = 112.0;  // of the whole picture; units are SVG's
-constexpr int colours = 8;
-
-std::string colour(std::size_t index) { return fmt::format("var(--c{})", index % colours); }
-
-std::string open_svg(double height, const std::string& description) {
-  return fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", plot_width, height,
-                     html_escaped(description));
-}
-
-std::string text_at(double x, double y, const std::string& text, const char* anchor = "start", bool quiet = true,
-                    const std::string& fill = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}{}>{}</text>\n", x, y, anchor,
-                     quiet ? " class=\"quiet\"" : "", fill.empty() ? "" : fmt::format(" style=\"fill:{}\"", fill),
-                     html_escaped(text));
-}
-
-std::string line(double x0, double y0, double x1, double y1, const char* kind) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1, kind);
-}
-
-// A round step (1, 2 or 5 times a power of ten) that divides `span` into at most `most` parts.
-double round_step(double span, int most) {
-  const double least = span / most;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least * (1.0 - 1e-12)) return factor * power;
-  return 10.0 * power;
-}
-
-std::string tick_text(double value, double step) {
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  return fmt::format("{:.{}f}", value, digits);
-}
 
 // The top of the scale of frame times: what holds 99 % of every run and the slowest budget; a few outliers go past it.
 double top_ms(const std::vector<CaptureRun>& runs) {
@@ -55,40 +21,6 @@ double top_ms(const std::vector<CaptureRun>& runs) {
     top = std::max(top, std::min(summary.max, 1.3 * summary.p99) * 1.08);
   }
   return top;
-}
-
-struct Legend {
-  std::string name, fill;
-};
-
-std::string legend(const std::vector<Legend>& entries, double y) {
-  std::string text;
-  double x = left_edge;
-  for (const Legend& entry : entries) {
-    const double width = 28.0 + 8.0 * static_cast<double>(entry.name.size());
-    if (x + width > plot_width) {
-      x = left_edge;
-      y += 20.0;
-    }
-    text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" rx=\"2\" style=\"fill:{}\"/>\n", x, y - 11.0,
-                        entry.fill);
-    text += text_at(x + 18.0, y, entry.name, "start", false);
-    x += width + 8.0;
-  }
-  return text;
-}
-
-double legend_height(const std::vector<Legend>& entries) {
-  double x = left_edge, height = 24.0;
-  for (const Legend& entry : entries) {
-    const double width = 28.0 + 8.0 * static_cast<double>(entry.name.size());
-    if (x + width > plot_width) {
-      x = left_edge;
-      height += 20.0;
-    }
-    x += width + 8.0;
-  }
-  return height;
 }
 
 // Points of a line, at most two for each step across the picture: the least and the greatest there, so that no spike is lost.
@@ -113,21 +45,6 @@ double mean_pass_ms(const CaptureRun& run, std::size_t pass) {
 }
 
 }  // namespace
-
-std::string html_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') ? '?' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string run_label(const CaptureRun& run, const std::vector<CaptureRun>& runs) {
   const bool plain = std::all_of(runs.begin(), runs.end(), [&](const CaptureRun& other) {

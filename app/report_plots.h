@@ -1,15 +1,11 @@
 // The plots of report.html, as SVG text that takes its colours from the page.
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/report.h"
 
 namespace seascape {
-
-// For text between tags and in attributes.
-std::string html_escaped(std::string_view text);
 
 // "low", or "storm / low" where the runs are of several scenes or a preset comes twice.
 std::string run_label(const CaptureRun& run, const std::vector<CaptureRun>& runs);

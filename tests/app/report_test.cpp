@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/report_plots.h"
+#include "app/svg.h"
 #include "engine/files.h"
 #include "tests/support/capture_sample.h"
 #include "tests/support/temporary_folder.h"

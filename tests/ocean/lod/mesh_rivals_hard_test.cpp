@@ -3,8 +3,9 @@
 
 #include <string>
 
+#include "app/lab/screen_error.h"
 #include "app/scene.h"
-#include "tests/ocean/lod/screen_error.h"
+#include "tests/ocean/lod/lod_support.h"
 
 namespace seascape {
 namespace {

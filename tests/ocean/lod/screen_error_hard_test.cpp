@@ -1,6 +1,6 @@
 // The largest distance in pixels between what is drawn and a surface with eight times the vertices a side is within the preset's
 // figure: 8, 4, 2 and 1 pixels of a headset's picture.
-#include "tests/ocean/lod/screen_error.h"
+#include "app/lab/screen_error.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/scene.h"
+#include "tests/ocean/lod/lod_support.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {

@@ -8,8 +8,9 @@
 #include <string>
 #include <tuple>
 
+#include "app/lab/screen_error.h"
 #include "app/scene.h"
-#include "tests/ocean/lod/screen_error.h"
+#include "tests/ocean/lod/lod_support.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -54,7 +55,7 @@ Dropped look(const char* scene, const char* preset, int poses, double scale) {
     result.listed += static_cast<int>(before.size());
     std::array<glm::dmat4, 2> clip;
     for (std::size_t e = 0; e < 2; ++e) clip[e] = projection(view.eyes[e].fov, 0.001) * eye_from_relative(view.eyes[e].pose, view.viewer.position_m);
-    const Drawn drawn{field, tiles, selection};
+    const DrawnMesh drawn{field, tiles, selection};
     std::size_t kept = 0;
     for (const gpu::PatchInstance& p : before) {
       if (kept < selection.patches.size() && selection.patches[kept].corner == p.corner && selection.patches[kept].stride == p.stride && selection.patches[kept].flags == p.flags) {

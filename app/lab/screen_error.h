@@ -5,18 +5,21 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "ocean/lod/patch_mesh.h"
+#include "ocean/lod/quadtree.h"
 #include "ocean/lod/water_below.h"
 #include "ocean/waves/query.h"
-#include "tests/ocean/lod/lod_support.h"
+#include "shaders/shared/patch_vertex.h"
 
-namespace seascape::lod_test {
+namespace seascape {
 
 // A headset's picture: 1680 x 1760 an eye, 100 degrees up and down.
 inline constexpr double headset_height_px = 1760.0, headset_fov_deg = 100.0, headset_aspect = 1680.0 / 1760.0;
 
-struct Drawn {
+struct DrawnMesh {
   const WaveField& field;
   const WaveTiles& tiles;
   const SurfaceSelection& selection;
@@ -103,14 +106,14 @@ inline Viewpoint pose_over(const WaveField& field, const WaveTiles& tiles, std::
 }
 
 // Adds the points of one picture: of every patch in the list `per_patch` triangles' corners, edges or insides.
-inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch, std::mt19937& random, ScreenError& to) {
+inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_patch, std::mt19937& random, ScreenError& to) {
   static const std::vector<std::uint16_t> indices = patch_indices(gpu::patch_quads);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   ++to.poses;
   to.triangles += static_cast<double>(drawn.selection.patches.size() * indices.size() / 3);
   const glm::dmat4 clip[2] = {projection(view.eyes[0].fov, 0.1) * eye_from_relative(view.eyes[0].pose, view.viewer.position_m),
                               projection(view.eyes[1].fov, 0.1) * eye_from_relative(view.eyes[1].pose, view.viewer.position_m)};
-  std::array<std::optional<Drawn::Vertex>, (gpu::patch_quads + 1) * (gpu::patch_quads + 1)> vertices;
+  std::array<std::optional<DrawnMesh::Vertex>, (gpu::patch_quads + 1) * (gpu::patch_quads + 1)> vertices;
   for (const gpu::PatchInstance& p : drawn.selection.patches) {
     vertices.fill(std::nullopt);
     const auto vertex = [&](std::uint16_t index) {
@@ -119,7 +122,7 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
     };
     for (int n = 0; n < per_patch; ++n) {
       const std::size_t t = 3 * (random() % (indices.size() / 3));
-      const std::array<Drawn::Vertex, 3> v{vertex(indices[t]), vertex(indices[t + 1]), vertex(indices[t + 2])};
+      const std::array<DrawnMesh::Vertex, 3> v{vertex(indices[t]), vertex(indices[t + 1]), vertex(indices[t + 2])};
       double a = unit(random), b = unit(random);
       if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
       if (n % 4 == 1) a = 0.0, b = 0.5;          // the middle of an edge: the one across a quad
@@ -150,7 +153,7 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
       to.pixels.push_back(static_cast<float>(pixels));
       if (pixels > to.worst) {
         to.worst = pixels;
-        to.where = std::string(is_skirt(p) ? "skirt" : "level " + std::to_string(level_of(p))) + ", vertices " + std::to_string(p.stride * drawn.selection.unit_m) +
+        to.where = std::string((p.flags & gpu::patch_skirt) != 0u ? "skirt" : "level " + std::to_string(gpu::patch_level(p.flags))) + ", vertices " + std::to_string(p.stride * drawn.selection.unit_m) +
                    " m apart, footprint " + std::to_string(8.0 * footprint) + " m, at " + std::to_string(range) + " m, rest " +
                    std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) + " m off, by the levels' law " +
                    std::to_string(static_cast<double>(gpu::morph_distance(drawn.selection.morph, glm::vec2((rest - drawn.selection.grid_origin_m) / drawn.selection.unit_m))) * drawn.selection.unit_m) + " m, eye " +
@@ -160,4 +163,4 @@ inline void add_picture(const Drawn& drawn, const Viewpoint& view, int per_patch
   }
 }
 
-}  // namespace seascape::lod_test
+}  // namespace seascape

@@ -1,0 +1,57 @@
+// The front of time and error against looking at every pair, and how far a point is off it.
+#include "app/lab/pareto.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace seascape {
+namespace {
+
+bool beats(const Tradeoff& a, const Tradeoff& b) { return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error); }
+
+// Every pair of 200 random points, ties among them. Control seen: `<=` for the error of the next on the front (equal points doubled).
+TEST(Pareto, TheFrontIsWhatNoOtherBeats) {
+  std::mt19937 random(3);
+  for (int draw = 0; draw < 20; ++draw) {
+    std::vector<Tradeoff> points;
+    for (int i = 0; i < 200; ++i) points.push_back({double(random() % 40), double(random() % 40)});
+    std::vector<bool> on(points.size(), false);
+    double before = -1.0;
+    for (const std::size_t i : pareto_front(points)) {
+      on[i] = true;
+      EXPECT_GT(points[i].time, before) << "ascending in time";
+      before = points[i].time;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      bool beaten = false, earlier = false;
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        beaten = beaten || beats(points[j], points[i]);
+        earlier = earlier || (j < i && points[j].time == points[i].time && points[j].error == points[i].error);
+      }
+      EXPECT_EQ(on[i], !beaten && !earlier) << i;
+    }
+  }
+  EXPECT_TRUE(pareto_front({}).empty());
+}
+
+// Control seen: the greater of the two factors in place of the less.
+TEST(Pareto, OffTheFrontIsTheFactorThatWouldFreeIt) {
+  const std::vector<Tradeoff> others{{1.0, 8.0}, {2.0, 4.0}, {4.0, 1.0}};
+  EXPECT_EQ(off_front({0.5, 100.0}, others), 1.0) << "the quickest";
+  EXPECT_EQ(off_front({2.0, 4.0}, others), 1.0) << "equal to one";
+  EXPECT_NEAR(off_front({2.2, 4.1}, others), 4.1 / 4.0, 1e-12);
+  EXPECT_NEAR(off_front({6.0, 4.0}, others), 1.5, 1e-12) << "1.5 times as long as the third, with more error; and 3 times the second with as much";
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> within(0.1, 9.0);
+  for (int i = 0; i < 2000; ++i) {  // better by a little more in both: nobody beats it
+    const Tradeoff p{within(random), within(random)};
+    const double f = off_front(p, others) * (1.0 + 1e-9);
+    for (const Tradeoff& o : others) EXPECT_FALSE(beats(o, {p.time / f, p.error / f}) && f > 1.0 + 1e-8);
+  }
+  EXPECT_TRUE(std::isinf(off_front({1.0, 1.0}, std::vector<Tradeoff>{{0.0, 0.0}})));
+}
+
+}  // namespace
+}  // namespace seascape
