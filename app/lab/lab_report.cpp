@@ -60,7 +60,7 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
   std::string text;
   const auto ticks = [](const Scale& s) {
     std::vector<double> marks;
-    const bool narrow = s.to - s.from < 1.2;
+    const bool narrow = s.to - s.from < 2.2;
     for (int power = int(std::floor(s.from)); power <= int(std::ceil(s.to)); ++power)
       for (const double m : narrow ? std::vector<double>{1.0, 2.0, 5.0} : std::vector<double>{1.0})
         if (const double at = power + std::log10(m); at >= s.from && at <= s.to) marks.push_back(m * std::pow(10.0, power));
@@ -200,9 +200,21 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
     text += law.steps ? fmt::format(" {}: each step leaves {} of the error (theory: {}; {}).", law.knob, figure(power), figure(stated_power(law, points_of(points, curve.name), sea)), law.why)
                       : fmt::format(" {}: the error goes with the power {} of it (theory {}: {}).", law.knob, figure(power), figure(stated_power(law, points_of(points, curve.name), sea)), law.why);
   }
+  // Presets that are as far off stand in one sentence.
   const std::map<std::string, double> off = presets_off_front(curve.name, points);
-  for (const auto& [preset, factor] : off)
-    text += factor > 1.0 ? fmt::format(" {} is {:.0f} % off the front.", preset, 100.0 * (factor - 1.0)) : fmt::format(" {} lies on the front.", preset);
+  std::vector<std::string> said_of;
+  for (const std::string_view preset : preset_names()) {
+    const auto found = off.find(std::string(preset));
+    if (found == off.end() || std::find(said_of.begin(), said_of.end(), found->first) != said_of.end()) continue;
+    std::string names;
+    for (const std::string_view other : preset_names())
+      if (const auto same = off.find(std::string(other)); same != off.end() && same->second == found->second) {
+        names += (names.empty() ? "" : ", ") + same->first;
+        said_of.push_back(same->first);
+      }
+    const double per_cent = 100.0 * (found->second - 1.0);
+    text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names) : fmt::format(" Off the front by {:.0f} %: {}.", per_cent, names);
+  }
   return text;
 }
 
@@ -235,7 +247,8 @@ std::string lab_html(const std::vector<LabCurve>& curves, const std::vector<LabP
     const std::vector<std::string> units = error_units(curve.name, points);
     if (units.empty()) continue;
     text += fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"verdict\">{}</p>\n", curve.name, html_escaped(curve.title), html_escaped(conclusion(curve, points)));
-    for (const std::string& unit : units) text += curve_plot(curve, points, unit);
+    for (const std::string& unit : units)
+      if (std::none_of(curve.laws.begin(), curve.laws.end(), [&](const LabLaw& law) { return law.predicted == unit; })) text += curve_plot(curve, points, unit);
   }
   return text + page_end;
 }

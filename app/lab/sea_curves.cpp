@@ -203,11 +203,8 @@ std::vector<LabTask> transform_tasks(double wind_mps, const LabOptions& options)
     for (const bool halves : {false, true})
       for (int n = full / 4; n <= 4 * full; n *= 2) {
         const auto work = std::make_shared<Transformed>(*bins, cascade, n, slopes, halves);
-        // Tiles are larger than their waves need, for queries and pictures read between texels.
-        const bool shipped = n == (cascade == 0 ? longest_tile_samples : 256);
-        const std::string preset = !shipped ? "" : halves ? "low medium" : cascade == 0 ? "high ultra" : "high";
         tasks.push_back({std::string(slopes ? "slope, " : "height, ") + (halves ? "16-bit storage" : "32-bit"), double(n), [=] { work->run(); }, 1.0,
-                         [=] { return work->errors(*bins, options.seed); }, preset, ""});
+                         [=] { return work->errors(*bins, options.seed); }, "", ""});
       }
   return tasks;
 }

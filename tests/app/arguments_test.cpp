@@ -88,7 +88,7 @@ TEST(Arguments, OverridesComeInOrderAndReachTheScene) {
 // Control: leaving CLI11's own conversions in place gives other words, and none of the ranges.
 TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
-      {"expore", "unknown command 'expore' (did you mean 'explore'?); take explore, replay, capture, bake, plan, query, validate or "
+      {"expore", "unknown command 'expore' (did you mean 'explore'?); take explore, replay, capture, lab, bake, plan, query, validate or "
                  "doctor; see seascape --help"},
       {"replay --frame 3", "unknown option '--frame' (did you mean '--frames'?); see seascape replay --help"},
       {"replay --sett a=b", "unknown option '--sett' (did you mean '--set'?); see seascape replay --help"},
