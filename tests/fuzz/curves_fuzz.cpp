@@ -1,0 +1,24 @@
+// Any bytes as curves.csv: read or refused; what is read is finite, survives being written, and can be plotted and told of.
+#include "app/lab/lab_report.h"
+
+#include <cmath>
+
+#include "tests/fuzz/fuzz.h"
+
+using namespace seascape;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::reads([&] {
+    const LabRows rows = parse_curves_csv(fuzz::text_of(data, size), "curves.csv");
+    for (const LabPoint& p : rows.points) fuzz::require(std::isfinite(p.time_us.median) && std::isfinite(p.error.value) && p.error.value >= 0.0, "points are finite");
+    if (rows.points.empty()) return;
+    const std::string text = curves_csv(rows.points, rows.origin);
+    const LabRows again = parse_curves_csv(text, "written.csv");
+    fuzz::require(curves_csv(again.points, again.origin) == text, "written points read back the same");
+    const LabCurve curve{rows.points.front().curve, "Title", "time", {{"k", false, 1.0, 1.0, 0.0, 1e9, "why"}}, true, false, {}, {}};
+    const std::string page = lab_html({curve}, rows.points, rows.origin) + lab_table({curve}, rows.points);
+    fuzz::require(page.find("\"nan\"") == std::string::npos && page.find("\"inf\"") == std::string::npos, "plots are finite");
+    (void)recommended(rows.points, 1e3, "U10");
+  });
+  return 0;
+}
