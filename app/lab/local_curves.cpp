@@ -98,7 +98,7 @@ std::vector<LabTask> dynamic_tasks(double wind_mps, const LabOptions& options) {
       const auto missed = [=]() -> std::vector<LabError> {
         double miss = 0.0, size = 0.0;
         for (std::size_t i = 0; i < truth->result.size(); ++i) miss += std::norm(pushed->result[i] - truth->result[i]), size += std::norm(truth->result[i]);
-        return {{std::sqrt(miss / size), "of the waves, rms"}};
+        return {{std::sqrt(miss / size), alone ? "of one level's waves, without a border, rms" : "of the waves, rms"}};
       };
       tasks.push_back({alone ? "rate in Hz, one level without a border" : "dynamic_waves.rate_hz", rate, [=] { alone ? pushed->run_alone() : pushed->run(); }, pushed->seconds(), missed,
                        !alone && rate == 60.0 ? "low medium high ultra" : "", alone ? "" : "dynamic_waves.rate_hz=" + std::to_string(int(rate))});
@@ -225,7 +225,7 @@ std::vector<LabTask> fresnel_tasks(double wind_mps, const LabOptions& options) {
 std::vector<LabCurve> local_curves() {
   return {
       {"dynamic", "Rate of dynamic waves", "a second of the sea",
-       {{"rate in Hz, one level", false, -2.0, 0.2, 15.0, 120.0, "a push that lasts for a step and stands at its middle is of second order; the border, taken after each step, is of first"}}, true, false, dynamic_tasks},
+       {{"rate in Hz, one level", false, -2.0, 0.2, 15.0, 120.0, "a push that lasts for a step and stands at its middle is of second order; the border, taken after each step, is of first", "of one level's waves, without a border, rms"}}, true, false, dynamic_tasks},
       {"texel", "Texels of local data", "a square as wide as the wind in a second",
        {{"texel", false, 2.0, 0.15, 0.01, 0.08, "straight lines between texels are of second order (lod_field.h)"}}, true, false, texel_tasks},
       {"fresnel", "Fresnel's reflection", "one facet",
