@@ -41,8 +41,8 @@ std::vector<Tradeoff> tradeoffs(const std::vector<LabPoint>& points) {
   return all;
 }
 
-// Three figures, as they are said.
-std::string figure(double value) { return fmt::format("{:.3g}", value); }
+// Three figures, as they are said; whole numbers below 10,000 whole.
+std::string figure(double value) { return std::abs(value) < 1e4 && value == std::round(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value); }
 std::string time_text(double us) {
   return us < 1.0 ? figure(1e3 * us) + " ns" : us < 1e3 ? figure(us) + " us" : us < 1e6 ? figure(1e-3 * us) + " ms" : figure(1e-6 * us) + " s";
 }
@@ -104,7 +104,7 @@ std::string panel(const std::vector<LabPoint>& points, const std::vector<std::st
       text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"none\" stroke-width=\"1.2\" style=\"stroke:var(--ink)\"/>\n", px, py);
     const bool to_left = px > x.end - 70.0;
     if (!p.preset.empty()) text += text_at(px + (to_left ? -10.0 : 10.0), py - 7.0, p.preset, to_left ? "end" : "start", false);
-    else if (!p.knob.starts_with("random")) text += text_at(px + 6.0, py + 13.0, figure(p.value), "start");
+    else if (!p.knob.starts_with("random")) text += text_at(px + (px > x.end - 28.0 ? -6.0 : 6.0), py + 13.0, figure(p.value), px > x.end - 28.0 ? "end" : "start");
   }
   return text;
 }
@@ -141,7 +141,7 @@ std::string curve_plot(const LabCurve& curve, const std::vector<LabPoint>& all, 
   for (std::size_t k = 0; k < knobs.size(); ++k) entries.push_back({knobs[k], colour(k)});
   std::string text = "<figure>" + open_svg(bottom + 46.0 + legend_height(entries), curve.title + ": error over time");
   const Scale y = scale_of(least, most, bottom, top);
-  text += text_at(8.0, 14.0, "error, " + unit, "start");
+  text += text_at(8.0, 14.0, (error_units(curve.name, all).front() == unit ? "error, " : "") + unit, "start");  // the others may be measures of other kinds
   for (std::size_t s = 0; s < seas.size(); ++s) {
     const double start = left + double(s) * (wide + gap);
     const Scale x = scale_of(quickest, slowest, start, start + wide);

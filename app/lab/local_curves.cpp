@@ -148,7 +148,7 @@ std::vector<LabTask> texel_tasks(double wind_mps, const LabOptions& options) {
       return {{std::sqrt(sum), "m of a hump of 5 m, rms"}, {worst, "m of a hump of 5 m, worst"}};
     };
     const double area = std::pow(256.0 * texel, 2) * (1.0 + 4.0) / std::pow(wind_mps, 2);
-    tasks.push_back({"texel, widths of the hump's wind", share, [=] { window->run(); }, area, missed, "", ""});
+    tasks.push_back({"texel over the distance the wind goes in a second", share, [=] { window->run(); }, area, missed, "", ""});
   }
   return tasks;
 }
@@ -226,8 +226,8 @@ std::vector<LabCurve> local_curves() {
   return {
       {"dynamic", "Rate of dynamic waves", "a second of the sea",
        {{"rate in Hz, one level", false, -2.0, 0.2, 15.0, 120.0, "a push that lasts for a step and stands at its middle is of second order; the border, taken after each step, is of first", "of one level's waves, without a border, rms"}}, true, false, dynamic_tasks},
-      {"texel", "Texels of local data", "a square as wide as the wind in a second",
-       {{"texel", false, 2.0, 0.15, 0.01, 0.08, "straight lines between texels are of second order (lod_field.h)"}}, true, false, texel_tasks},
+      {"texel", "Texels of local data", "the same area",
+       {{"texel over", false, 2.0, 0.15, 0.01, 0.08, "straight lines between texels are of second order (lod_field.h)"}}, true, false, texel_tasks},
       {"fresnel", "Fresnel's reflection", "one facet",
        {{"entries of a table", false, -2.0, 0.35, 8.0, 128.0, "straight lines between entries are of second order"}}, true, false, fresnel_tasks},
   };
