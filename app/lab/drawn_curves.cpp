@@ -265,7 +265,7 @@ std::vector<LabCurve> drawn_curves(Device& device, ShaderLibrary& shaders) {
     return [&device, &shaders, tasks](double wind_mps, const LabOptions& options) { return tasks(device, shaders, wind_mps, options); };
   };
   return {
-      {"mesh", "Pixels that the mesh may miss", "one frame of 160 x 168 with the mesh of a headset",
+      {"mesh", "Pixels that the mesh may miss", "a small frame",
        {{"lod.pixel_error, morphed", false, 1.0, 0.35, 1.0, 8.0, "the error is what is asked for, and triangles its inverse square"}}, true, true, of(mesh_tasks)},
       {"compute", "Waves by the processor and by compute shaders", "one update of all tiles",
        {{"waves.resolution, processor", false, -2.0, 0.4, 64.0, 512.0, "straight lines between texels are of second order"}}, true, true, of(compute_tasks)},

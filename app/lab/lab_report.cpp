@@ -62,7 +62,7 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
     std::vector<double> marks;
     const bool narrow = s.to - s.from < 2.2;
     for (int power = int(std::floor(s.from)); power <= int(std::ceil(s.to)); ++power)
-      for (const double m : narrow ? std::vector<double>{1.0, 2.0, 5.0} : std::vector<double>{1.0})
+      for (const double m : s.to - s.from < 0.9 ? std::vector<double>{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0} : narrow ? std::vector<double>{1.0, 2.0, 5.0} : std::vector<double>{1.0})
         if (const double at = power + std::log10(m); at >= s.from && at <= s.to) marks.push_back(m * std::pow(10.0, power));
     const std::size_t every = marks.size() / 6 + 1;  // no more than that have room
     std::vector<double> some;
@@ -213,7 +213,7 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
         said_of.push_back(same->first);
       }
     const double per_cent = 100.0 * (found->second - 1.0);
-    text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names) : fmt::format(" Off the front by {:.0f} %: {}.", per_cent, names);
+    text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names) : fmt::format(" Take {:.0f} % more time than what errs no more: {}.", per_cent, names);
   }
   return text;
 }

@@ -6,15 +6,6 @@
 
 namespace seascape {
 
-namespace {
-
-double times_more(double mine, double other) {
-  if (mine <= other) return 1.0;
-  return other > 0.0 ? mine / other : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
 std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -29,10 +20,8 @@ std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points) {
 
 double off_front(const Tradeoff& point, std::span<const Tradeoff> others) {
   double off = 1.0;
-  for (const Tradeoff& other : others) {
-    if (other.time > point.time || other.error > point.error) continue;
-    off = std::max(off, std::min(times_more(point.time, other.time), times_more(point.error, other.error)));
-  }
+  for (const Tradeoff& other : others)
+    if (other.error <= point.error && other.time < point.time) off = std::max(off, other.time > 0.0 ? point.time / other.time : std::numeric_limits<double>::infinity());
   return off;
 }
 

@@ -14,8 +14,7 @@ struct Tradeoff {
 // the first.
 std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points);
 
-// By which factor a point has to be better, in time and in error both, for no other to beat it: 1 on the front (the multiplicative epsilon of Zitzler et al. 2003,
-// "Performance assessment of multiobjective optimizers", eq. 4, of one point against a set). Infinite where another takes no time and makes no error.
+// How many times as long a point takes as the quickest of the others that errs no more; 1 where none is quicker. Infinite where one takes no time.
 double off_front(const Tradeoff& point, std::span<const Tradeoff> others);
 
 }  // namespace seascape

@@ -79,7 +79,7 @@ TEST(LabReport, SentencesAreComputedFromThePoints) {
   const std::string said = conclusion(curve, points());
   EXPECT_THAT(said, HasSubstr("at U10 m/s: k 1 takes 1 ms for one frame and misses 0.08 of white; presets 2 (high) takes 9 times as long and misses 0.005, 16 times less."));
   EXPECT_THAT(said, HasSubstr("the error goes with the power -1 of it (theory -1: because)"));
-  EXPECT_THAT(said, HasSubstr("Off the front by 50 %: low."));
+  EXPECT_THAT(said, HasSubstr("Take 50 % more time than what errs no more: low."));
   EXPECT_THAT(said, HasSubstr("On the front: medium, high."));
   EXPECT_THAT(conclusion(curve, {}), HasSubstr("was not measured"));
   const auto off = presets_off_front("frame", points());

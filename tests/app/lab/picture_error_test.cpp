@@ -55,13 +55,13 @@ TEST(PictureError, OneWindowIsTheFormula) {
   EXPECT_NEAR(picture_error(a, b).dissimilarity, 1.0 - ssim, 1e-9);
 }
 
-// Light is averaged, not its code: half black and half white is 188, not 128. Control seen: codes averaged.
+// Light is averaged, not its code: half 40 and half 220 is 163, not 130. Control seen: codes taken for light (189).
 TEST(PictureError, FinerPixelsAreAveragedInLinearLight) {
-  const Image8 fine = of(16, 16, [](int x, int z, int) { return (x + z) % 2 == 0 ? 255 : 0; });
+  const Image8 fine = of(16, 16, [](int x, int z, int) { return (x + z) % 2 == 0 ? 220 : 40; });
   const Image8 small = averaged(fine, 2);
   EXPECT_EQ(small.width, 8);
   EXPECT_EQ(small.height, 8);
-  for (std::size_t i = 0; i < small.pixels.size(); ++i) EXPECT_EQ(small.pixels[i], i % 4 == 3 ? 255 : 188);
+  for (std::size_t i = 0; i < small.pixels.size(); ++i) EXPECT_EQ(small.pixels[i], i % 4 == 3 ? 255 : 163);
   EXPECT_EQ(averaged(fine, 1).pixels, fine.pixels);
   EXPECT_THROW(averaged(fine, 3), std::invalid_argument);
 }
