@@ -32,6 +32,12 @@ double taper(double texels, double width) {
 
 std::size_t wrapped(std::int64_t texel, int n) { return std::size_t(texel & (n - 1)); }
 
+// What is left of the time owed when `due` steps of it are done: less than a step. Of a very long time rounding leaves any number; then none is left.
+double left_of(double owed_s, double due, double dt) {
+  const double left = owed_s - due * dt;
+  return left >= -1e-6 * dt && left < dt ? left : 0.0;
+}
+
 }  // namespace
 
 void validate(const DynamicWavesSettings& s) {
@@ -254,7 +260,7 @@ int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::sp
   const double dt = 1.0 / settings_.rate_hz;
   const double due = std::floor(owed_s_ / dt + 1e-9);
   if (!active_ && !pushed) {
-    owed_s_ = std::clamp(owed_s_ - due * dt, -1e-6 * dt, dt);
+    owed_s_ = left_of(owed_s_, due, dt);
     placed_ = false;
     return 0;
   }
@@ -263,7 +269,7 @@ int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::sp
   place(placement, owed_s_);
   const int steps = int(std::min(due, double(settings_.most_steps)));
   const double length = due * dt / steps;
-  owed_s_ = std::clamp(owed_s_ - due * dt, -1e-6 * dt, dt);  // of a very long time no digits are left for it
+  owed_s_ = left_of(owed_s_, due, dt);
   for (int i = 0; i < steps; ++i) step(length, owed_s_ + (steps - 1 - i) * length, sources);
   if (!pushed) {
     double highest = 0.0;
