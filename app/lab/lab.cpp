@@ -31,6 +31,13 @@ SeaState lab_sea(double wind_mps, const LabOptions& options) {
   return sea;
 }
 
+std::vector<LabCurve> cpu_curves() {
+  std::vector<LabCurve> curves = sea_curves();
+  for (LabCurve& curve : source_curves()) curves.push_back(std::move(curve));
+  for (LabCurve& curve : local_curves()) curves.push_back(std::move(curve));
+  return curves;
+}
+
 std::vector<LabPoint> measure(const std::string& curve, double wind_mps, std::vector<LabTask> tasks, const LabOptions& options, double seconds,
                               const std::function<void(double)>& step) {
   struct Timed {

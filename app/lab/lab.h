@@ -77,9 +77,11 @@ SeaState lab_sea(double wind_mps, const LabOptions& options);
 // What --curve takes, apart from "all".
 inline constexpr std::string_view lab_curve_names[] = {"query", "transform", "cascades", "particles", "baked", "dynamic", "texel", "fresnel", "mesh", "compute", "frame"};
 
-// The curves that need no device: query, transform, cascades, particles, baked; dynamic, texel, fresnel.
+// The curves that need no device: query, transform, cascades; particles, baked; dynamic, texel, fresnel; and all of these.
 std::vector<LabCurve> sea_curves();
+std::vector<LabCurve> source_curves();
 std::vector<LabCurve> local_curves();
+std::vector<LabCurve> cpu_curves();
 
 // Times the tasks in turn, each first as often as last, for about `seconds` and at least five rounds, a run of less than 0.2 ms repeated until
 // it takes as long; then asks for their errors: a point for each error. Not timed (options.timed): each runs once. Throws Error for an error or a time that is no finite number. `step`: called with

@@ -114,8 +114,7 @@ int run_lab(const Arguments& arguments) {
   if (needs_device(curve)) device.emplace(device_options());
   LabOrigin origin{machine_of(device ? device->facts() : DeviceFacts{}, options.seed), options.quick};
 
-  std::vector<LabCurve> curves = sea_curves();
-  for (LabCurve& one : local_curves()) curves.push_back(std::move(one));
+  std::vector<LabCurve> curves = cpu_curves();
   if (device)
     for (LabCurve& one : drawn_curves(*device, shaders)) curves.push_back(std::move(one));
   if (curve != "all") std::erase_if(curves, [&](const LabCurve& one) { return one.name != curve; });

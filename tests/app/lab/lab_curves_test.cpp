@@ -28,12 +28,6 @@ std::vector<LabPoint> errors_of(const LabCurve& curve, double wind_mps) {
   return measure(curve.name, wind_mps, curve.tasks(wind_mps, errors_alone()), errors_alone(), 0.0, nothing);
 }
 
-std::vector<LabCurve> cpu_curves() {
-  std::vector<LabCurve> curves = sea_curves();
-  for (LabCurve& curve : local_curves()) curves.push_back(std::move(curve));
-  return curves;
-}
-
 // At least five settings, whose errors are finite, and each law within its tolerance, in every sea. Controls seen: steps of the loops' frames by straight lines in place of six frames
 // (baked: power -1.9), a pressure at the step's end (dynamic: -1), half floats cut and not rounded (transform), Newton's steps under the name of fixed point (query), a table
 // of the nearest entry (fresnel: -1), texels read without the half texel's shift (texel: 1).
