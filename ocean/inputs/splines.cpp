@@ -47,9 +47,7 @@ class Spline final : public InputSource {
       }
     }
     tree_ = BoundsTree(boxes);
-    double area = 0.0;
-    for (const Chord& c : chords_) area += 0.5 * ((c.a.x - chords_[0].a.x) * (c.b.y - chords_[0].a.y) - (c.b.x - chords_[0].a.x) * (c.a.y - chords_[0].a.y));
-    radius_m_ = std::sqrt(std::abs(area) / std::numbers::pi);
+    if (filled) radius_m_ = std::sqrt(surrounded_m2() / std::numbers::pi);
   }
 
   InputSample sample(glm::dvec2 place_m, double footprint_m, double) const override {
@@ -115,6 +113,33 @@ class Spline final : public InputSource {
       if (std::abs(u - before) < 1e-9) break;
     }
     return u;
+  }
+
+  // The area of what within() says yes to. The sum over chords has it where the curve does not cross itself; of a figure of eight it has the difference of the loops, and then rows of it are
+  // summed instead, crossing by crossing.
+  double surrounded_m2() const {
+    double sum = 0.0;
+    glm::dvec2 low(1e300), high(-1e300);
+    for (const Chord& c : chords_) {
+      const glm::dvec2 a = c.a - chords_[0].a, b = c.b - chords_[0].a;
+      sum += 0.5 * (a.x * b.y - b.x * a.y);
+      low = glm::min(low, c.a), high = glm::max(high, c.a);
+    }
+    constexpr int rows = 256;
+    const double step = (high.y - low.y) / rows;
+    if (!(step > 0.0)) return std::abs(sum);
+    std::vector<std::vector<double>> crossings(rows);
+    for (const Chord& c : chords_) {
+      const double from = (std::min(c.a.y, c.b.y) - low.y) / step, to = (std::max(c.a.y, c.b.y) - low.y) / step;
+      for (int row = std::max(int(std::ceil(from - 0.5)), 0); row < rows && row + 0.5 < to; ++row)
+        crossings[std::size_t(row)].push_back(c.a.x + (low.y + (row + 0.5) * step - c.a.y) / (c.b.y - c.a.y) * (c.b.x - c.a.x));
+    }
+    double by_rows = 0.0;
+    for (std::vector<double>& row : crossings) {
+      std::sort(row.begin(), row.end());
+      for (std::size_t i = 0; i + 1 < row.size(); i += 2) by_rows += step * (row[i + 1] - row[i]);
+    }
+    return std::abs(sum) > 0.98 * by_rows && std::abs(sum) < 1.02 * by_rows ? std::abs(sum) : by_rows;
   }
 
   // Whether a closed curve surrounds a place: an odd number of chords between it and far away to +x. Where the chords are no help, nearer to the curve than
