@@ -1,11 +1,13 @@
 // The command line: what was asked for, checked, before anything is opened or made.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/camera_path.h"
+#include "app/quality.h"
 #include "app/scene.h"
 
 namespace seascape {
@@ -55,8 +57,8 @@ struct Arguments {
 // nearest known option.
 Arguments parse_arguments(std::span<const std::string> words);
 
-// The scene with the preset (resolved, see resolve_preset) and then the overrides applied.
-Scene scene_from(const Arguments& arguments, std::string_view preset);
+// The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where `suited` is given, what `auto` takes on such a device (suit_device).
+Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> suited = std::nullopt);
 
 // The path of --path, or the one in content/paths that is named like the scene.
 CameraPath path_from(const Arguments& arguments, const Scene& scene);

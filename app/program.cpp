@@ -62,7 +62,7 @@ Program make_program(const Arguments& arguments, const std::string& preset, cons
   else (void)scene_from(arguments, "high");
   program.device = std::make_unique<Device>(options);
   program.preset = resolve_preset(preset, device_class(program.device->facts()));
-  if (preset == "auto") program.scene = scene_from(arguments, program.preset);
+  if (preset == "auto") program.scene = scene_from(arguments, program.preset, device_class(program.device->facts()));
   return program;
 }
 

@@ -47,6 +47,12 @@ std::string_view resolve_preset(std::string_view preset, DeviceClass device) {
   return "high";
 }
 
+void suit_device(Settings& settings, std::string_view preset, DeviceClass device) {
+  Settings of_preset;
+  apply_preset(of_preset, preset);
+  if (device == DeviceClass::software && settings.render.msaa == of_preset.render.msaa) settings.render.msaa = 1;
+}
+
 void apply_preset(Settings& settings, std::string_view preset) {
   std::string_view PresetRow::*column = nullptr;
   if (preset == "low") column = &PresetRow::low;

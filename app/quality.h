@@ -21,6 +21,10 @@ enum class DeviceClass { software, integrated, discrete };
 // What `auto` means on such a device; any other name is returned as it is.
 std::string_view resolve_preset(std::string_view preset, DeviceClass device);
 
+// What `auto` takes beyond the preset that it means on such a device: on a software driver one sample a pixel, with which the sea is lit once a pixel (frame.lighting) in less than half the time; but a
+// scene that asks for another number than the preset's keeps it.
+void suit_device(Settings& settings, std::string_view preset, DeviceClass device);
+
 // Sets every quality setting from the preset's column. "auto" where no device is known (query, validate) is "high".
 // Throws Error (exit code 2) for another name.
 void apply_preset(Settings& settings, std::string_view preset);

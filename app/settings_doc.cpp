@@ -40,7 +40,7 @@ std::string settings_document() {
     text += "| " + code(row.key) + " | " + std::string(row.low) + " | " + std::string(row.medium) + " | " +
             std::string(row.high) + " | " + std::string(row.ultra) + " |\n";
   text += "\nLow and medium suit a standalone headset, high and ultra PC VR. `auto` takes " +
-          code(resolve_preset("auto", DeviceClass::software)) + " on a software driver, " +
+          code(resolve_preset("auto", DeviceClass::software)) + " with `msaa` 1 on a software driver, " +
           code(resolve_preset("auto", DeviceClass::integrated)) + " on an integrated GPU, " +
           code(resolve_preset("auto", DeviceClass::discrete)) +
           " on a discrete one, and `high` where there is no device (query).\n"

@@ -48,6 +48,22 @@ ProgramResult run(std::vector<std::string> words) {
 
 const char* fixed_columns = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
 
+// On a software driver `auto` takes one sample a pixel, unless it is told another number. Controls seen: the user's number taken before the device's; a preset that is named treated like auto.
+TEST(Capture, AutoTakesOneSampleAPixelInSoftware) {
+  const TemporaryFolder folder;
+  const auto page = [&](const std::string& preset, std::vector<std::string> more) {
+    std::vector<std::string> words{"capture", "--scene", "swell", "--preset", preset, "--size", "48x27", "--views", "1", "--frames", "1", "--warmup", "0", "--out", folder / "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run(words).exit_code, 0);
+    return text_of(fs::path(folder / "out") / "report.html");
+  };
+  const std::string plain = page("auto", {});
+  const bool software = plain.find("draws in software") != std::string::npos;
+  EXPECT_THAT(plain, HasSubstr(software ? "1 view, 1 × MSAA" : "1 view, 4 × MSAA"));
+  EXPECT_THAT(page("auto", {"--set", "msaa=4"}), HasSubstr("1 view, 4 × MSAA"));
+  EXPECT_THAT(page("medium", {}), HasSubstr("1 view, 4 × MSAA"));
+}
+
 class CaptureOfAllPresets : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -171,6 +171,15 @@ TEST(Quality, AutoSuitsTheDeviceAndUnknownNamesAreWrongUsage) {
   EXPECT_EQ(resolve_preset("auto", DeviceClass::integrated), "high");
   EXPECT_EQ(resolve_preset("auto", DeviceClass::discrete), "ultra");
   EXPECT_EQ(resolve_preset("low", DeviceClass::discrete), "low");
+  // One sample a pixel for software drivers, unless the scene asks for its own. Control seen: whatever the scene asks for.
+  for (const DeviceClass device : {DeviceClass::software, DeviceClass::integrated, DeviceClass::discrete})
+    for (const int asked : {2, 4}) {
+      Settings settings;
+      apply_preset(settings, "medium");
+      if (asked == 2) settings.render.msaa = 2;
+      suit_device(settings, "medium", device);
+      EXPECT_EQ(settings.render.msaa, device == DeviceClass::software && asked == 4 ? 1 : asked);
+    }
   Settings settings;
   try {
     apply_preset(settings, "hihg");
