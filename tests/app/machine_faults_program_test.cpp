@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -30,7 +31,11 @@ using testing::HasSubstr;
 constexpr int killed = 128 + SIGKILL;
 
 ProgramResult run_failing(const std::vector<std::string>& words, std::vector<std::string> environment) {
-  environment.push_back("LD_PRELOAD=" SEASCAPE_FAULTS_LIBRARY);
+  // By its name in a folder: in a path the loader would take a space for the end of it.
+  const fs::path library = SEASCAPE_FAULTS_LIBRARY;
+  const char* const folders = std::getenv("LD_LIBRARY_PATH");
+  environment.push_back("LD_LIBRARY_PATH=" + library.parent_path().string() + (folders ? std::string(":") + folders : ""));
+  environment.push_back("LD_PRELOAD=" + library.filename().string());
   return run_program(words, environment);
 }
 std::string set(const char* name, long value) { return std::string(name) + "=" + std::to_string(value); }
