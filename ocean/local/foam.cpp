@@ -109,8 +109,9 @@ void Foam::carry(int slice, double dt) {
     if (!(cell.x >= 1.0 && cell.y >= 1.0 && cell.x < double(side - 2) && cell.y < double(side - 2))) {
       if (slice + 1 >= before_.slices()) return 0.0f;
       const glm::dvec2 place = (glm::dvec2(first) + at + 0.5) * texel_m;
-      const LodIndex coarse(glm::floor(place / before_.texel_m(slice + 1) - 0.5)), begin = before_.first(slice + 1);
-      if (coarse.x < begin.x || coarse.y < begin.y || coarse.x + 1 >= begin.x + side || coarse.y + 1 >= begin.y + side) return 0.0f;
+      const glm::dvec2 coarse = glm::floor(place / before_.texel_m(slice + 1) - 0.5), begin(before_.first(slice + 1));  // of a long step no whole number has room for it
+      const double last = double(side - 2);
+      if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last)) return 0.0f;
       return before_.bilinear(slice + 1, place);
     }
     const glm::vec4 along = cubic(float(at.x - cell.x)), across = cubic(float(at.y - cell.y));

@@ -157,8 +157,8 @@ TEST(ShoreLinesHard, hard_73_more_periods_than_an_int_holds) {
   EXPECT_GT(found, 400);
 }
 
-// Hard 74: Foam after steps of 1e-12 s to 1e30 s, in a flow of 10 km/s that shears: each share from 0 to 1 and no number that is none; a long step leaves what the gain leaves for ever. Control: the exponential
-// taken as 1 - rate dt.
+// Hard 74: Foam after steps of 1e-12 s to 1e12 s, in a flow of 10 km/s that shears: each share from 0 to 1 and no number that is none; a long step leaves what the gain leaves for ever. Controls: the exponential
+// taken as 1 - rate dt; and the code as it was: a place 1e27 texels away cast to a whole number (told by the undefined-behaviour sanitizer).
 TEST(FoamHard, hard_74_steps_of_any_length) {
   FoamSettings s;
   s.windows = {.resolution = 32, .slices = 2, .texel_m = 0.5};
