@@ -58,7 +58,7 @@ std::string curves_csv(const std::vector<LabPoint>& points, const LabOrigin& ori
   const Machine& m = origin.machine;
   const std::string end = fmt::format("{},{},{},{},{},{},{}\n", origin.quick ? "quick" : "full", m.seed, csv_cell(m.cpu), csv_cell(m.device), csv_cell(m.driver), csv_cell(m.build), csv_cell(m.date));
   for (const LabPoint& p : points)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_cell(p.curve), csv_cell(p.knob), text_from(p.value), p.sea, text_from(p.time_us.median),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_cell(p.curve), csv_cell(p.knob), text_from(p.value), csv_cell(p.sea), text_from(p.time_us.median),
                    text_from(p.time_us.p5), text_from(p.time_us.p95), text_from(p.error.value), csv_cell(p.error.unit), csv_cell(p.preset), csv_cell(p.settings), p.time_us.count, end);
   return text;
 }
