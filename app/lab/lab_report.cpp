@@ -246,7 +246,7 @@ std::string lab_html(const std::vector<LabCurve>& curves, const std::vector<LabP
   for (const LabCurve& curve : curves) {
     const std::vector<std::string> units = error_units(curve.name, points);
     if (units.empty()) continue;
-    text += fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"verdict\">{}</p>\n", curve.name, html_escaped(curve.title), html_escaped(conclusion(curve, points)));
+    text += fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"verdict\">{}</p>\n", html_escaped(curve.name), html_escaped(curve.title), html_escaped(conclusion(curve, points)));
     for (const std::string& unit : units)
       if (std::none_of(curve.laws.begin(), curve.laws.end(), [&](const LabLaw& law) { return law.predicted == unit; })) text += curve_plot(curve, points, unit);
   }
