@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const LabPoint& p : rows.points) fuzz::require(std::isfinite(p.time_us.median) && std::isfinite(p.error.value) && p.error.value >= 0.0, "points are finite");
     if (rows.points.empty()) return;
     const std::string text = curves_csv(rows.points, rows.origin);
-    const LabRows again = parse_curves_csv(text, "written.csv");
+    LabRows again;
+    fuzz::require(fuzz::reads([&] { again = parse_curves_csv(text, "written.csv"); }), "what is written is read");
     fuzz::require(curves_csv(again.points, again.origin) == text, "written points read back the same");
     const LabCurve curve{rows.points.front().curve, "Title", "time", {{"k", false, 1.0, 1.0, 0.0, 1e9, "why"}}, true, false, {}, {}};
     (void)lab_html({curve}, rows.points, rows.origin);
