@@ -281,15 +281,15 @@ Arguments parse_arguments(std::span<const std::string> words) {
            "give both, as seascape query --points points.csv --out surface.csv");
   if (arguments.recommend != (arguments.budget_ms > 0.0))
     refuse(arguments.recommend ? "--budget" : "--recommend", arguments.recommend ? "a budget is needed" : "a budget needs it", "give both, as seascape lab --recommend --budget 30ms");
-  if (arguments.command == Command::lab)
-    for (const Override& one : arguments.overrides)
-      if (one.key != "waves.seed") refuse("--set", "the lab sets " + one.key + " itself", "leave it out; of the sea's settings it takes --seed alone");
   if (arguments.command == Command::validate && arguments.files.empty())
     refuse("", "no file to validate", "give one or more, as seascape validate scene.json");
   if (arguments.views == 2 && arguments.eye != Eye::centre)
     refuse("--eye", "one eye needs one view", "add --views 1");
   Settings scratch;  // a wrong override is wrong usage, told before anything is opened
   for (const Override& one : arguments.overrides) set_from_text(scratch, one.key, one.value, one.option, 2);
+  if (arguments.command == Command::lab)
+    for (const Override& one : arguments.overrides)
+      if (one.key != "waves.seed") refuse("--set", "the lab sets " + one.key + " itself", "leave it out; of the sea's settings it takes --seed alone");
   return arguments;
 }
 

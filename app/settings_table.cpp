@@ -183,7 +183,7 @@ const std::vector<Setting>& table() {
        dynamic<&DynamicWavesSettings::idle_m>, 0.0, 0.1, {}, false, rebuild},
       {"dynamic_waves.settle_s", "s", "Simulated before the first moment shown and after each jump of the time, so that rain has fallen already.",
        &at<&Settings::dynamic_waves, &DynamicSeaSettings::settle_s>, 0.0, 60.0, {}, false, rebuild},
-      {"dynamic_waves.rain_per_m2_s", "1/(m2 s)", "Drops of rain that fall on each square metre in a second; 0 is dry.", rain<&RainSettings::drops_per_m2_s>,
+      {"dynamic_waves.rain_per_m2_s", "1/(m2 s)", "Drops of rain that fall on each square metre in a second, around the viewer as far as a thousand drops a step go, at most 256 m; 0 is dry.", rain<&RainSettings::drops_per_m2_s>,
        0.0, 100.0, {}, false, rebuild},
       {"dynamic_waves.drop_length_m", "m", "Length of the hump that a drop leaves; its waves are about twice as long.", rain<&RainSettings::drop_length_m>, 0.01,
        10.0, {}, false, rebuild},

@@ -83,6 +83,7 @@ TEST(LabProgram, RecommendsFromWhatWasMeasured) {
   EXPECT_NE(none.out.find("nothing fits 0.5 ms; the quickest takes 1 ms"), std::string::npos) << none.out;
 }
 
+// Control seen: what the lab sets itself told before a key that there is not.
 TEST(LabProgram, FaultsAreToldBeforeAnythingIsMeasured) {
   const auto says = [](std::vector<std::string> words, const std::string& what, int code = 2) {
     const test::ProgramResult result = lab(words);
@@ -95,6 +96,7 @@ TEST(LabProgram, FaultsAreToldBeforeAnythingIsMeasured) {
   says({"--recommend", "--budget", "four"}, "not a time");
   says({"--recommend", "--budget", "0"}, "out of range");
   says({"--set", "waves.cascades=3"}, "sets waves.cascades itself");
+  says({"--set", "waves.cascade=3"}, "did you mean");  // a wrong key is told first
   says({"--curve", "fresnel", "--quick", "--out", "/proc/no/such"}, "/proc/no/such", 1);
   const test::TemporaryFolder folder;
   std::ofstream(folder / "curves.csv") << "x,z\n";
