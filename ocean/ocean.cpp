@@ -20,7 +20,8 @@ FoamSea::Water still_water(std::shared_ptr<const Shallows> shallows) {
   return [shallows = std::move(shallows)](glm::dvec2 place, double texel) {
     const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
     const PlaceWaves waves = shallows->waves(place, depth);
-    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth)};
+    const Shallows::Placed placed = shallows->placed(place, depth);
+    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth), placed.share, placed.surf};
   };
 }
 }  // namespace
@@ -57,9 +58,10 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
   if (!settings.place.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
   if (settings.foam && keeps_foam(*settings.foam, bool(shallows()), dynamic_waves_ != nullptr)) {
-    TileSources everywhere = settings.sources;
-    std::erase_if(everywhere, [](const auto& source) { return source->along_curves(); });
-    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(everywhere));
+    TileSources moving = settings.sources;
+    const bool along_curves = settings.place.shore != nullptr && device.facts().float32_linear;  // or else they are not drawn (DrawnShore)
+    if (!along_curves) std::erase_if(moving, [](const auto& source) { return source->along_curves(); });
+    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(moving), along_curves ? settings.place.shore : nullptr);
     if (shallows()) foam_->sea().set_water(still_water(shallows().from));
   }
   if (settings.spray && settings.spray->amount > 0.0) make_spray();

@@ -54,6 +54,7 @@ Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources 
   for (const auto& source : field_.others()) {
     const SourceStatistics s = source->statistics();
     others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
+    if (!source->along_curves()) others_height_variance_ += s.height_variance;
   }
   const glm::dvec3 moments = field_.statistics().slope_moments;
   slope_variance_ = sea.chop * sea.chop * (moments.x + moments.y);
@@ -68,8 +69,10 @@ void Breaking::take(const WaveBins& bins, double chop, const SeaStatistics& stat
 
 bool Breaking::ever() const { return 1.0 - most_threshold < 6.0 * std::sqrt(slope_variance_ + others_variance_); }
 
-double Breaking::below(double jacobian, double variance) const {
-  const double sigma = thinner * std::sqrt(variance) + least_sigma, z = (jacobian - threshold_) / sigma;
+double Breaking::threshold_of(double sea_variance) const { return std::clamp(1.0 + lowest_ * (thinner * std::sqrt(sea_variance) + least_sigma), least_threshold, most_threshold); }
+
+double Breaking::below(double jacobian, double variance, double threshold) const {
+  const double sigma = thinner * std::sqrt(variance) + least_sigma, z = (jacobian - threshold) / sigma;
   return z > 4.0 ? 0.0 : 0.5 * std::erfc(z / std::numbers::sqrt2);
 }
 
@@ -81,7 +84,8 @@ void Breaking::evaluate(std::int64_t ticks) {
   for (const WaveField::Place& place : field_.places()) variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
   // In balance W = gain / (gain + 1 / life); a third more, for where it breaks is covered already.
   const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5), breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
-  threshold_ = std::clamp(1.0 + quantile(std::min(breaking, 0.5)) * (thinner * std::sqrt(variance_) + least_sigma), least_threshold, most_threshold);
+  lowest_ = quantile(std::min(breaking, 0.5));
+  threshold_ = threshold_of(variance_);
 }
 
 void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
@@ -144,7 +148,7 @@ double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, co
     }
   }
   const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
-  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance);
+  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance, water.sea_variance > 0.0 ? threshold_of(variance_ + water.sea_variance) : threshold_);
 }
 
 void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) const {
@@ -152,7 +156,7 @@ void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) cons
   for (std::size_t i = 0; i < gains.size(); ++i) {
     glm::vec3 g(0.0f);
     add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), g);
-    gains[i] += per_s * float(below(double((1.0f + g.x) * (1.0f + g.y) - g.z * g.z), slice.variance));
+    gains[i] += per_s * float(below(double((1.0f + g.x) * (1.0f + g.y) - g.z * g.z), slice.variance, threshold_));
   }
 }
 

@@ -34,13 +34,16 @@ class Breaking {
   // The same, for texels of a slice i of texel_m 2^i (lod_texel_m).
   void at(std::int64_t ticks, double texel_m, int slices);
   // Of the whole sea, by the same Gaussian, as of evaluate().
-  double mean_share() const { return below(1.0, variance_); }
+  double mean_share() const { return below(1.0, variance_, threshold_); }
   double threshold() const { return threshold_; }
+  // Of the height of all waves that cover the sea (m^2).
+  double height_variance() const { return field_.statistics().height_variance + others_height_variance_; }
 
   // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave `kept` of them.
   struct Water {
     glm::dvec3 shift_gradient{0.0};  // to add: dDx/dx, dDz/dz, dDx/dz
     double variance = 0.0;           // of the divergence, to add
+    double sea_variance = 0.0;       // of the whole sea's divergence, to add: of waves that are as much a part of it here as any
     glm::vec2 flow_mps{0.0f};
     double kept = 1.0;
   };
@@ -67,13 +70,16 @@ class Breaking {
   };
   static glm::vec3 gradient(const WaveTiles& tiles, const Reading& reading, glm::dvec2 rest_m);
   void add_gradient(const Slice& slice, glm::dvec2 rest_m, glm::vec3& sum) const;
-  double below(double jacobian, double variance) const;
+  double threshold_of(double sea_variance) const;
+  double below(double jacobian, double variance, double threshold) const;
   WaveField field_;
   WaveTiles tiles_;
   std::vector<Slice> slices_;
   std::optional<std::int64_t> ticks_;  // that the tiles are of
   double wind_mps_, life_s_;
   double slope_variance_ = 0.0, others_variance_ = 0.0;  // no less than the divergence's
+  double others_height_variance_ = 0.0;
+  double lowest_ = -9.0;                                 // where a normal number is below in as many cases as breaks
   double variance_ = 0.0, threshold_ = 0.6;              // of the whole sea's divergence, as of evaluate()
 };
 

@@ -26,8 +26,8 @@ ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels
 }
 }  // namespace
 
-DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others)
-    : sea_(spec, sea, quality, std::move(others)), settings_(spec.settings.windows) {
+DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others, std::shared_ptr<const ShoreLines> shore)
+    : sea_(spec, sea, quality, std::move(others), std::move(shore)), settings_(spec.settings.windows) {
   const EffectScope scope(device, "foam");
   const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
   windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));

@@ -11,8 +11,8 @@ namespace seascape {
 
 class DrawnFoam {
  public:
-  // Throws as validate() does.
-  DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others);
+  // As FoamSea is made.
+  DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others, std::shared_ptr<const ShoreLines> shore);
 
   // Has the foam of a time and a viewer (m) in the images; records nothing where it has not changed, or where there is and was none. `wakes`: null for none.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes);

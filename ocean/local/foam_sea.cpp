@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "ocean/local/place_fields.h"
 
@@ -23,11 +25,12 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
   return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) || (spec.inputs && !spec.inputs->empty()) || (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
 }
 
-FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others)
+FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others, std::shared_ptr<const ShoreLines> shore)
     : spec_(spec), breaking_(sea, quality, std::move(others), spec.settings.life_s), foam_(spec.settings) {
   flows_ = spec.flow != nullptr;
   if (flows_) foam_.set_flow([this](glm::dvec2 place, double texel) { return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz); }, spec.flow->still());
   shift_m_ = 2.0 * breaking_.field().statistics().largest_shift_m;
+  if (shore && !shore->empty() && breaking_.field().has_curved()) shore_.emplace(std::move(shore), spec.settings.windows, breaking_.field());
 }
 
 void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
@@ -38,6 +41,7 @@ void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& stati
 void FoamSea::set_water(Water water) {
   water_ = std::move(water);
   anew_ = still_water_ ? 0 : -1;
+  if (shore_ && !still_water_) shore_->forget();
 }
 
 // What a sea's whitecaps cover on average where they come and go alike, and with them the windows' new edges.
@@ -51,7 +55,15 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
   const LodPlacement& placement = foam_.field().placement();
   const float breaking = float(s.breaking * foam_breaking_per_s);
   const bool waves = s.simulated && breaking > 0.0f && breaking_.ever();  // or else what breaks is drawn while it does
-  if (waves && !flows_ && !wakes && !still_water_) {
+  thread_local std::vector<FoamShore::Moved> along;
+  bool shore_waves = false;
+  if (shore_) {
+    along.resize(per_s.size());
+    FoamShore::Flow flow;
+    if (flows_) flow = [this, slice = row.slice](LodIndex w) { return foam_.flow_mps(slice, w); };
+    shore_waves = shore_->row(row, breaking_.field(), breaking_.tiles(), flow, flow_phase(time_s, spec_.place.flow_period_s), along);
+  }
+  if (waves && !flows_ && !wakes && !still_water_ && !shore_waves) {
     breaking_.add(row, breaking, per_s);
   } else if ((waves || wakes) && breaking > 0.0f) {
     const FlowPhase phase = flow_phase(time_s, spec_.place.flow_period_s);
@@ -64,6 +76,11 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
       if (!waves) water.kept = 0.0;
       else if (still_water_) water.kept = double(still_water_->texel(row.slice, w).y);
       if (wakes && double(gpu::lod_distance(glm::vec2(rest - placement.viewer))) < reach) water.shift_gradient = wakes->sea(rest, row.texel_m).shift_gradient;
+      if (waves && shore_waves) {
+        water.shift_gradient += along[i].shift_gradient;
+        water.variance = along[i].variance;
+        water.sea_variance = along[i].whole_variance;
+      }
       if (!(water.kept > 0.0) && water.shift_gradient == glm::dvec3(0.0)) continue;
       per_s[i] += breaking * float(breaking_.share(row, i, water, phase));
     }
@@ -72,22 +89,29 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
     for (std::size_t i = 0; i < per_s.size(); ++i) {
       const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
       const glm::vec3 still = still_water_->texel(row.slice, LodIndex(glm::floor(rest / row.texel_m)));
-      const bool shore = s.shore_per_s > 0.0 && double(still.x) < 2.0 * s.shore_m, surf = breaking > 0.0f && still.z > 0.01f;
+      double broken = double(still.z), above = 0.0;
+      if (shore_waves && along[i].height_variance > 0.0) {
+        const double of_sea = double(still.y) * double(still.y) * breaking_.height_variance();
+        broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
+        above = along[i].displacement.y;
+      }
+      const bool shore = s.shore_per_s > 0.0 && double(still.x) < 2.0 * s.shore_m, surf = breaking > 0.0f && broken > 0.01;
       if (!(still.x > 0.0f) || !(shore || surf)) continue;
       // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
-      const double most = 0.39 * double(still.x), up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y, -most, most);
+      const double most = 0.39 * double(still.x), up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y + above, -most, most);
       if (shore) per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + up) / s.shore_m, 0.0, 1.0));
       // In a surf zone the crests break.
-      if (surf) per_s[i] += breaking * still.z * float(std::clamp(2.0 * up / most, 0.0, 1.0));
+      if (surf) per_s[i] += breaking * float(broken) * float(std::clamp(2.0 * up / most, 0.0, 1.0));
     }
   if (!spec_.inputs || spec_.inputs->empty()) return;
   const InputBounds bounds = spec_.inputs->bounds();
-  const double around = shift_m_ + row.texel_m;
+  const double around = shift_m_ + (shore_ ? shore_->largest_shift_m() : 0.0) + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
     if (!bounds.holds(rest, around)) continue;
-    const glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
+    glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
+    if (shore_waves) d += along[i].displacement;
     per_s[i] += spec_.inputs->value(rest + glm::dvec2(d.x, d.z), row.texel_m, time_s, glm::vec4(0.0f), rest).x;
   }
 }
@@ -111,6 +135,7 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   std::uint32_t changed = foam_.follow(placement, fresh_);
+  if (shore_) shore_->follow(placement, water_);
   if (water_) {
     const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
       const StillWater w = water_(at, texel);
@@ -128,6 +153,7 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
         for (std::int64_t x = 0; x < side; ++x) {
           const LodIndex w(first.x + x, row);
           still_water_->texel(slice, w) = water(still_water_->middle(slice, w), still_water_->texel_m(slice), {});
+          if (shore_) shore_->take(slice, w, water_);
         }
         if (++anew_ == side * still_water_->slices()) anew_ = -1;
       }

@@ -10,6 +10,7 @@
 #include "ocean/local/breaking.h"
 #include "ocean/local/dynamic_surface.h"
 #include "ocean/local/foam.h"
+#include "ocean/local/foam_shore.h"
 #include "ocean/local/place_settings.h"
 
 namespace seascape {
@@ -23,16 +24,13 @@ struct FoamSpec {
 // Whether foam has to be simulated: as the settings ask, or for inputs, shores or wakes.
 bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes);
 
-// The still water at a place: how deep it is (m; 0 or less is land), how much of the waves' height it leaves, and how much of their energy breaks there.
-struct StillWater {
-  double depth_m = 1e6, waves = 1.0, surf = 0.0;
-};
-
 // Steps fall on whole multiples of 1 / rate of the sea's time, and all but wakes is a function of time and place: however a span is cut into frames, foam
 // is the same to the bit around a viewer who stands (but where a frame is longer than most_steps of them, which is then divided among as many longer
 // ones). Time that runs backwards or jumps by more than longest_s begins anew, from the mean of the sea's whitecaps settle_s before: a moment looks alike
 // wherever the frames began, to exp(-settle_s / life_s) of what was there. Not promised: the same foam to the bit after different ways of the viewer (what
 // comes into a window has the next coarser one's), and of wakes at different frame rates.
+//
+// Waves along curves break by the same laws as the others: where all together squeeze the surface to less than a threshold, and in a surf zone by the share of their own energy that breaks there.
 //
 // What breaks is the water at its rest position, where foam is kept, so that foam goes to and fro with the waves. Shores take the water's height above the
 // bed beneath its rest position: the edge of the foam runs up and down with the waves.
@@ -40,14 +38,14 @@ class FoamSea {
  public:
   static constexpr double longest_s = 5.0;
   static constexpr int most_steps = 12;
-  // `others`: what moves the water beside its waves. Throws as validate() does.
-  FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others = {});
+  // `others`: what moves the water beside its waves; `shore`: along which that of them runs that runs along curves, null where none does. Throws as validate() does.
+  FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others = {}, std::shared_ptr<const ShoreLines> shore = nullptr);
   FoamSea(const FoamSea&) = delete;
   FoamSea& operator=(const FoamSea&) = delete;
   // As Breaking::take.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
   // Asked once for each texel that comes into a window, for its side in m; a depth that is no number is that of the open sea.
-  using Water = std::function<StillWater(glm::dvec2 rest_m, double texel_m)>;
+  using Water = StillWaterAt;
   // Water that takes another's place comes in over a second or two of updates.
   void set_water(Water water);
 
@@ -67,7 +65,8 @@ class FoamSea {
   Breaking breaking_;
   Foam foam_;
   Water water_;
-  std::optional<LodField<glm::vec3>> still_water_;  // StillWater
+  std::optional<LodField<glm::vec3>> still_water_;  // StillWater, of the sea's own waves
+  std::optional<FoamShore> shore_;                  // none where no waves run along curves
   float fresh_ = 0.0f;
   double shift_m_ = 0.0;
   std::int64_t tick_ = 0, anew_ = -1;  // the row of still_water_ to take anew next; -1: none

@@ -175,15 +175,8 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
     here.parts.push_back(second);
   }
   for (std::size_t n = 0, all = here.shore.size(); n < all; ++n) {
-    ShorePart second = here.shore[n];
-    ShorePart& first = here.shore[n];
-    const glm::dvec2 bent(double(first.at.stretch) * glm::dot(velocity, first.at.forward), glm::dot(velocity, first.at.right()));
-    const WaveField::Place& place = field.curved_place();
-    const double height = flow_height(place.longest_m, place.shortest_m, glm::length(bent) * 0.5 * period, phase.first);
-    first.at.bent_m -= bent * phase.first_s;
-    second.at.bent_m -= bent * phase.second_s;
-    first.filter.share[field.curved()] *= float(height * phase.first);
-    second.filter.share[field.curved()] *= float(height * (1.0 - phase.first));
+    const auto [first, second] = here.shore[n].carried(field, velocity, phase);
+    here.shore[n] = first;
     here.shore.push_back(second);
   }
 }

@@ -51,7 +51,8 @@ class ShallowWater {
   static constexpr double most_steepening = 16.0;
   double steepening(int cascade, double depth_m) const;
   // The share of the shoaled waves' energy that has gone into breaking: 0 in the deep to 1 at the shore.
-  float breaking(double depth_m) const { return 1.0f - at(left_, depth_m); }
+  float breaking(double depth_m) const { return 1.0f - left(depth_m); }
+  float left(double depth_m) const { return at(left_, depth_m); }  // what has not
   // Significant height of all waves (m), shoaled and broken.
   float height_m(double depth_m) const { return at(heights_, depth_m); }
 

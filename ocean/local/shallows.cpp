@@ -13,9 +13,12 @@ InputBounds bounds_of(const Inputs& bed, const Inputs* level) {
   if (level != nullptr) bounds.add(level->bounds());
   return bounds;
 }
+
+// The square of a height over the highest that a depth leaves, from the share of the energy that breaking leaves: ShallowWater's law, the other way about.
+double squared_height(float left) { return std::cbrt(std::max(1.0 / (double(left) * double(left) * double(left)) - 1.0, 0.0)); }
 }  // namespace
 
-Shallows::Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
+Shallows::Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const OtherWaves& placed, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
                    std::shared_ptr<const Inputs> level)
     : bed_(std::move(bed)),
       level_(std::move(level)),
@@ -25,6 +28,7 @@ Shallows::Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& 
       water_(sea, bins, others),
       refraction_(sea, bins, water_, bounds_of(*bed_, level_.get()), [this](glm::dvec2 place, double footprint) { return still_m(place, footprint, 0.0) - bed_m(place, footprint, 0.0); }),
       cascades_(bins.cascades) {
+  if (placed.wavelength_m > 0.0) placed_.emplace(sea, WaveBins{bins.ladder, 0, {}}, placed);
   double variance = 0.0, frequency = 0.0, longest = 0.0;
   const double wind = std::max(sea.wind_speed_mps, 0.0), gravity = sea.gravity_mps2;
   const double peak = wind > 0.0 ? 22.0 * std::cbrt(gravity * gravity / (wind * regrowth_fetch_m)) : 0.0;
@@ -45,7 +49,7 @@ Shallows::Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& 
   // Factors are smooth: steps of a twentieth of the depth miss their highest by less than a thousandth.
   for (double depth = 0.01; depth < 2000.0; depth *= 1.05) {
     for (int i = 0; i < cascades_; ++i) most_share_ = std::max(most_share_, double(water_.factor(i, depth)));
-    most_share_ = std::max(most_share_, double(water_.others(depth)));
+    most_share_ = std::max({most_share_, double(water_.others(depth)), placed_ ? double(placed_->others(depth)) : 0.0});
   }
 }
 
@@ -68,12 +72,22 @@ PlaceWaves Shallows::waves(glm::dvec2 place, double depth) const {
   return result;
 }
 
+Shallows::Placed Shallows::placed(glm::dvec2 place, double depth) const {
+  if (!placed_ || !(depth > 0.0)) return {};
+  const float alone = placed_->left(depth), of_sea = water_.left(depth);
+  if (!(alone > 1e-12f && of_sea > 1e-12f)) return {0.0, 1.0};  // a film of millimetres
+  const double squared = squared_height(alone) + double(refraction_.shelter(place)) * squared_height(of_sea), left = 1.0 / std::cbrt(1.0 + squared * squared * squared);
+  return {double(placed_->others(depth)) * std::sqrt(std::min(left / double(alone), 1.0)), 1.0 - left};
+}
+
 InputBounds Shallows::bounds() const { return bounds_of(*bed_, level_.get()); }
 
 std::shared_ptr<const Shallows> make_shallows(const SeaState& sea, const WaveBins& bins, const TileSources& others, const PlaceInputs& inputs) {
   auto bed = inputs.of(InputTarget::sea_depth);
   if (bed == nullptr) return nullptr;
-  return std::make_shared<const Shallows>(sea, bins, other_waves(others), inputs.settings, std::move(bed), inputs.of(InputTarget::level));
+  TileSources everywhere, placed;
+  for (const auto& source : others) (source->along_curves() ? placed : everywhere).push_back(source);
+  return std::make_shared<const Shallows>(sea, bins, other_waves(everywhere), other_waves(placed), inputs.settings, std::move(bed), inputs.of(InputTarget::level));
 }
 
 }  // namespace seascape

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "ocean/local/place_fields.h"
 #include "ocean/local/refraction.h"
@@ -24,22 +25,28 @@ struct PlaceWaves {
 // longest waves' heights keep as much as that of themselves where the others have broken, less what lies in shelter, and on over the dry bed.
 // Shelter is of waves that come from afar. In the lee short waves grow again within regrowth_fetch_m, as long as JONSWAP's law has their peak (Hasselmann et al. 1973: w_p = 22 (g^2 / U F)^(1/3)),
 // so that cascades whose mean wave is no longer than that are not sheltered, and those of four times as long wholly.
+// Waves that the scene puts at a place (along curves) nothing shelters: they shoal by themselves, and break as the law has it for their height together with that of the sea's waves
+// as far as these come there.
 // Immutable; any thread.
 class Shallows {
  public:
   static constexpr int swash_cascades = gpu::swash_cascades;
   static constexpr double regrowth_fetch_m = 300.0;
 
-  // `bed`: inputs to sea_depth; `level`: to level, null where there are none. Takes some tenths of a second. Throws Error where the bed is no number.
-  Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
+  // `bed`: inputs to sea_depth; `level`: to level, null where there are none; `placed`: waves that the scene puts at places. Takes some tenths of a second. Throws Error where the bed
+  // is no number.
+  Shallows(const SeaState& sea, const WaveBins& bins, const OtherWaves& others, const OtherWaves& placed, const PlaceSettings& settings, std::shared_ptr<const Inputs> bed,
            std::shared_ptr<const Inputs> level);
 
   double depth_m() const { return -double(outside_bed_.x); }                     // of the open sea
   double bed_m(glm::dvec2 place_m, double footprint_m, double time_s) const;    // above y = 0
   double still_m(glm::dvec2 place_m, double footprint_m, double time_s) const;  // of the still water, dry or not
   PlaceWaves waves(glm::dvec2 place_m, double depth_m) const;
-  // By which the displacement of waves is multiplied that the scene puts there, and that nothing shelters therefore: the others', by depth alone.
-  double placed(double depth_m) const { return double(water_.others(depth_m)); }
+  // Of waves that the scene puts there: by which their displacement is multiplied, and the share of their energy that breaks. Both 0 where it has none.
+  struct Placed {
+    double share = 0.0, surf = 0.0;
+  };
+  Placed placed(glm::dvec2 place_m, double depth_m) const;
   // Along which a cascade's pattern is shifted: a unit vector, or 0.
   glm::dvec2 direction(int cascade) const { return refraction_.direction(cascade); }
   // Share of the waves' energy that breaking has taken at a place of this depth, 0 to 1.
@@ -60,6 +67,7 @@ class Shallows {
   PlaceSettings settings_;
   glm::vec4 outside_bed_, outside_level_;
   ShallowWater water_;
+  std::optional<ShallowWater> placed_;
   Refraction refraction_;
   int cascades_;
   std::array<float, gpu::max_cascades> regrown_{};  // the share of a cascade's shelter that short waves make up for

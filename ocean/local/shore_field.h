@@ -45,7 +45,7 @@ inline PlaceValues<ShoreTexel> shore_values(std::shared_ptr<const ShoreLines> li
   if (shallows) values.still = shallows->still(), values.moving = shallows->bounds();
   values.value = [lines = std::move(lines), shallows = std::move(shallows)](glm::dvec2 middle, double texel, double time) {
     ShorePlace at = lines->at(middle, texel);
-    if (shallows && at.share > 0.0f) at.share *= float(shallows->placed(shallows->still_m(middle, texel, time) - shallows->bed_m(middle, texel, time)));
+    if (shallows && at.share > 0.0f) at.share *= float(shallows->placed(middle, shallows->still_m(middle, texel, time) - shallows->bed_m(middle, texel, time)).share);
     return shore_texel(at, lines->period_m());
   };
   return values;

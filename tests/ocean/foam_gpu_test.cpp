@@ -81,6 +81,39 @@ TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   }
 }
 
+// Steep waves along a curve leave foam where they run and nowhere else; without the effect nothing of it. Control seen: a sea of foam that is made without them, as it was once.
+TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
+  if (!test::device().facts().float32_linear) GTEST_SKIP() << "this device leaves such waves out";
+  InputSpec curve;
+  curve.to = InputTarget::gerstner;
+  curve.value.x = 1.0f;
+  curve.feather_m = 4.0;
+  SplineInput spline;
+  for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(0, -24), glm::dvec2(90, -20)}) spline.points.push_back({at, 30.0, curve.value});
+  curve.shape = spline;
+  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "3"},
+                {"gerstner.set1_shore", "true"}, {"gerstner.set1_height_m", "3"}, {"gerstner.set1_wavelength_m", "14"}};
+  for (const bool with : {true, false}) {
+    std::vector<std::string> effects{"waves", "foam"};
+    if (with) effects.emplace_back("gerstner");
+    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = effects, .inputs = {curve}});
+    for (int i = 0; i < 24; ++i) shot.draw(pose({0.0, 3.0, 0.0}, 0.0, -20.0), 5.0 + i / 12.0);
+    const LodField<float>& field = shot.experience().ocean().foam()->sea().foam().field();
+    double within = 0.0, beyond = 0.0;
+    field.each(1, [&](LodIndex w) {
+      const glm::dvec2 at = field.middle(1, w);
+      double& most = std::abs(at.y + 23.0) < 12.0 ? within : beyond;
+      if (std::abs(std::abs(at.y + 23.0) - 16.0) > 2.0 || &most == &within) most = std::max(most, double(field.texel(1, w)));
+    });
+    if (with) {
+      EXPECT_GT(within, 0.1);
+    } else {
+      EXPECT_LT(within, 1e-3);
+    }
+    EXPECT_LT(beyond, 1e-3) << with;
+  }
+}
+
 // Where the sea is still and nobody foams it, the effect costs no pass after its first frame. Control seen: a copy in every frame.
 TEST_F(DrawnFoamWindows, RestWhereNothingFoams) {
   const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"}};

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ocean/local/place_sea.h"
+#include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/found_surface.h"
 
@@ -96,6 +97,38 @@ TEST_F(ShallowsTest, WavesChangeOverTheBankAndEndAtTheShore) {
   // Waves go to +x and -z: what lies beyond the island has less of them.
   const glm::dvec2 down = s->direction(0), lee = 60.0 * down, windward = -60.0 * down;
   EXPECT_LT(s->waves(lee, 2.0).share[0], 0.8f * s->waves(windward, 2.0).share[0]);
+}
+
+// Waves that the scene puts along curves break at the height that they and what comes of the sea have together: on the windward bank nearly as the sea does, in the lee of the island and without a sea
+// by their own; and the sea's waves are as if they were not there. Controls seen: the sea's height everywhere (the lee as the windward side); none of it (the same); their height among that of
+// the sea's waves.
+TEST_F(ShallowsTest, WavesThatTheScenePutsBreakByWhatComesThere) {
+  GerstnerSettings settings;
+  settings.set1 = {.height_m = 0.4, .wavelength_m = 14.0, .shore = true};
+  const TileSources along{std::make_shared<const Gerstner>(settings, 9.81, sea_depth_m, 0.0, true)};
+  const auto made = [&](const WaveField& of) { return make_shallows(of.state(), of.bins(), along, inputs_of(island())); };
+  const auto here = made(field), without = shallows(island());
+  SeaState flat = fresh();
+  flat.wind_speed_mps = 0.0;
+  const auto alone = made(WaveField(flat, WaveQuality{.resolution = 64, .cascades = 3}));
+  const glm::dvec2 open(20000.0, 3000.0), lee = 60.0 * here->direction(0), windward = -90.0 * here->direction(0);
+  EXPECT_NEAR(here->placed(open, sea_depth_m).share, 1.0, 2e-3);
+  EXPECT_LT(here->placed(open, sea_depth_m).surf, 1e-3);
+  for (const double depth : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) EXPECT_EQ(here->placed(open, depth).share, 0.0);
+  EXPECT_EQ(without->placed(open, 2.0).share, 0.0);
+  for (const double depth : {0.3, 0.6, 1.2}) {
+    const Shallows::Placed own = alone->placed(lee, depth), sheltered = here->placed(lee, depth), struck = here->placed(windward, depth);
+    const double most = 0.42 * std::sqrt(2.0) * depth;
+    EXPECT_LT(0.4 * own.share, most);
+    EXPECT_GT(0.4 * own.share, 0.85 * std::min(most, 0.4)) << depth;
+    EXPECT_LT(struck.share, sheltered.share) << depth;
+    EXPECT_LE(sheltered.share, own.share);
+    EXPECT_LT(sheltered.surf, struck.surf);
+    EXPECT_GE(sheltered.surf, own.surf);
+    EXPECT_GT(struck.surf, 0.5);
+    for (const glm::dvec2 at : {lee, windward})
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(here->waves(at, depth).share[std::size_t(i)], without->waves(at, depth).share[std::size_t(i)]);
+  }
 }
 
 // What lies in the lee of land has lost its long waves and not its ripples, which grow again within some hundred metres; without wind nothing does. Control seen: all cascades

@@ -237,7 +237,7 @@ TEST(ShoreSea, ABedAndACurrentMakeOfThemWhatTheyMakeOfOthers) {
   for (double x = -100.0; x < 130.0; x += 3.1)
     for (double z = -60.0; z < 40.0; z += 2.9) {
       const glm::dvec2 rest(x, z);
-      const auto placed = [&](glm::dvec2 at, double texel) { return double(float(shallow.place->shallows()->placed(-shallow.place->shallows()->bed_m(at, texel, 0.0)))); };
+      const auto placed = [&](glm::dvec2 at, double texel) { return double(float(shallow.place->shallows()->placed(at, -shallow.place->shallows()->bed_m(at, texel, 0.0)).share)); };
       const auto strength = [&](glm::dvec2 at, double texel) { return double(lines.at(at, texel).share); };
       const double whole = between_texels(rest, strength);
       if (whole == 0.0) continue;
