@@ -91,7 +91,7 @@ TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
   SplineInput spline;
   for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(0, -24), glm::dvec2(90, -20)}) spline.points.push_back({at, 30.0, curve.value});
   curve.shape = spline;
-  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "3"},
+  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"},
                 {"gerstner.set1_shore", "true"}, {"gerstner.set1_height_m", "3"}, {"gerstner.set1_wavelength_m", "14"}};
   for (const bool with : {true, false}) {
     std::vector<std::string> effects{"waves", "foam"};
