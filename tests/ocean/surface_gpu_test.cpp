@@ -96,7 +96,8 @@ const std::vector<std::string> some_scenes{"open_sea", "calm", "storm", "swell",
 const std::vector<std::string>& scenes_in(WavePlace place) { return place == WavePlace::cpu || std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes; }
 // What there is of places is where a scene's own path goes.
 Pose head_of(const std::string& scene) {
-  return scene == "whirlpool" || scene == "lagoon" || scene == "rivers" || scene == "harbour_clip" ? load_camera_path(scene).at(2.0).pose : near_water;
+  if (scene == "lagoon") return load_camera_path(scene).at(13.0).pose;  // before the beach, where waves run along a curve
+  return scene == "whirlpool" || scene == "rivers" || scene == "harbour_clip" ? load_camera_path(scene).at(2.0).pose : near_water;
 }
 
 // A thousand points a scene where the tiles are 32-bit floats: within 1/1000 of the significant height, and 5 mm. Control seen: a laying of wave particles
