@@ -16,6 +16,7 @@ namespace seascape {
 namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr int directions = Refraction::directions;
+constexpr double most_drawing_out = 0.25;  // of a metre along its direction, by which a pattern goes on less
 constexpr double sector = 2.0 * std::numbers::pi / directions;
 
 // work(wave vector in the world, variance) for each bin of a cascade that has any.
@@ -46,6 +47,23 @@ Rose rose_of(const WaveBins& bins, int cascade) {
     rose[std::size_t((i + 1) % directions)] += variance * (place - low);
   });
   return rose;
+}
+
+// Has no shift fall by more than `most` in a metre along the direction: what comes next on the way bounds it, row after row against the direction. Land bounds nothing.
+void hold_fall(const BedGrid& grid, std::vector<double>& shift, glm::dvec2 direction, double most) {
+  const bool along_x = std::abs(direction.x) >= std::abs(direction.y);
+  const double main = along_x ? direction.x : direction.y, aslant = (along_x ? direction.y : direction.x) / std::abs(main);
+  const int rows = along_x ? grid.nx : grid.nz, columns = along_x ? grid.nz : grid.nx, on = main > 0.0 ? 1 : -1, side = aslant > 0.0 ? 1 : -1;
+  const double share = std::abs(aslant), fall = most * grid.cell_m / std::abs(main);
+  for (int n = 1; n < rows; ++n)
+    for (int c = 0; c < columns; ++c) {
+      const int row = on > 0 ? rows - 1 - n : n, beside = std::clamp(c + side, 0, columns - 1);
+      const auto node = [&](int i, int j) { return along_x ? grid.node(i, j) : grid.node(j, i); };
+      const double straight = shift[node(row + on, c)], skew = shift[node(row + on, beside)];
+      const double next = straight < never && skew < never ? straight + (skew - straight) * share : std::min(straight, skew);
+      double& here = shift[node(row, c)];
+      if (here < never) here = std::min(here, next + fall);
+    }
 }
 
 void validate(const RefractionSettings& settings) {
@@ -113,13 +131,18 @@ Refraction::Refraction(const SeaState& sea, const WaveBins& bins, const ShallowW
     std::vector<double> slowness(grid_.size());
     for (std::size_t n = 0; n < slowness.size(); ++n)
       slowness[n] = depth[n] > 0.0 ? std::min(airy_wave_number(wave.frequency, sea.gravity_mps2, depth[n]) / wave.wave_number, most_shortening) : never;
-    const std::vector<double> delay = bent_fronts(grid_, slowness, wave.direction);
+    std::vector<double> delay = bent_fronts(grid_, slowness, wave.direction);
+    hold_fall(grid_, delay, wave.direction, most_drawing_out);
     Field& field = shifts_[std::size_t(cascade)];
     field.resize(grid_.size());
     std::vector<std::uint8_t> known(grid_.size());
     for (std::size_t n = 0; n < delay.size(); ++n) known[n] = delay[n] < never, field[n] = known[n] ? float(delay[n]) : 0.0f;
-    fill_unknown(grid_, field, std::move(known), 0.0f);
+    // By the water around alone: what stands before a breakwater and behind it has nothing to do with one another.
+    Field weight(known.begin(), known.end());
     smooth(grid_, field);
+    smooth(grid_, weight);
+    for (std::size_t n = 0; n < field.size(); ++n) field[n] = known[n] ? field[n] / weight[n] : 0.0f;
+    fill_unknown(grid_, field, std::move(known), 0.0f);
     for (float shift : field) most_shift_m_[std::size_t(cascade)] = std::max(most_shift_m_[std::size_t(cascade)], std::abs(double(shift)));
   });
 

@@ -32,7 +32,8 @@ MeanWave mean_wave(const SeaState& sea, const WaveBins& bins, int cascade);
 // Bending: a cascade's pattern of waves, drawn in the open as a function of the rest place x, is drawn at x + shift(x) direction. Its phase k0 direction . x
 // becomes k0 S with |grad S| = k(h) / k0 for its mean wave (bent_fronts), so crests turn and draw together as that wave's do; shorter waves of the
 // cascade bend too much by it, longer ones too little, and waves across its direction not at all. k(h) / k0 is at most most_shortening, reached at k h = 0.26. Slopes change with it: a gradient s of the
-// pattern becomes s + (s . direction) grad shift. A shift may be hundreds of metres: half floats are too coarse for it.
+// pattern becomes s + (s . direction) grad shift. What lies across the direction a shift leaves as it is: where fronts come around a breakwater's end and have turned right across, the pattern would
+// be drawn out into stripes without end. So no shift falls by more than a quarter of the way along the direction: in a lee fronts turn by some 45 degrees at most. A shift may be hundreds of metres: half floats are too coarse for it.
 //
 // Shelter: the share of a cascade's energy that reaches a place on straight lines from outside, over the directions that its waves have, of what breaking
 // (ShallowWater) lets stand at the place: what broke on a reef stays gone in the lagoon. Heights go with its root.
