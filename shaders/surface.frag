@@ -32,8 +32,8 @@ vec3 debug_colour(vec3 lit, vec3 normal) {
   if (frame.grid.w == debug_wireframe) return vec3(0.9);
   if (cascade_count > 0 && frame.grid.w == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
     const int i = int(mod(floor(rest.x / 16.0), float(cascade_count)));
-    vec3 d = texture(sea_longest_displacement, vec3(fract(rest / 16.0), 0.0)).xyz;
-    if (cascade_count > 1 && i > 0) d = texture(sea_displacement_tiles, vec3(fract(rest / 16.0), float(i - 1))).xyz;
+    vec3 d = texture(sampler2DArray(sea_longest_displacement, pixel_sampler), vec3(fract(rest / 16.0), 0.0)).xyz;
+    if (cascade_count > 1 && i > 0) d = texture(sampler2DArray(sea_displacement_tiles, pixel_sampler), vec3(fract(rest / 16.0), float(i - 1))).xyz;
     return 0.5 + 0.5 * d / max(frame.sea.footprint.w, 0.1);
   }
   return lit;

@@ -21,7 +21,6 @@ void DrawnClip::fill_hulls(Device& device) {
   spec.format = VK_FORMAT_R16G16B16A16_SFLOAT;
   spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   hulls_ = Image(device, "clip, hulls", spec);
-  sampler_ = make_sampler(device, "clip, hulls", {.repeat = false});
   const std::size_t texels = std::size_t(side) * side;
   const Buffer staging(device, "clip, staging", layers * texels * 8, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   std::vector<glm::vec4> whole(texels);

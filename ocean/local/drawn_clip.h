@@ -16,7 +16,6 @@ class DrawnClip {
   const Buffer& node_buffer() const { return nodes_; }
   const Buffer& volume_buffer() const { return buffer_; }
   const Image* hulls() const { return hulls_ ? &hulls_ : nullptr; }  // null where there are none
-  VkSampler sampler() const { return sampler_.get(); }
   void add_uses(Uses& uses, Access access) const {
     if (hulls_) uses.add(use(hulls_, access));
   }
@@ -26,7 +25,6 @@ class DrawnClip {
   std::shared_ptr<const ClipVolumes> volumes_;
   Buffer nodes_, buffer_;
   Image hulls_;  // a layer each
-  Owned<VkSampler> sampler_;
 };
 
 }  // namespace seascape

@@ -25,7 +25,6 @@ DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& s
   images_ = {Image(device, "dynamic waves, shift", spec), Image(device, "dynamic waves, slope", spec)};
   const std::size_t bytes = images_.size() * spec.layers * spec.width * spec.height * texel_bytes;
   for (Buffer& staging : staging_) staging = Buffer(device, "dynamic waves, staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
-  sampler_ = make_sampler(device, "dynamic waves", {});
 }
 
 void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& viewer) {

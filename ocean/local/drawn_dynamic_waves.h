@@ -29,13 +29,11 @@ class DrawnDynamicWaves {
   double mesh_error_m(double spacing_m) const;
   const Image& shift() const { return images_[0]; }  // a layer a level: Dx, h, Dz, dDx/dz
   const Image& slope() const { return images_[1]; }  // dh/dx, dh/dz, dDx/dx, dDz/dz
-  VkSampler sampler() const { return sampler_.get(); }
 
  private:
   DynamicSea sea_;
   std::array<Image, 2> images_;
   std::array<Buffer, Frame::slots> staging_;
-  Owned<VkSampler> sampler_;
   std::vector<VkBufferImageCopy> regions_;
   double height_m_ = 0.0, shift_m_ = 0.0;
 };

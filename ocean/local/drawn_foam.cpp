@@ -35,7 +35,6 @@ DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, 
   for (Buffer& staging : staging_)
     staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   fill_lace(device);
-  sampler_ = make_sampler(device, "foam", {});
 }
 
 void DrawnFoam::fill_lace(Device& device) {

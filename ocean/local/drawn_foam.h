@@ -24,7 +24,6 @@ class DrawnFoam {
   const FoamSea& sea() const { return sea_; }
   const Image& windows() const { return windows_; }
   const Image& lace() const { return lace_; }
-  VkSampler sampler() const { return sampler_.get(); }
 
  private:
   void fill_lace(Device& device);
@@ -32,7 +31,6 @@ class DrawnFoam {
   LodWindowSettings settings_;
   Image windows_, lace_;
   std::array<Buffer, Frame::slots> staging_;
-  Owned<VkSampler> sampler_;
   std::vector<VkBufferImageCopy> regions_;
   std::uint32_t drawn_ = 0;  // slices whose images may have foam
   bool begun_ = false;  // or else nothing is in them yet

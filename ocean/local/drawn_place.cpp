@@ -54,9 +54,6 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
     const EffectScope scope(device, traits(InputTarget::gerstner).name);
     shore_ = std::make_unique<DrawnShore>(device, inputs.shore, shallows_.from, settings_);
   }
-  if (drawn_.empty() && !bed_ && !shore_) return;
-  const EffectScope scope(device, traits(!drawn_.empty() ? drawn_.front().kind : shallows_ ? InputTarget::sea_depth : InputTarget::gerstner).name);
-  sampler_ = make_sampler(device, "places", {});
 }
 
 void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {

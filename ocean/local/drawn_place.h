@@ -32,7 +32,6 @@ class DrawnPlace {
   int laid(InputTarget kind) const;
   // Null where no waves run along curves.
   const DrawnShore* shore() const { return shore_.get(); }
-  VkSampler sampler() const { return sampler_.get(); }
   const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
   double level_m() const;
@@ -78,7 +77,6 @@ class DrawnPlace {
   std::unique_ptr<DrawnShore> shore_;
   ClipMask mask_;
   std::unique_ptr<DrawnClip> clip_;
-  Owned<VkSampler> sampler_;
 };
 
 }  // namespace seascape

@@ -87,33 +87,35 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
       {.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
       {.binding = 4, .view = light.sky_map, .sampler = light.sky_sampler},
       {.binding = 5, .buffer = light.sky_light},
+      {.binding = 50, .sampler = waves.smooth_sampler()},  // of all images of the sea
+      {.binding = 51, .sampler = waves.pixel_sampler()},
   };
   for (const auto& source : sources)
     for (const SourceSlot& slot : slots) {
       if (!slot.of(source->source())) continue;
-      entries_.push_back({.binding = slot.binding, .view = source->displacement().view(), .sampler = waves.vertex_sampler()});
-      entries_.push_back({.binding = slot.binding + 1, .view = source->derivatives().view(), .sampler = waves.pixel_sampler()});
-      entries_.push_back({.binding = slot.binding + 2, .view = source->moments().view(), .sampler = waves.pixel_sampler()});
+      entries_.push_back({.binding = slot.binding, .view = source->displacement().view()});
+      entries_.push_back({.binding = slot.binding + 1, .view = source->derivatives().view()});
+      entries_.push_back({.binding = slot.binding + 2, .view = source->moments().view()});
     }
   if (dynamic_waves != nullptr) {
-    entries_.push_back({.binding = 25, .view = dynamic_waves->shift().view(), .sampler = dynamic_waves->sampler()});
-    entries_.push_back({.binding = 26, .view = dynamic_waves->slope().view(), .sampler = dynamic_waves->sampler()});
+    entries_.push_back({.binding = 25, .view = dynamic_waves->shift().view()});
+    entries_.push_back({.binding = 26, .view = dynamic_waves->slope().view()});
   }
   if (foam != nullptr) {
-    entries_.push_back({.binding = 34, .view = foam->windows().view(), .sampler = foam->sampler()});
-    entries_.push_back({.binding = 35, .view = foam->lace().view(), .sampler = foam->sampler()});
+    entries_.push_back({.binding = 34, .view = foam->windows().view()});
+    entries_.push_back({.binding = 35, .view = foam->lace().view()});
   }
   for (const PlaceSlot& slot : place_slots)
-    if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view(), .sampler = place->sampler()});
-  if (place != nullptr && place->bed_waves() != nullptr) entries_.push_back({.binding = 28, .view = place->bed_waves()->view(), .sampler = place->sampler()});
+    if (place != nullptr && place->image(slot.kind) != nullptr) entries_.push_back({.binding = slot.binding, .view = place->image(slot.kind)->view()});
+  if (place != nullptr && place->bed_waves() != nullptr) entries_.push_back({.binding = 28, .view = place->bed_waves()->view()});
   if (clip != nullptr) {
     entries_.push_back({.binding = 38, .buffer = &clip->node_buffer()});
     entries_.push_back({.binding = 39, .buffer = &clip->volume_buffer()});
-    if (clip->hulls() != nullptr) entries_.push_back({.binding = 40, .view = clip->hulls()->view(), .sampler = clip->sampler()});
+    if (clip->hulls() != nullptr) entries_.push_back({.binding = 40, .view = clip->hulls()->view()});
   }
   if (place != nullptr && place->shore() != nullptr) {
-    entries_.push_back({.binding = 47, .view = place->shore()->lines().view(), .sampler = place->sampler()});
-    entries_.push_back({.binding = 48, .view = place->shore()->ways().view(), .sampler = place->sampler()});
+    entries_.push_back({.binding = 47, .view = place->shore()->lines().view()});
+    entries_.push_back({.binding = 48, .view = place->shore()->ways().view()});
   }
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
@@ -137,9 +139,9 @@ std::vector<Bound> Surface::entries(std::size_t copy) const {
   const VkImageLayout layout = waves_.read_layout();
   for (const WaveImages::Set& set : waves_.copies()[copy]) {
     const std::uint32_t first = set.first == 0 ? 1 : 9;  // shaders/lib/sea.glsl
-    list.push_back({.binding = first, .view = set.displacement.view(), .sampler = waves_.vertex_sampler(), .layout = layout});
-    list.push_back({.binding = first + 1, .view = set.derivatives.view(), .sampler = waves_.pixel_sampler(), .layout = layout});
-    list.push_back({.binding = first + 2, .view = set.moments.view(), .sampler = waves_.pixel_sampler(), .layout = layout});
+    list.push_back({.binding = first, .view = set.displacement.view(), .layout = layout});
+    list.push_back({.binding = first + 1, .view = set.derivatives.view(), .layout = layout});
+    list.push_back({.binding = first + 2, .view = set.moments.view(), .layout = layout});
   }
   return list;
 }

@@ -60,8 +60,8 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
       sets.push_back({sets.empty() ? 0 : 1, int(tile.layers), int(tile.width), int(tile.levels), Image(device, "wave displacement", tile),
                       Image(device, "wave derivatives", tile), Image(device, "wave moments", tile)});
   const EffectScope shared(device, "surface");  // every tile is sampled with them
-  vertex_sampler_ = make_sampler(device, "waves, vertices", {true, true, 1.0f});
-  pixel_sampler_ = make_sampler(device, "waves, pixels", {true, true, float(anisotropy)});
+  smooth_sampler_ = make_sampler(device, "sea, smooth", {true, true, 1.0f});
+  pixel_sampler_ = make_sampler(device, "sea, pixels", {true, true, float(anisotropy)});
 }
 
 void WaveImages::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {

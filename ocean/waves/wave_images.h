@@ -45,7 +45,8 @@ class WaveImages {
   VkImageLayout read_layout() const { return filled_ == Filled::written ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; }
   // Adds every image as a pass uses it; `whole`: nothing of what it held is kept.
   void add_uses(Uses& uses, Access access, bool whole = false) const;
-  VkSampler vertex_sampler() const { return vertex_sampler_.get(); }
+  // Of all images of the sea (shaders/lib/sea.glsl): linear and repeating; that of pixels is anisotropic where the settings and the device have it.
+  VkSampler smooth_sampler() const { return smooth_sampler_.get(); }
   VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
   bool half_storage() const { return half_; }
   int cascades() const { return int(cascade_moments_.size()); }
@@ -60,7 +61,7 @@ class WaveImages {
   Filled filled_;
   std::vector<std::vector<Set>> copies_;
   std::size_t shown_ = 0;
-  Owned<VkSampler> vertex_sampler_, pixel_sampler_;
+  Owned<VkSampler> smooth_sampler_, pixel_sampler_;
 };
 
 }  // namespace seascape

@@ -11,7 +11,7 @@ void add_dynamic_level(inout vec4 sum, int i, vec2 rest, float distance, float f
   const float present = dynamic_present(i, distance, footprint);
   if (present <= 0.0) return;
   const vec4 share = vec4(frame.sea.dynamic.share.x, 1.0, frame.sea.dynamic.share.xx);
-  sum += present * share * textureLod(dynamic_shift, vec3(lod_coordinates(frame.sea.dynamic.windows.slice[i], rest), float(i)), 0.0);
+  sum += present * share * textureLod(sampler2DArray(dynamic_shift, smooth_sampler), vec3(lod_coordinates(frame.sea.dynamic.windows.slice[i], rest), float(i)), 0.0);
 }
 
 void add_dynamic_displacement(inout vec4 sum, vec2 rest, float footprint) {

@@ -13,9 +13,9 @@ float flow_height(CascadeData c) {
 }
 
 // The sum of the two patterns' texels at tile coordinates `at`.
-vec4 flow_texel(sampler2DArray tiles, CascadeData c, vec3 at, float level) {
+vec4 flow_texel(texture2DArray tiles, CascadeData c, vec3 at, float level) {
   const vec2 way = tile_vector(c, flow_velocity);
-  const vec4 first = textureLod(tiles, vec3(at.xy - way * frame.sea.place.flow.x, at.z), level);
-  const vec4 second = textureLod(tiles, vec3(at.xy - way * frame.sea.place.flow.y, at.z), level);
+  const vec4 first = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at.xy - way * frame.sea.place.flow.x, at.z), level);
+  const vec4 second = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at.xy - way * frame.sea.place.flow.y, at.z), level);
   return flow_height(c) * mix(second, first, frame.sea.place.flow.z);
 }

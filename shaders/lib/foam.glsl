@@ -2,8 +2,8 @@
 // ocean/local/foam.h.
 
 layout(constant_id = 21) const bool foam_kept = false;  // it is simulated around the viewer
-layout(binding = 34) uniform sampler2DArray foam_windows;
-layout(binding = 35) uniform sampler2DArray foam_lace;
+layout(binding = 34) uniform texture2DArray foam_windows;
+layout(binding = 35) uniform texture2DArray foam_lace;
 
 // Two ways that the pattern has been carried by a current, and the first one's share.
 struct FoamWay {
@@ -13,7 +13,7 @@ struct FoamWay {
 
 float foam_texel(int slice, vec2 rest) {
   const int layer = lod_layer(frame.foam.windows.first_layer, slice, frame.foam.windows.slices);
-  return textureLod(foam_windows, vec3(lod_coordinates(frame.foam.windows.slice[slice], rest), float(layer)), 0.0).r;
+  return textureLod(sampler2DArray(foam_windows, smooth_sampler), vec3(lod_coordinates(frame.foam.windows.slice[slice], rest), float(layer)), 0.0).r;
 }
 
 // The share of a footprint that foam covers.
@@ -28,7 +28,7 @@ float foam_covered(vec2 rest, float footprint) {
 // A laying's share of the tile that is covered before this place, its slope along the tile's axes, 1/m, and fine bubbles.
 vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
   const float a_metre = foam_lace_texels / side;
-  vec4 texel = textureLod(foam_lace, vec3(rest / side + origin, 0.0), log2(max(footprint * a_metre, 1.0)));
+  vec4 texel = textureLod(sampler2DArray(foam_lace, smooth_sampler), vec3(rest / side + origin, 0.0), log2(max(footprint * a_metre, 1.0)));
   texel.yz = (texel.yz - 128.0 / 255.0) * (255.0 / 1024.0) * a_metre;
   return texel;
 }

@@ -6,26 +6,26 @@ LodRead place_read(vec2 place, float footprint) {
 }
 
 // Layer `number` of `layers` a slice.
-vec4 place_texel(sampler2DArray field, int layers, int number, int slice, vec2 place) {
+vec4 place_texel(texture2DArray field, int layers, int number, int slice, vec2 place) {
   const int layer = layers * lod_layer(frame.sea.place.windows.first_layer, slice, frame.sea.place.windows.slices) + number;
-  return textureLod(field, vec3(lod_coordinates(frame.sea.place.windows.slice[slice], place), float(layer)), 0.0);
+  return textureLod(sampler2DArray(field, smooth_sampler), vec3(lod_coordinates(frame.sea.place.windows.slice[slice], place), float(layer)), 0.0);
 }
 
-vec4 place_value(sampler2DArray field, int layers, int number, LodRead read, vec2 place, vec4 outside) {
+vec4 place_value(texture2DArray field, int layers, int number, LodRead read, vec2 place, vec4 outside) {
   if (read.present <= 0.0) return outside;
   vec4 value = place_texel(field, layers, number, read.fine, place);
   if (read.coarser > 0.0) value = mix(value, place_texel(field, layers, number, read.fine + 1, place), read.coarser);
   return mix(outside, value, read.present);
 }
 
-vec4 place_value(sampler2DArray field, LodRead read, vec2 place, vec4 outside) { return place_value(field, 1, 0, read, place, outside); }
+vec4 place_value(texture2DArray field, LodRead read, vec2 place, vec4 outside) { return place_value(field, 1, 0, read, place, outside); }
 
 // What lies on the water, 0 where nothing does; `which`: laid_stays and laid_follows.
 struct Laid {
   vec4 stays, follows;
 };
 
-Laid place_laid(sampler2DArray field, int which, vec2 place, vec2 rest) {
+Laid place_laid(texture2DArray field, int which, vec2 place, vec2 rest) {
   Laid laid = Laid(vec4(0.0), vec4(0.0));
   const int layers = which == (laid_stays | laid_follows) ? 2 : 1;
   if ((which & laid_stays) != 0) laid.stays = place_value(field, layers, 0, place_read(place, 0.0), place, vec4(0.0));
@@ -36,7 +36,7 @@ Laid place_laid(sampler2DArray field, int which, vec2 place, vec2 rest) {
 vec4 laid_sum(Laid laid) { return laid.stays + laid.follows; }
 
 // Of the first channel, over a texel to either side.
-vec2 place_gradient(sampler2DArray field, vec2 place, float footprint, vec4 outside) {
+vec2 place_gradient(texture2DArray field, vec2 place, float footprint, vec4 outside) {
   const LodRead read = place_read(place, footprint);
   if (read.present <= 0.0) return vec2(0.0);
   const float texel = frame.sea.place.windows.slice[read.fine].w;

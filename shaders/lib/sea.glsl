@@ -3,13 +3,17 @@
 #ifndef SEASCAPE_SEA_GLSL
 #define SEASCAPE_SEA_GLSL
 
+// All images of the sea share two samplers, for a device allows few a stage (16 on many). Both are linear and repeat; that of pixels is anisotropic.
+layout(binding = 50) uniform sampler smooth_sampler;
+layout(binding = 51) uniform sampler pixel_sampler;
+
 // The first cascade's tile, which has more texels, and all others.
-layout(binding = 1) uniform sampler2DArray sea_longest_displacement;
-layout(binding = 2) uniform sampler2DArray sea_longest_derivatives;
-layout(binding = 3) uniform sampler2DArray sea_longest_moments;
-layout(binding = 9) uniform sampler2DArray sea_displacement_tiles;   // Dx, h, Dz, dDx/dz
-layout(binding = 10) uniform sampler2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 11) uniform sampler2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product
+layout(binding = 1) uniform texture2DArray sea_longest_displacement;
+layout(binding = 2) uniform texture2DArray sea_longest_derivatives;
+layout(binding = 3) uniform texture2DArray sea_longest_moments;
+layout(binding = 9) uniform texture2DArray sea_displacement_tiles;   // Dx, h, Dz, dDx/dz
+layout(binding = 10) uniform texture2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
+layout(binding = 11) uniform texture2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product
 
 // How many cascades there are; what is beyond is stripped.
 layout(constant_id = 7) const int cascade_count = max_cascades;
@@ -18,35 +22,35 @@ layout(constant_id = 5) const float anisotropy = 1.0;
 
 // A recorded loop's tile (the effect baked); 0: there is none, and nothing of it is left here.
 layout(constant_id = 12) const int baked_layings = 0;
-layout(binding = 22) uniform sampler2DArray baked_displacement;  // as those above
-layout(binding = 23) uniform sampler2DArray baked_derivatives;
-layout(binding = 24) uniform sampler2DArray baked_moments;
+layout(binding = 22) uniform texture2DArray baked_displacement;  // as those above
+layout(binding = 23) uniform texture2DArray baked_derivatives;
+layout(binding = 24) uniform texture2DArray baked_moments;
 
 // The tile of Gerstner waves (the effect gerstner); 0: there are none, and nothing of them is left here.
 layout(constant_id = 11) const int gerstner_layings = 0;
-layout(binding = 19) uniform sampler2DArray gerstner_displacement;  // as those above
-layout(binding = 20) uniform sampler2DArray gerstner_derivatives;
-layout(binding = 21) uniform sampler2DArray gerstner_moments;
+layout(binding = 19) uniform texture2DArray gerstner_displacement;  // as those above
+layout(binding = 20) uniform texture2DArray gerstner_derivatives;
+layout(binding = 21) uniform texture2DArray gerstner_moments;
 
 // Wave particles: one tile laid over the sea in up to three sizes; 0: there are none, and nothing of them is left here.
 layout(constant_id = 8) const int particle_layings = 0;
-layout(binding = 12) uniform sampler2DArray particle_displacement;  // as those above
-layout(binding = 13) uniform sampler2DArray particle_derivatives;
-layout(binding = 14) uniform sampler2DArray particle_moments;
+layout(binding = 12) uniform texture2DArray particle_displacement;  // as those above
+layout(binding = 13) uniform texture2DArray particle_derivatives;
+layout(binding = 14) uniform texture2DArray particle_moments;
 
 // Dynamic waves: so many levels around the viewer; 0: there are none, and nothing of them is left here.
 layout(constant_id = 13) const int dynamic_levels = 0;
-layout(binding = 25) uniform sampler2DArray dynamic_shift;  // as those of displacement,
-layout(binding = 26) uniform sampler2DArray dynamic_slope;  // and of derivatives
+layout(binding = 25) uniform texture2DArray dynamic_shift;  // as those of displacement,
+layout(binding = 26) uniform texture2DArray dynamic_slope;  // and of derivatives
 
 // Data of places; false: there is none, and nothing of it is left here.
 layout(constant_id = 14) const bool sea_level = false;
-layout(binding = 27) uniform sampler2DArray sea_level_windows;  // the still water's height, m
+layout(binding = 27) uniform texture2DArray sea_level_windows;  // the still water's height, m
 layout(constant_id = 16) const bool sea_flow = false;
-layout(binding = 29) uniform sampler2DArray sea_flow_windows;   // the water's velocity along x and z, m/s
+layout(binding = 29) uniform texture2DArray sea_flow_windows;   // the water's velocity along x and z, m/s
 layout(constant_id = 15) const bool sea_bed = false;
-layout(binding = 15) uniform sampler2DArray sea_bed_windows;    // BedTexel::bed (ocean/local/bed_field.h),
-layout(binding = 28) uniform sampler2DArray sea_bed_waves;      // and its other two, two layers a slice
+layout(binding = 15) uniform texture2DArray sea_bed_windows;    // BedTexel::bed (ocean/local/bed_field.h),
+layout(binding = 28) uniform texture2DArray sea_bed_waves;      // and its other two, two layers a slice
 layout(constant_id = 17) const bool water_clip = false;
 
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
@@ -64,13 +68,13 @@ float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint 
 #include "lib/sea_bed.glsl"
 
 // `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other sources.
-void add_displacement(inout vec4 sum, sampler2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest, float footprint) {
+void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest, float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
   vec2 at = tile_vector(c, rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(c, number);
-  vec4 texel = textureLod(tiles, vec3(at, layer), level);
+  vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, layer), level);
   if (sea_flow) texel = flow_texel(tiles, c, vec3(at, layer), level);
   if (sea_bed) texel *= sea_bed_displaced(number);
   sum += share * by * texel;
@@ -129,13 +133,13 @@ float level_blur(vec3 to_eye, float pixel) {
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
 
-void add_carried(inout vec4 sum, sampler2DArray tiles, int i, vec2 rest, float footprint, float blur) {
+void add_carried(inout vec4 sum, texture2DArray tiles, int i, vec2 rest, float footprint, float blur) {
   const CascadeData c = frame.sea.cascade[i];
   const float share = carried(c, footprint, blur);
   if (share <= 0.0) return;
   vec2 at = tile_vector(c, rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(c, i);
-  vec4 texel = textureLod(tiles, vec3(at, float(max(i - 1, 0))), 0.0);
+  vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_flow) texel = flow_texel(tiles, c, vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_bed) texel = sea_bed_derivatives(texel, i);
   sum += share * texel;
@@ -166,21 +170,21 @@ float mip_level(float texels) {
 }
 
 // Mean of a tile over a footprint with half axes du, dv (tile coordinates), or about that of mip level `level` without anisotropy.
-vec4 tile_mean(sampler2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
-  if (anisotropy > 1.0) return textureGrad(tiles, at, du, dv);
-  return textureLod(tiles, at, level);
+vec4 tile_mean(texture2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
+  if (anisotropy > 1.0) return textureGrad(sampler2DArray(tiles, pixel_sampler), at, du, dv);
+  return textureLod(sampler2DArray(tiles, smooth_sampler), at, level);
 }
 
 #include "lib/flow_mean.glsl"
 
-vec4 pattern_mean(sampler2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv, float level) {
+vec4 pattern_mean(texture2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv, float level) {
   vec4 mean = tile_mean(tiles, at, du, dv, level);
   if (sea_flow) mean = flow_mean(tiles, c, at, du, dv, level);
   return mean;
 }
 
 // `left`: the share that the vertices have not carried.
-void add_slopes(inout SeaSlopes s, sampler2DArray derivatives, sampler2DArray moments, CascadeData c, int number, float layer, vec2 rest, vec2 along, vec2 across,
+void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray moments, CascadeData c, int number, float layer, vec2 rest, vec2 along, vec2 across,
                 float blur, float left) {
   if (left <= 0.0) return;
   const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave

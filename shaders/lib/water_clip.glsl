@@ -4,17 +4,17 @@
 
 // What there is of both: 1 flat inputs, 2 volumes, 4 hulls among them.
 layout(constant_id = 24) const int water_clip_kinds = 0;
-layout(binding = 30) uniform sampler2DArray water_clip_windows;  // 1 where there is no water
+layout(binding = 30) uniform texture2DArray water_clip_windows;  // 1 where there is no water
 layout(std430, binding = 38) readonly buffer ClipNodes { ClipNode clip_nodes[]; };
 layout(std430, binding = 39) readonly buffer ClipVolumes { ClipVolume clip_volumes[]; };
-layout(binding = 40) uniform sampler2DArray clip_hulls;          // lowest, highest, beyond (clip_hull_distance)
+layout(binding = 40) uniform texture2DArray clip_hulls;          // lowest, highest, beyond (clip_hull_distance)
 
 bool clip_within(ClipVolume v, vec3 from_middle) {
   const vec3 p = vec3(dot(v.axis[0].xyz, from_middle), dot(v.axis[1].xyz, from_middle), dot(v.axis[2].xyz, from_middle));
   if ((water_clip_kinds & 4) != 0 && v.middle.z == clip_hull) {
     const vec2 at = p.xz / (v.axis[0].w * float(clip_hull_texels));
     if (max(abs(at.x), abs(at.y)) > 0.5 - 0.5 / float(clip_hull_texels)) return false;
-    return clip_hull_distance(p.y, textureLod(clip_hulls, vec3(at + 0.5, float(v.middle.w)), 0.0).xyz, v.axis[0].w, v.axis[1].w) < 0.0;
+    return clip_hull_distance(p.y, textureLod(sampler2DArray(clip_hulls, smooth_sampler), vec3(at + 0.5, float(v.middle.w)), 0.0).xyz, v.axis[0].w, v.axis[1].w) < 0.0;
   }
   if (v.middle.z == clip_cylinder) return clip_cylinder_distance(p, v.axis[0].w, v.axis[1].w) < 0.0;
   return clip_box_distance(p, vec3(v.axis[0].w, v.axis[1].w, v.axis[2].w), v.edge.x) < 0.0;
