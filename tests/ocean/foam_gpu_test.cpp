@@ -1,6 +1,7 @@
 // Foam as it is drawn: the images against the processor's foam, and white where inputs foam and nowhere else.
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "ocean/waves/half_floats.h"
 #include "tests/support/gpu/gpu_test.h"
@@ -16,17 +17,18 @@ using Set = std::vector<std::pair<std::string, std::string>>;
 
 class DrawnFoamWindows : public test::GpuTest {};
 
-// Every texel of every slice, as half floats, after steps, a walk, a change of height and a jump of the time. Control seen: a slice that is copied once and then
-// never again.
+// Every texel of every slice, as half floats, after steps, a walk, changes of height by octaves and a jump of the time. Controls seen: a slice that is copied once and then
+// never again; a layer filled with the slice of its own number.
 TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
   const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "18"}};
   SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
+  std::set<int> octaves;
   struct Moment {
     double time_s;
     glm::dvec3 at;
   };
   for (const Moment& moment : {Moment{5.0, {0.0, 3.0, 0.0}}, {5.1, {0.0, 3.0, 0.0}}, {5.2, {2.3, 3.0, -1.1}}, {5.3, {7.0, 3.0, 4.0}}, {5.35, {7.0, 40.0, 4.0}}, {5.5, {9.0, 5.0, 4.0}},
-                               {90.0, {9.0, 5.0, 4.0}}, {90.2, {300.0, 5.0, -80.0}}}) {
+                               {90.0, {9.0, 5.0, 4.0}}, {90.2, {300.0, 5.0, -80.0}}, {90.4, {300.0, 60.0, -80.0}}, {90.6, {300.0, 110.0, -80.0}}, {90.8, {300.0, 110.0, -80.0}}}) {
     shot.draw(pose(moment.at, 0.0, -20.0), moment.time_s);
     const DrawnFoam* drawn = shot.experience().ocean().foam();
     ASSERT_NE(drawn, nullptr);
@@ -38,10 +40,12 @@ TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
       halves_from_floats(field.texels(slice), want.data(), want.size());
       ASSERT_EQ(got.size(), want.size() * 2);
       EXPECT_EQ(std::memcmp(got.data(), want.data(), got.size()), 0) << moment.time_s << " s, slice " << slice;
+      octaves.insert(field.layer(0));
       for (int i = 0; i < 64 * 64; ++i) most = std::max(most, double(field.texels(slice)[i]));
     }
     EXPECT_GT(most, 0.05) << moment.time_s;
   }
+  EXPECT_EQ(octaves.size(), 3u) << "each layer was slice 0's at some height";
 }
 
 // A round slick of foam on calm water, from straight above: white within, as without it beyond, where its rest position lies, in both frame shapes. Control seen: x and z
