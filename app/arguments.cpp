@@ -293,12 +293,15 @@ Arguments parse_arguments(std::span<const std::string> words) {
   return arguments;
 }
 
-Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> suited) {
+Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> device) {
   Scene scene = load_scene(arguments.scene, preset);
-  for (const std::string& remark : scene.remarks) spdlog::warn("{}", remark);
-  if (suited) suit_device(scene.settings, preset, *suited);
+  if (device) suit_device(scene.settings, preset, *device);
   for (const Override& one : arguments.overrides) set_from_text(scene.settings, one.key, one.value, one.option, 2);
   return scene;
+}
+
+void tell_remarks(const Scene& scene) {
+  for (const std::string& remark : scene.remarks) spdlog::warn("{}", remark);
 }
 
 CameraPath path_from(const Arguments& arguments, const Scene& scene) {

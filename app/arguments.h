@@ -57,8 +57,10 @@ struct Arguments {
 // nearest known option.
 Arguments parse_arguments(std::span<const std::string> words);
 
-// The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where `suited` is given, what `auto` takes on such a device (suit_device).
-Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> suited = std::nullopt);
+// The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where a device is known, what the preset is otherwise on it (suit_device).
+Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> device = std::nullopt);
+// Warns of what in the scene gives nothing.
+void tell_remarks(const Scene& scene);
 
 // The path of --path, or the one in content/paths that is named like the scene.
 CameraPath path_from(const Arguments& arguments, const Scene& scene);

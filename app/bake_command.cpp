@@ -19,6 +19,7 @@ namespace seascape {
 int run_bake(const Arguments& arguments) {
   namespace fs = std::filesystem;
   const Scene scene = scene_from(arguments, arguments.preset);
+  tell_remarks(scene);
   LoopRecorder recorder(scene.settings.sea, {arguments.frames, arguments.fps, arguments.width, arguments.tile_m});
   for (const EffectEntry& entry : closure(scene.effects))
     for (const std::string_view source : {"gerstner", "wave_particles", "baked"})

@@ -125,7 +125,8 @@ void Explorer::change_scene(const std::string& name, const std::string& preset) 
   try {
     Arguments asked = arguments_;  // what the command line sets stays set
     asked.scene = name;
-    program_.scene = scene_from(asked, preset);
+    program_.scene = scene_from(asked, preset, device_class(program_.device->facts()));
+    tell_remarks(program_.scene);
   } catch (const Error& fault) {
     tell_fault(fault.what());
     return;
@@ -258,6 +259,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.scene = scene.name;
   facts.preset = program_.preset;
   facts.device = program_.device->facts().name;
+  facts.device_class = device_class(program_.device->facts());
   facts.scenes = scenes_;
   facts.effects = scene.effects;
   facts.width = shown.width;
@@ -283,6 +285,7 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.preset) {
     Settings changed = settings();
     apply_preset(changed, *wish.preset);
+    suit_device(changed, *wish.preset, device_class(program_.device->facts()));
     program_.preset = *wish.preset;
     apply(changed);
     tell("quality: " + *wish.preset);

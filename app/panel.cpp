@@ -136,9 +136,10 @@ void tooltip(const Setting& row) {
   ImGui::EndTooltip();
 }
 
-bool preset_holds(const Settings& settings, std::string_view preset) {
+bool preset_holds(const Settings& settings, std::string_view preset, DeviceClass device) {
   Settings fresh = settings;
   apply_preset(fresh, preset);
+  suit_device(fresh, preset, device);
   for (const PresetRow& row : preset_rows())
     if (const Setting* setting = find_setting(row.key); value_of(settings, *setting) != value_of(fresh, *setting)) return false;
   return true;
@@ -156,7 +157,7 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   if (pick("scene", std::string(facts.scene), scenes, chosen).changed) wish.scene = chosen;
   // The preset whose values are all in force, if there is one.
   const auto holds = std::find_if(preset_names().begin(), preset_names().end(),
-                                  [&](std::string_view name) { return preset_holds(settings, name); });
+                                  [&](std::string_view name) { return preset_holds(settings, name, facts.device_class); });
   const std::string preset = holds == preset_names().end() ? std::string(facts.preset) + ", changed" : std::string(*holds);
   if (pick("quality", preset, preset_names(), chosen).changed) wish.preset = chosen;
   constexpr std::string_view travels[] = {"fly", "walk at deck height", "ride the waves"};

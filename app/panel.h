@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/explore_camera.h"
+#include "app/quality.h"
 #include "app/settings.h"
 #include "engine/frame.h"
 
@@ -15,6 +16,7 @@ namespace seascape {
 // What the panel shows and does not change.
 struct PanelFacts {
   std::string_view title, scene, preset, device, message;
+  DeviceClass device_class = DeviceClass::discrete;
   std::span<const std::string> scenes, effects;  // effects: the scene's as they are now
   std::uint32_t width = 0, height = 0;
   int views = 1;

@@ -22,11 +22,6 @@ bool environment_says(const char* name) {
   return value && *value && std::strcmp(value, "0") != 0;
 }
 
-DeviceClass device_class(const DeviceFacts& facts) {
-  if (facts.software) return DeviceClass::software;
-  return facts.kind == "discrete" ? DeviceClass::discrete : DeviceClass::integrated;
-}
-
 std::string processor_name() {
   std::ifstream cpuinfo("/proc/cpuinfo");
   for (std::string line; std::getline(cpuinfo, line);)
@@ -44,6 +39,11 @@ std::string date_utc() {
 
 }  // namespace
 
+DeviceClass device_class(const DeviceFacts& facts) {
+  if (facts.software) return DeviceClass::software;
+  return facts.kind == "discrete" ? DeviceClass::discrete : DeviceClass::integrated;
+}
+
 DeviceOptions device_options() {
   DeviceOptions options;
   options.validation = environment_says("SEASCAPE_VALIDATION");
@@ -56,13 +56,14 @@ Program make_program(const Arguments& arguments, const DeviceOptions& options) {
 }
 
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options) {
-  // The scene is read first: a fault in it is told before a device is looked for. What `auto` means needs the device.
+  // The scene is read first: a fault in it is told before a device is looked for. What a preset is on the device needs that.
+  (void)scene_from(arguments, preset == "auto" ? "high" : preset);
   Program program;
-  if (preset != "auto") program.scene = scene_from(arguments, preset);
-  else (void)scene_from(arguments, "high");
   program.device = std::make_unique<Device>(options);
-  program.preset = resolve_preset(preset, device_class(program.device->facts()));
-  if (preset == "auto") program.scene = scene_from(arguments, program.preset, device_class(program.device->facts()));
+  const DeviceClass device = device_class(program.device->facts());
+  program.preset = resolve_preset(preset, device);
+  program.scene = scene_from(arguments, program.preset, device);
+  tell_remarks(program.scene);
   return program;
 }
 

@@ -23,6 +23,9 @@ DeviceOptions device_options();
 Program make_program(const Arguments& arguments, const DeviceOptions& options);
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options);
 
+// What presets and `auto` go by.
+DeviceClass device_class(const DeviceFacts& facts);
+
 // Throws Error when the validation layer has said anything: a command under validation must not end well then.
 void expect_no_validation_messages(const Device& device);
 

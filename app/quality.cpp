@@ -1,5 +1,6 @@
 #include "app/quality.h"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/error.h"
@@ -9,19 +10,21 @@ namespace seascape {
 
 namespace {
 
-// Low and medium are profiles of a standalone headset: tile shape, tiles of waves in half floats, few cascades. High and
-// ultra are for PC VR. Resolution adds oversampling and whole short bands; it never changes a wave that is kept.
+// Low and medium are profiles of a standalone headset: tile shape, tiles of waves in half floats. High and ultra are for PC VR.
+// Resolution adds oversampling and whole short bands; it never changes a wave that is kept. All have the five cascades: without
+// the last, water near the eye is a blur. Low's mesh may miss 8 pixels and asks for 5: of more it
+// gains little time (seascape lab --curve frame; docs/accuracy.md).
 constexpr PresetRow rows[] = {
     // key                   low      medium   high       ultra
     {"waves.resolution",     "256",   "256",   "256",     "512"},
-    {"waves.cascades",       "4",     "4",     "5",       "5"},
+    {"waves.cascades",       "5",     "5",     "5",       "5"},
     {"waves.half_storage",   "true",  "true",  "false",   "false"},
     {"dynamic_waves.resolution", "128", "128", "256",     "256"},
     {"foam.resolution",      "128",   "128",   "256",     "256"},
     {"spray.most",           "2000",  "4000",  "6000",    "8000"},
     {"place.resolution",     "128",   "128",   "256",     "256"},
     {"lod.patch_quads",      "16",    "32",    "64",      "64"},
-    {"lod.pixel_error",      "8",     "4",     "2",       "1"},
+    {"lod.pixel_error",      "5",     "4",     "2",       "1"},
     {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},
     {"lod.cull_scale",       "1.2",   "1.5",   "1.8",     "2.0"},
     {"water.anisotropy",     "2",     "4",     "8",       "16"},
@@ -51,6 +54,17 @@ void suit_device(Settings& settings, std::string_view preset, DeviceClass device
   Settings of_preset;
   apply_preset(of_preset, preset);
   if (device == DeviceClass::software && settings.render.msaa == of_preset.render.msaa) settings.render.msaa = 1;
+}
+
+std::string presets_with(std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+  std::string found;
+  for (const std::string_view preset : names) {
+    Settings settings;
+    apply_preset(settings, preset);
+    const auto has = [&](const auto& value) { return value_text(settings, *find_setting(value.first)) == value.second; };
+    if (std::all_of(values.begin(), values.end(), has)) found += (found.empty() ? "" : " ") + std::string(preset);
+  }
+  return found;
 }
 
 void apply_preset(Settings& settings, std::string_view preset) {

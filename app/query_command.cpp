@@ -67,6 +67,7 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
 
 int run_query(const Arguments& arguments) {
   const Scene scene = scene_from(arguments, arguments.preset);
+  tell_remarks(scene);
   if (calls_for(scene.effects, "dynamic_waves")) spdlog::warn("query: the answers leave out {}'s dynamic_waves, which depend on what came before", scene.name);
   const std::vector<glm::dvec2> points = parse_points(read_text(arguments.points), arguments.points);
   write_atomically(arguments.out, query_csv(scene, arguments.time_s, points));

@@ -40,10 +40,11 @@ std::string settings_document() {
     text += "| " + code(row.key) + " | " + std::string(row.low) + " | " + std::string(row.medium) + " | " +
             std::string(row.high) + " | " + std::string(row.ultra) + " |\n";
   text += "\nLow and medium suit a standalone headset, high and ultra PC VR. `auto` takes " +
-          code(resolve_preset("auto", DeviceClass::software)) + " with `msaa` 1 on a software driver, " +
+          code(resolve_preset("auto", DeviceClass::software)) + " on a software driver, " +
           code(resolve_preset("auto", DeviceClass::integrated)) + " on an integrated GPU, " +
           code(resolve_preset("auto", DeviceClass::discrete)) +
-          " on a discrete one, and `high` where there is no device (query).\n"
+          " on a discrete one, and `high` where there is no device (query). On a software driver every preset takes `msaa` 1, "
+          "unless the scene or `--set` asks for another number than the preset's.\n"
           "\n## Effects\n\nA scene names them in `\"effects\"`; without that key it has `[\"waves\"]`.\n\n";
   std::string built, planned;
   for (const std::string_view name : effect_names())

@@ -85,6 +85,16 @@ TEST(Arguments, OverridesComeInOrderAndReachTheScene) {
   EXPECT_EQ(scene_from(parse("--stereo per-eye --debug lod"), "low").settings.render.debug, DebugView::lod);
 }
 
+// What presets are on a device comes before what the command line says. Controls seen: the device left out; the device after the overrides.
+TEST(Arguments, PresetsSuitTheDevice) {
+  for (const char* preset : {"low", "ultra"}) {
+    EXPECT_EQ(scene_from(parse(""), preset).settings.render.msaa, 4);
+    EXPECT_EQ(scene_from(parse(""), preset, DeviceClass::discrete).settings.render.msaa, 4);
+    EXPECT_EQ(scene_from(parse(""), preset, DeviceClass::software).settings.render.msaa, 1);
+    EXPECT_EQ(scene_from(parse("--set msaa=4"), preset, DeviceClass::software).settings.render.msaa, 4);
+  }
+}
+
 // Control: leaving CLI11's own conversions in place gives other words, and none of the ranges.
 TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {

@@ -171,15 +171,16 @@ TEST(Quality, AutoSuitsTheDeviceAndUnknownNamesAreWrongUsage) {
   EXPECT_EQ(resolve_preset("auto", DeviceClass::integrated), "high");
   EXPECT_EQ(resolve_preset("auto", DeviceClass::discrete), "ultra");
   EXPECT_EQ(resolve_preset("low", DeviceClass::discrete), "low");
-  // One sample a pixel for software drivers, unless the scene asks for its own. Control seen: whatever the scene asks for.
+  // One sample a pixel of any preset for software drivers, unless the scene asks for its own. Control seen: whatever the scene asks for.
   for (const DeviceClass device : {DeviceClass::software, DeviceClass::integrated, DeviceClass::discrete})
-    for (const int asked : {2, 4}) {
-      Settings settings;
-      apply_preset(settings, "medium");
-      if (asked == 2) settings.render.msaa = 2;
-      suit_device(settings, "medium", device);
-      EXPECT_EQ(settings.render.msaa, device == DeviceClass::software && asked == 4 ? 1 : asked);
-    }
+    for (const std::string_view preset : preset_names())
+      for (const int asked : {2, 4}) {
+        Settings settings;
+        apply_preset(settings, preset);
+        if (asked == 2) settings.render.msaa = 2;
+        suit_device(settings, preset, device);
+        EXPECT_EQ(settings.render.msaa, device == DeviceClass::software && asked == 4 ? 1 : asked) << preset;
+      }
   Settings settings;
   try {
     apply_preset(settings, "hihg");
@@ -188,6 +189,13 @@ TEST(Quality, AutoSuitsTheDeviceAndUnknownNamesAreWrongUsage) {
     EXPECT_EQ(error.exit_code(), 2);
     EXPECT_STREQ(error.what(), "--preset: unknown preset 'hihg' (did you mean 'high'?); take low, medium, high or ultra, or auto");
   }
+}
+
+// Control seen: any of the values instead of all.
+TEST(Quality, TellsWhichPresetsHaveValues) {
+  EXPECT_EQ(presets_with({{"waves.cascades", "5"}}), "low medium high ultra");
+  EXPECT_EQ(presets_with({{"waves.resolution", "256"}, {"waves.half_storage", "true"}}), "low medium");
+  EXPECT_EQ(presets_with({{"waves.resolution", "512"}, {"waves.half_storage", "true"}}), "");
 }
 
 // Control: std::to_string(double) in text_from fails here.
