@@ -27,6 +27,12 @@ fs::path part_file(const fs::path& out, const std::string& curve, double wind_mp
 
 std::optional<std::vector<LabPoint>> kept_part(const fs::path& file, const LabOrigin& origin) {
   if (!fs::exists(file)) return std::nullopt;
+  std::error_code unknown, absent;
+  const auto built = fs::last_write_time("/proc/self/exe", unknown), measured = fs::last_write_time(file, absent);
+  if (!unknown && !absent && measured < built) {
+    spdlog::info("{} is older than this program, and is measured anew", file.string());
+    return std::nullopt;
+  }
   try {
     LabRows rows = parse_curves_csv(read_text(file), file.string());
     if (!rows.points.empty() && same_origin(rows.origin, origin)) return std::move(rows.points);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "app/lab/lab.h"
+#include "app/quality.h"
 #include "ocean/waves/half_floats.h"
 #include "ocean/waves/query.h"
 #include "ocean/waves/spectrum.h"
@@ -242,7 +243,7 @@ std::vector<LabTask> cascades_tasks(double wind_mps, const LabOptions& options) 
               {drawn->field.bins().ladder[std::size_t(cascades - 1)].side_m, "m, after which the shortest tile repeats"}};
     };
     tasks.push_back({"waves.cascades", double(cascades), [=] { drawn->field.evaluate(ticks_from_seconds(10.0), drawn->tiles); }, 1.0, errors,
-                     cascades == 4 ? "low medium" : cascades == 5 ? "high ultra" : "", "waves.cascades=" + std::to_string(cascades)});
+                     presets_with({{"waves.cascades", std::to_string(cascades)}}), "waves.cascades=" + std::to_string(cascades)});
   }
   return tasks;
 }

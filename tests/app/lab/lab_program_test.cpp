@@ -19,7 +19,7 @@ test::ProgramResult lab(std::vector<std::string> words) {
   return test::run_command(words);
 }
 
-// Controls seen: parts kept at the end; a part of another seed gone on with; a part's points measured anew (other times).
+// Controls seen: parts kept at the end; a part of another seed gone on with; one that is older than the program; a part's points measured anew (other times).
 TEST(LabProgram, LeavesItsFilesAndGoesOnWhereItWasStopped) {
   const test::TemporaryFolder folder;
   const std::string out = folder / "lab";
@@ -60,6 +60,14 @@ TEST(LabProgram, LeavesItsFilesAndGoesOnWhereItWasStopped) {
   }
   EXPECT_EQ(same_3, 16);
   EXPECT_LT(same_10, 8);
+
+  // What an older program has measured is not this one's.
+  const fs::path old = fs::path(out) / "part_fresnel_U3.csv";
+  std::ofstream(old) << curves_csv(part_of("U3"), rows.origin);
+  fs::last_write_time(old, fs::last_write_time(test::program_file()) - std::chrono::hours(1));
+  const test::ProgramResult third = lab({"--curve", "fresnel", "--quick", "--out", out});
+  ASSERT_EQ(third.exit_code, 0) << third.err;
+  EXPECT_NE(third.err.find("part_fresnel_U3.csv is older than this program"), std::string::npos) << third.err;
 }
 
 // Control seen: --recommend that measures though there are figures.
