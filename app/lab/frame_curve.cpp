@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
 
 #include "app/effect_costs.h"
@@ -43,7 +44,7 @@ std::vector<Quality> qualities(const LabOptions& options, const DeviceFacts& fac
     all.push_back(std::move(one));
   }
   std::mt19937 random(options.seed);
-  for (int n = 0; n < (options.quick ? 12 : 64); ++n) {
+  for (int n = 0; n < (!options.timed ? 3 : options.quick ? 12 : 64); ++n) {
     Quality one;
     for (const auto& [key, choices] : knobs) one.values.emplace_back(key, choices[random() % choices.size()]);
     all.push_back(std::move(one));
@@ -68,19 +69,19 @@ std::vector<Shot> shots_of(const Scene& scene) {
   return shots;
 }
 
-// Those that presets are compared with: the presets, and what takes at most so much longer than the front at its error.
-std::vector<std::size_t> near_front(const std::vector<Quality>& all, const std::vector<std::vector<double>>& us, const std::vector<PictureError>& errors) {
-  constexpr double near = 1.25;
+// The presets, which stand first, and what they are compared with: the front, and what takes up to a quarter longer.
+std::vector<std::size_t> presets_and_front(const std::vector<std::vector<double>>& us, const std::vector<PictureError>& errors) {
   std::vector<Tradeoff> points;
-  for (std::size_t i = 0; i < all.size(); ++i) points.push_back({summarise(us[i]).median, errors[i].mean});
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (!all[i].name.empty() || off_front(points[i], points) <= near) chosen.push_back(i);
+  for (std::size_t i = 0; i < us.size(); ++i) points.push_back({summarise(us[i]).median, errors[i].mean});
+  std::vector<std::size_t> chosen(preset_names().size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  for (const std::size_t i : near_front(points, 1.25))
+    if (i >= preset_names().size()) chosen.push_back(i);
   return chosen;
 }
 
 std::vector<LabPoint> frame_points(Device& device, ShaderLibrary& shaders, double wind_mps, const LabOptions& options, const std::function<void(double)>& step) {
-  const std::uint32_t width = options.quick ? 480 : 960, height = options.quick ? 272 : 544;
+  const std::uint32_t width = !options.timed ? 160 : options.quick ? 480 : 960, height = !options.timed ? 90 : options.quick ? 272 : 544;
   constexpr std::uint32_t finer = 4;  // the truth's pixels a pixel's side
   // A pixel is as large as a headset's.
   const double fov_deg = glm::degrees(2.0 * std::atan(double(height) / headset_height_px * std::tan(0.5 * glm::radians(headset_fov_deg))));
@@ -92,7 +93,7 @@ std::vector<LabPoint> frame_points(Device& device, ShaderLibrary& shaders, doubl
   };
   const std::vector<Shot> shots = shots_of(lab_scene(wind_mps, options, "ultra"));
   const std::vector<Quality> all = qualities(options, device.facts());
-  const int rounds = 2, again = options.quick ? 2 : 4, frames = options.quick ? 3 : 5;
+  const int rounds = 2, again = !options.timed ? 1 : options.quick ? 2 : 4, frames = !options.timed ? 1 : options.quick ? 3 : 5;
   // The truth and the second rounds are some tenths of it all.
   const double share = 0.6 / double(rounds * int(all.size()));
   double done = 0.1;
@@ -129,7 +130,7 @@ std::vector<LabPoint> frame_points(Device& device, ShaderLibrary& shaders, doubl
       step(done += share);
     }
   // Where presets lie against the front is told by these, timed closer together. Their first times are forgotten.
-  const std::vector<std::size_t> close = near_front(all, us, errors);
+  const std::vector<std::size_t> close = presets_and_front(us, errors);
   for (const std::size_t i : close) us[i].clear();
   for (int round = 0; round < again; ++round)
     for (std::size_t n = 0; n < close.size(); ++n) {

@@ -17,7 +17,7 @@ inline constexpr double lab_winds_mps[] = {3.0, 10.0, 25.0};
 struct LabOptions {
   bool quick = false;        // fewer settings, sizes and rounds
   std::uint32_t seed = 1;    // of seas, places and random settings
-  bool timed = true;         // false: errors alone (tests)
+  bool timed = true;         // false: errors alone (tests); whole frames then smaller and few
 };
 
 struct LabError {
@@ -68,6 +68,8 @@ struct LabCurve {
   std::function<std::vector<LabTask>(double wind_mps, const LabOptions& options)> tasks;
   // In place of tasks, where these have no room beside each other: all points of a sea. `step`: called with the share done.
   std::function<std::vector<LabPoint>(double wind_mps, const LabOptions& options, const std::function<void(double)>& step)> points = {};
+  // Presets are compared with points whose knob begins so (empty: with all that are no preset's), and a sentence that says why not with the others.
+  std::string rivals = {}, why_rivals = {};
 };
 
 // "U10"; "none" of 0, for curves in which no sea takes part.

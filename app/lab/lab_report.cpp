@@ -159,16 +159,15 @@ std::string standalone_svg(const std::string& figure_text) {
          "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>" + figure_text.substr(figure_text.find('>', from) + 1, to - figure_text.find('>', from) - 1) + "</svg>\n";
 }
 
-std::map<std::string, double> presets_off_front(const std::string& curve, const std::vector<LabPoint>& points) {
+std::map<std::string, double> presets_off_front(const LabCurve& curve, const std::vector<LabPoint>& points) {
   std::map<std::string, double> off;
-  const std::vector<std::string> units = error_units(curve, points);
+  const std::vector<std::string> units = error_units(curve.name, points);
   if (units.empty()) return off;
-  for (const std::string& sea : seas_of(chosen(points, curve, units[0]))) {
-    const std::vector<LabPoint> here = chosen(points, curve, units[0], sea);
-    const std::vector<Tradeoff> all = tradeoffs(here);
+  for (const std::string& sea : seas_of(chosen(points, curve.name, units[0]))) {
+    const std::vector<LabPoint> here = chosen(points, curve.name, units[0], sea);
     std::vector<Tradeoff> others;  // settings that are no preset's
     for (const LabPoint& p : here)
-      if (p.preset.empty()) others.push_back({p.time_us.median, p.error.value});
+      if (p.preset.empty() && p.knob.starts_with(curve.rivals)) others.push_back({p.time_us.median, p.error.value});
     for (const LabPoint& p : here) {
       std::istringstream names(p.preset);
       for (std::string name; names >> name;) off[name] = std::max(off.contains(name) ? off[name] : 1.0, off_front({p.time_us.median, p.error.value}, others));
@@ -201,7 +200,7 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
                       : fmt::format(" {}: the error goes with the power {} of it (theory {}: {}).", law.knob, figure(power), figure(stated_power(law, points_of(points, curve.name), sea)), law.why);
   }
   // Presets that are as far off stand in one sentence.
-  const std::map<std::string, double> off = presets_off_front(curve.name, points);
+  const std::map<std::string, double> off = presets_off_front(curve, points);
   std::vector<std::string> said_of;
   for (const std::string_view preset : preset_names()) {
     const auto found = off.find(std::string(preset));
@@ -215,6 +214,7 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
     const double per_cent = 100.0 * (found->second - 1.0);
     text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names) : fmt::format(" Take {:.0f} % more time than what errs no more: {}.", per_cent, names);
   }
+  if (!off.empty() && !curve.why_rivals.empty()) text += " " + curve.why_rivals;
   return text;
 }
 
@@ -259,7 +259,7 @@ std::string lab_table(const std::vector<LabCurve>& curves, const std::vector<Lab
     const std::vector<std::string> units = error_units(curve.name, points);
     if (units.empty()) continue;
     std::string off;
-    for (const auto& [preset, factor] : presets_off_front(curve.name, points)) off += fmt::format("{}{} {:.0f} %", off.empty() ? "" : ", ", preset, 100.0 * (factor - 1.0));
+    for (const auto& [preset, factor] : presets_off_front(curve, points)) off += fmt::format("{}{} {:.0f} %", off.empty() ? "" : ", ", preset, 100.0 * (factor - 1.0));
     for (const std::string& sea : seas_of(chosen(points, curve.name, units[0]))) {
       const std::vector<LabPoint> here = chosen(points, curve.name, units[0], sea);
       const std::vector<std::size_t> front = pareto_front(tradeoffs(here));

@@ -23,9 +23,9 @@ std::vector<LabPoint> points_of(const std::vector<LabPoint>& points, const std::
 // What the curve says, in figures: how its laws are held, what exactness costs at the middle sea, and how far presets are off the front.
 std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& points);
 
-// How many times as long each preset's points of a curve take as the quickest that is no preset and errs no more (off_front), in the unit of its first error: the worst of all seas. 1 is on
-// the front.
-std::map<std::string, double> presets_off_front(const std::string& curve, const std::vector<LabPoint>& points);
+// How many times as long each preset's points of a curve take as the quickest of its rivals that is no preset and errs no more (off_front), in the unit of its first error: the worst of all
+// seas. 1 is on the front.
+std::map<std::string, double> presets_off_front(const LabCurve& curve, const std::vector<LabPoint>& points);
 
 // Points that lie on the front of one sea and take at most `budget_us`, the most exact first: of the curve of whole frames, with settings.
 std::vector<LabPoint> recommended(const std::vector<LabPoint>& points, double budget_us, const std::string& sea);

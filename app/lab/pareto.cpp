@@ -25,4 +25,11 @@ double off_front(const Tradeoff& point, std::span<const Tradeoff> others) {
   return off;
 }
 
+std::vector<std::size_t> near_front(std::span<const Tradeoff> points, double times) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (off_front(points[i], points) <= times) near.push_back(i);
+  return near;
+}
+
 }  // namespace seascape

@@ -17,4 +17,7 @@ std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points);
 // How many times as long a point takes as the quickest of the others that errs no more; 1 where none is quicker. Infinite where one takes no time.
 double off_front(const Tradeoff& point, std::span<const Tradeoff> others);
 
+// Indices, ascending, of those that take at most `times` as long as the quickest that errs no more: at 1 the front and its equals.
+std::vector<std::size_t> near_front(std::span<const Tradeoff> points, double times);
+
 }  // namespace seascape

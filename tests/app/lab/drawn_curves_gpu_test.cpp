@@ -1,9 +1,13 @@
 // The lab's curves that draw: their errors follow theory, without a clock.
 #include "app/lab/drawn_curves.h"
 
+#include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
+#include "app/lab/frame_curve.h"
+#include "app/settings.h"
 #include "tests/support/gpu/gpu_test.h"
 
 namespace seascape {
@@ -55,6 +59,40 @@ TEST_F(DrawnCurves, TilesAreReadBetweenTexelsToSecondOrder) {
     EXPECT_NEAR(error["waves.resolution, processor, 16 bit"][resolution], value, 4e-4) << resolution;
     EXPECT_NEAR(error["waves.resolution, compute shaders, 16 bit"][resolution], value, 4e-4) << resolution;
   }
+}
+
+// Whole frames: each preset has its three errors and a time; a better preset errs less, by pixels and by what an eye sees, and all settings can be given to --set. Controls seen: the best drawn a second late; presets that differ in samples a pixel alone.
+TEST_F(DrawnCurves, BetterPresetsDrawWhatIsNearerToTheBest) {
+  LabOptions options;
+  options.quick = true;
+  options.timed = false;
+  const LabCurve curve = frame_curve(test::device(), test::shaders());
+  double last = 0.0;
+  const std::vector<LabPoint> points = curve.points(10.0, options, [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0 + 1e-9);
+    last = done;
+  });
+  EXPECT_GT(last, 0.99);
+  std::map<std::string, std::map<std::string, double>> errors;  // by preset and unit
+  int random = 0;
+  for (const LabPoint& p : points) {
+    EXPECT_TRUE(std::isfinite(p.error.value) && p.error.value > 0.0) << p.settings;
+    EXPECT_GT(p.time_us.median, 0.0) << p.settings;
+    if (p.preset.empty()) ++random;
+    else errors[p.preset][p.error.unit] = p.error.value;
+    Settings settings;
+    std::istringstream all(p.settings);
+    for (std::string one; all >> one;) EXPECT_NO_THROW(set_from_text(settings, one.substr(0, one.find('=')), one.substr(one.find('=') + 1), "test")) << one;
+  }
+  EXPECT_EQ(random, 9);
+  ASSERT_EQ(errors.size(), 4u);
+  for (const auto& [unit, of_ultra] : errors["ultra"]) {
+    EXPECT_LT(of_ultra, 0.95 * errors["high"][unit]) << unit;
+    EXPECT_LT(errors["high"][unit], 0.95 * errors["medium"][unit]) << unit;
+    EXPECT_LT(errors["medium"][unit], 1.02 * errors["low"][unit]) << unit;
+  }
+  EXPECT_EQ(errors["ultra"].size(), 3u);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(LabReport, ThePlotHasEachPointAtItsPlace) {
   EXPECT_THAT(curve_plot(curve, exact, "of white"), Not(HasSubstr("nan"))) << "no logarithm of 0";
 }
 
-// Controls seen: the front of all seas together; presets among those that judge them; the law's power with its sign lost.
+// Controls seen: the front of all seas together; presets among those that judge them; rivals of all knobs; the law's power with its sign lost.
 TEST(LabReport, SentencesAreComputedFromThePoints) {
   const std::string said = conclusion(curve, points());
   EXPECT_THAT(said, HasSubstr("at U10 m/s: k 1 takes 1 ms for one frame and misses 0.08 of white; presets 2 (high) takes 9 times as long and misses 0.005, 16 times less."));
@@ -82,11 +82,19 @@ TEST(LabReport, SentencesAreComputedFromThePoints) {
   EXPECT_THAT(said, HasSubstr("Take 50 % more time than what errs no more: low."));
   EXPECT_THAT(said, HasSubstr("On the front: medium, high."));
   EXPECT_THAT(conclusion(curve, {}), HasSubstr("was not measured"));
-  const auto off = presets_off_front("frame", points());
+  const auto off = presets_off_front(curve, points());
   ASSERT_EQ(off.size(), 3u);
   EXPECT_NEAR(off.at("low"), 1.5, 1e-12);
   EXPECT_EQ(off.at("high"), 1.0);
   EXPECT_EQ(off.at("medium"), 1.0) << "presets do not judge each other";
+  // What is no rival beats nobody.
+  LabCurve among = curve;
+  among.rivals = "k", among.why_rivals = "Others jump.";
+  std::vector<LabPoint> with_others = points();
+  with_others.push_back(point("jumping", 1.0, "U10", 10.0, 1e-3));
+  EXPECT_EQ(presets_off_front(among, with_others), off);
+  EXPECT_GT(presets_off_front(curve, with_others).at("high"), 100.0);
+  EXPECT_THAT(conclusion(among, with_others), HasSubstr("On the front: medium, high. Others jump."));
   const std::string table = lab_table({curve}, points());
   EXPECT_THAT(table, HasSubstr("low 50 %"));
   EXPECT_THAT(table, HasSubstr("frame      U10         1 ms        0.08       9 ms       0.005"));

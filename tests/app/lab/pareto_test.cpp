@@ -1,6 +1,7 @@
 // The front of time and error against looking at every pair, and how far a point is off it.
 #include "app/lab/pareto.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,8 @@
 
 namespace seascape {
 namespace {
+
+using ::testing::ElementsAre;
 
 bool beats(const Tradeoff& a, const Tradeoff& b) { return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error); }
 
@@ -46,6 +49,16 @@ TEST(Pareto, OffTheFrontIsTheTimeThatTheQuickestAsExactTakes) {
   EXPECT_NEAR(off_front({6.0, 3.9}, others), 1.5, 1e-12);
   EXPECT_EQ(off_front({9.0, 0.5}, others), 1.0) << "more exact than any";
   EXPECT_TRUE(std::isinf(off_front({1.0, 1.0}, std::vector<Tradeoff>{{0.0, 0.0}})));
+}
+
+// Controls seen: what errs more taken for near; all near but the front.
+TEST(Pareto, NearTheFrontIsWhatTakesLittleMore) {
+  const std::vector<Tradeoff> points{{2.0, 4.0}, {1.0, 8.0}, {2.4, 3.9}, {2.6, 4.0}, {1.2, 9.0}, {9.0, 7.0}};
+  EXPECT_THAT(near_front(points, 1.0), ElementsAre(0u, 1u, 2u)) << "the front";
+  EXPECT_THAT(near_front(points, 1.25), ElementsAre(0u, 1u, 2u, 4u));
+  EXPECT_THAT(near_front(points, 1.35), ElementsAre(0u, 1u, 2u, 3u, 4u));
+  EXPECT_EQ(near_front(points, 100.0).size(), points.size());
+  EXPECT_TRUE(near_front({}, 2.0).empty());
 }
 
 }  // namespace
