@@ -168,13 +168,13 @@ double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer,
 
 std::optional<Spray::Breaker> Spray::breaker(glm::dvec2 rest, double time_s, const WaveField::Filter& fine) const {
   Breaker b{breaking_.field().sea(breaking_.tiles(), rest, fine), {}, 1.0};
-  const glm::dvec3 g = b.sea.shift_gradient, d = b.sea.displacement;
-  const auto jacobian = [&](double kept) { return (1.0 + kept * g.x) * (1.0 + kept * g.y) - kept * kept * g.z * g.z; };
-  b.jacobian = jacobian(1.0);
+  b.jacobian = b.sea.jacobian();
   if (!(b.jacobian < breaking_.threshold())) return std::nullopt;
   if (!water_) return b;
-  b.water = water_({rest.x + d.x, rest.y + d.z}, time_s);
-  b.jacobian = jacobian(b.water.waves);
+  b.water = water_({rest.x + b.sea.displacement.x, rest.y + b.sea.displacement.z}, time_s);
+  SeaSample left = b.sea;
+  left.shift_gradient *= b.water.waves;
+  b.jacobian = left.jacobian();
   if (!(b.water.depth_m > 0.2) || !(b.jacobian < breaking_.threshold())) return std::nullopt;
   return b;
 }

@@ -90,6 +90,13 @@ TEST(PngFile, CutAnywhereIsRefused) {
   EXPECT_THAT(error_of([&] { read_png_from_memory(std::span(whole).first(40), "cut.png"); }), HasSubstr("cut.png: is a broken PNG"));
 }
 
+// Control seen: a largest side that is one too many.
+TEST(PngFile, TheLargestSideIsRead) {
+  const Image8 wide = pattern(largest_image_side, 1, 3);
+  EXPECT_EQ(read_png_from_memory(png_bytes(wide, "memory"), "wide").pixels, wide.pixels);
+  EXPECT_EQ(read_png_from_memory(png_bytes(pattern(1, largest_image_side, 4), "memory"), "high").height, largest_image_side);
+}
+
 // Control: with the answer of png_image_finish_read ignored, damage to the pixels passes.
 TEST(PngFile, DamageIsRefusedOrHarmless) {
   const std::vector<std::uint8_t> whole = png_bytes(pattern(9, 9, 3), "memory");

@@ -103,6 +103,28 @@ TEST(Refraction, no_pattern_is_drawn_out_behind_a_breakwater) {
   EXPECT_LT(before, 0.1);
 }
 
+TEST(Refraction, plane_waves_come_in_over_whichever_edges_they_meet) {
+  // Over an even bed no front bends, whatever its direction: what is left of S is rounding. Over one half as fast it gains as many metres as it goes, from the edges that it came in over. Controls,
+  // seen: no edge in the east, in the north, in the west (each alone), an edge that waves leave over taken for one they come in by.
+  const BedGrid grid{.least = {-40.0, 25.0}, .cell_m = 2.0, .nx = 37, .nz = 23};
+  const std::vector<double> even(grid.size(), 1.0), slow(grid.size(), 2.0);
+  for (int n = 0; n < 16; ++n) {
+    const double angle = (n + (n % 4 == 0 ? 0.0 : 0.3)) * truth::pi / 8.0;  // along the axes too
+    const glm::dvec2 d(std::cos(angle), std::sin(angle));
+    for (const double left : bent_fronts(grid, even, d)) ASSERT_NEAR(left, 0.0, 1e-9) << n;
+    const std::vector<double> gained = bent_fronts(grid, slow, d);
+    int came_in = 0;
+    for (int j = 0; j < grid.nz; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        const bool over = (i == 0 && d.x > 1e-6) || (i + 1 == grid.nx && d.x < -1e-6) || (j == 0 && d.y > 1e-6) || (j + 1 == grid.nz && d.y < -1e-6);
+        came_in += over;
+        if (over) ASSERT_EQ(gained[grid.node(i, j)], 0.0) << n;
+        else ASSERT_GT(gained[grid.node(i, j)], 0.0) << n;
+      }
+    EXPECT_EQ(came_in, std::abs(d.x) < 1e-6 ? grid.nx : std::abs(d.y) < 1e-6 ? grid.nz : grid.nx + grid.nz - 1);
+  }
+}
+
 // A round island of steep sides in the deep.
 constexpr double island_m = 300.0;
 double island(glm::dvec2 p, double) { return glm::length(p) < island_m ? -2.0 : 5000.0; }
