@@ -240,9 +240,11 @@ void Device::create_device(const DeviceOptions& options) {
     use.features.samplerAnisotropy = has.features.samplerAnisotropy;
     use.features.fillModeNonSolid = has.features.fillModeNonSolid;
     use.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
+    use.features.sampleRateShading = has.features.sampleRateShading;
   }
   facts_.wireframe = use.features.fillModeNonSolid;
   facts_.vertex_stores = use.features.vertexPipelineStoresAndAtomics;
+  facts_.sample_shading = use.features.sampleRateShading;
   if (use.features.samplerAnisotropy) {
     VkPhysicalDeviceProperties p;
     vkGetPhysicalDeviceProperties(physical_, &p);

@@ -27,6 +27,7 @@ struct DeviceFacts {
   bool wireframe = false;       // polygon mode line
   bool float32_linear = false;  // RGBA32F can be filtered
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
+  bool sample_shading = false;  // pixels may ask for what lies at their samples
   float max_anisotropy = 1.0f;
   int max_samples = 1;          // of a colour and depth target
   std::uint32_t sample_counts = 1;  // those that it has: a bit each, 2 | 8 say

@@ -69,6 +69,10 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   const bool flat_clip = place != nullptr && place->image(InputTarget::clip) != nullptr;
   for (SpecValue& value : spec.values)
     if (value.id == 17) value.value = flat_clip || clip != nullptr;
+  if ((flat_clip || clip != nullptr) && !look.deferred && picture.spec().samples > 1 && device.facts().sample_shading) {
+    spec.fragment = "surface_clip.frag";
+    spec.values.push_back({9, std::uint32_t(picture.spec().samples)});
+  }
   spec.values.push_back({24, (flat_clip ? 1u : 0u) | (clip != nullptr ? 2u : 0u) | (clip != nullptr && clip->hulls() != nullptr ? 4u : 0u)});
   for (const SourceSlot& slot : slots) spec.values.push_back({slot.constant, 0});
   for (const auto& source : sources)

@@ -163,6 +163,14 @@ TEST(Report, LongRunsStayShortAndKeepTheirSpikes) {
   EXPECT_LT(flat.size(), 40000u);
 }
 
+// Seconds are told wherever a run begins. Control seen: steps of labels by the last time alone (one label).
+TEST(Report, SecondsAreToldOfRunsThatBeginLate) {
+  CaptureRun run = capture_run("late", 10.0, 101, {"a", "b"});
+  for (std::size_t i = 0; i < run.frames.size(); ++i) run.frames[i].time_s = 100.0 + 0.1 * double(i);
+  const std::string plot = frame_time_plot({run});
+  for (int s = 100; s <= 110; ++s) EXPECT_THAT(plot, HasSubstr(">" + std::to_string(s) + " s</text>"));
+}
+
 // Control: run_label without its look at the scenes names both runs "low".
 TEST(Report, RunsOfSeveralScenesAreTold) {
   CaptureRun a = capture_run("low", 3.0, 5, {"a", "b"}), b = a;

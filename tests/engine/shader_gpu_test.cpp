@@ -115,7 +115,7 @@ TEST(Specialisation, AllEffectsTogetherShareFewSamplers) {
     values.push_back({constant, value});
   ShaderLibrary library;
   std::size_t images = 0;
-  for (const char* name : {"surface.vert", "surface.frag", "surface_points.frag", "surface_light.frag"}) {
+  for (const char* name : {"surface.vert", "surface.frag", "surface_clip.frag", "surface_points.frag", "surface_light.frag"}) {
     std::size_t samplers = 0;
     for (const ShaderBinding& b : library.load(name, values)->bindings) {
       const bool combined = b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
