@@ -69,7 +69,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   const bool flat_clip = place != nullptr && place->image(InputTarget::clip) != nullptr;
   for (SpecValue& value : spec.values)
     if (value.id == 17) value.value = flat_clip || clip != nullptr;
-  if ((flat_clip || clip != nullptr) && !look.deferred && picture.spec().samples > 1 && device.facts().sample_shading) {
+  const bool bed = place != nullptr && place->image(InputTarget::sea_depth) != nullptr;  // what is clipped then lies dry
+  if ((flat_clip || clip != nullptr) && !bed && !look.deferred && picture.spec().samples > 1 && device.facts().sample_shading) {
     spec.fragment = "surface_clip.frag";
     spec.values.push_back({9, std::uint32_t(picture.spec().samples)});
   }

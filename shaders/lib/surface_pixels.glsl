@@ -58,13 +58,13 @@ void main() {
   const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
   // Over a bed what is clipped lies dry, as land.
 #ifdef CLIP_EACH_SAMPLE
-  int wet = 0;
-  for (int i = 0; i < clip_samples; ++i) {
-    const vec3 there = standing(ahead(interpolateAtSample(relative, i)));
-    if (!water_clipped(there.xz, there)) wet |= 1 << i;
-  }
-  if (sea_bed) wet = -1;
-  if (wet == 0) discard;
+  int wet = -1;
+  if (water_clip && !sea_bed)
+    for (int i = 0; i < clip_samples; ++i) {
+      const vec3 there = standing(ahead(interpolateAtSample(relative, i)));
+      if (water_clipped(there.xz, there)) wet &= ~(1 << i);
+    }
+  if ((wet & ((1 << clip_samples) - 1)) == 0) discard;
   gl_SampleMask[0] = wet;
 #else
   bool dry = false;
