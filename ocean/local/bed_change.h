@@ -13,7 +13,8 @@ struct MadePlace {
   std::unique_ptr<PlaceField<BedTexel>> field;
 };
 
-// Which windows are copied anew while the shares of two seas change: in every frame those two around the viewer, and one of the others in its turn.
+// Which windows are copied anew while the shares of two seas change: in every frame the four around the viewer, which vertices up to two metres apart read (they stand 20 m off: a step between
+// turns would be seen), and one of the others in its turn.
 class BedTurns {
  public:
   explicit BedTurns(int slices) : slices_(slices) {}
@@ -21,7 +22,7 @@ class BedTurns {
   void stale() { stale_ = (1u << slices_) - 1u; }
   // Those to copy in this frame: bit i for slice i, beside `changed`, which are copied anyhow.
   std::uint32_t take(std::uint32_t changed) {
-    constexpr int near = 2;
+    constexpr int near = 4;
     std::uint32_t now = stale_ & ((1u << near) - 1u);
     if (slices_ > near) now |= stale_ & (1u << (near + turn_++ % (slices_ - near)));
     stale_ &= ~(now | changed);

@@ -109,8 +109,7 @@ void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
   if (bed.field) changed = bed.field->follow(placement_, time_s);
   else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_, placement_, time_s);
   if (bed.next) changed |= bed.next->follow(placement_, time_s);
-  constexpr std::uint32_t wider = 12u;  // those that vertices two metres apart read, which stand 20 m off: a step between their turns would be seen
-  if (bed.turns.any()) changed = bed.turns.take(changed | (wider & all_slices(settings_)));
+  if (bed.turns.any()) changed = bed.turns.take(changed);
   if (changed == 0) return;
   const float share = float(shallows_.share);
   const LodField<BedTexel>& field = bed.field->field();
