@@ -51,8 +51,8 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
     of_sources_.height_variance += s.height_variance;
     of_sources_.largest_height_m += s.largest_height_m;
     of_sources_.largest_shift_m += s.largest_shift_m;
-    if (s.largest_curvature_per_m > 0.0) of_sources_.largest_curvature_per_m += s.largest_curvature_per_m;
-    else of_unknown_curvature_m_ += s.largest_height_m;
+    if (source->along_curves()) source_error_.add_along_curves(s);
+    else source_error_.add(*source);
   }
   const bool pressed = settings.pressure && !settings.pressure->empty();
   if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
@@ -175,23 +175,19 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
   if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
   if (sources_.empty() && !dynamic_waves_ && !place_) return result;
-  // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal. Of sources that do not know how they are bent
-  // it misses a share of its spacing; and water anywhere may be off by all sources.
-  const double of_known_curvature_m = of_sources_.largest_height_m - of_unknown_curvature_m_;
-  for (std::size_t n = 0; n < result.mesh_error.octave_m.size(); ++n) {
-    const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
-    result.mesh_error.octave_m[n] += std::min(Quadtree::error_over_spacing * spacing_m, of_unknown_curvature_m_) +
-                                     std::min({0.25 * of_sources_.largest_curvature_per_m * spacing_m * spacing_m, Quadtree::error_over_spacing * spacing_m, of_known_curvature_m});
-    if (dynamic_waves_) result.mesh_error.octave_m[n] += dynamic_waves_->mesh_error_m(spacing_m);
-  }
-  if (result.below) {
-    for (double& off : result.below->motion.vertical_m) off += others_height_m();
-    for (double& off : result.below->motion.horizontal_m) off += others_shift_m();
-    // Shallow water stands anywhere between none of its waves and the most that a bed makes of them.
-    for (std::size_t n = 0; place_ && place_->shallows() && n < result.below->off.vertical_m.size(); ++n) {
-      result.below->off.vertical_m[n] = most_share() * statistics_.largest_height_m + place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n)));
-      result.below->off.horizontal_m[n] = most_share() * statistics_.largest_shift_m;
-    }
+  result.mesh_error = source_error_.with(result.mesh_error);
+  if (dynamic_waves_) result.near = dynamic_waves_->mesh_errors();
+  if (!result.below) return result;
+  // Water anywhere may be off by all that the others do, and shallow water stands anywhere between none of its waves and the most that a bed makes of them.
+  const double most_m = place_ && place_->shallows() ? most_share() * statistics_.largest_height_m : 0.0;
+  const double furthest_m = place_ && place_->shallows() ? most_share() * statistics_.largest_shift_m : 0.0;
+  constexpr double largest_deviations = 5.0;
+  for (std::size_t n = 0; n < result.below->off.vertical_m.size(); ++n) {
+    const double land_m = place_ && place_->shallows() ? place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n))) : 0.0;
+    result.below->off.vertical_m[n] = others_height_m() + most_m + land_m;
+    result.below->off.horizontal_m[n] = others_shift_m() + furthest_m;
+    double& moved = result.below->motion.horizontal_m[n];
+    moved = std::hypot(moved, others_shift_m() / largest_deviations);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include "ocean/waves/drawn_source.h"
 #include "ocean/waves/sea_change.h"
 #include "ocean/waves/sea_state.h"
+#include "ocean/waves/source_error.h"
 #include "ocean/waves/wave_compute.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_images.h"
@@ -114,7 +115,7 @@ class Ocean {
   double land_m() const;  // how far it stands above the still sea at most
   double most_share() const;  // by which a bed may raise waves, 1 without one
   SourceStatistics of_sources_;  // all of them together
-  double of_unknown_curvature_m_ = 0.0;  // height of those that do not know how they are bent
+  SourceError source_error_;
   void follow_change(Frame& frame, std::int64_t ticks);
   // The long waves alone, on the processor, where the GPU makes the picture's: what the water beneath a viewer does.
   std::unique_ptr<WaveField> long_waves_;

@@ -25,6 +25,7 @@ DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& s
   images_ = {Image(device, "dynamic waves, shift", spec), Image(device, "dynamic waves, slope", spec)};
   const std::size_t bytes = images_.size() * spec.layers * spec.width * spec.height * texel_bytes;
   for (Buffer& staging : staging_) staging = Buffer(device, "dynamic waves, staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+  mesh_errors_.reserve(spec.layers);
 }
 
 void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
@@ -45,6 +46,7 @@ void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& vi
     region.imageExtent = {samples, samples, 1};
     regions_.push_back(region);
   }
+  find_mesh_errors();
   if (regions_.empty()) return;
   const Buffer& staging = staging_[std::size_t(frame.slot())];
   const std::size_t plane_bytes = layers * texels * texel_bytes;
@@ -63,18 +65,24 @@ void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& vi
   });
 }
 
-double DrawnDynamicWaves::mesh_error_m(double spacing_m) const {
+// A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal; and twice the height at most.
+void DrawnDynamicWaves::find_mesh_errors() {
   const DynamicSurface& surface = sea_.surface();
-  double sum = 0.0;
+  const auto step_of_two = [](double value) { return std::exp2(std::ceil(std::log2(value))); };
+  const gpu::LodWindows windows = surface.windows(glm::dvec2(0.0));
+  mesh_errors_.clear();
   for (int i = 0; i < surface.levels(); ++i) {
-    const double height = surface.extent(i).height_m;
-    if (surface.still(i) || !(height > 1e-4)) continue;
-    // A field without waves shorter than 8 texels is bent by at most (2 pi / 8 texels)^2 of its largest value (Bernstein 1912); a mesh
-    // misses a quarter of the bend times the square of the spacing, along either axis and at most twice the height.
-    const double k = std::numbers::pi / (4.0 * surface.texel_m(i));
-    sum += std::min(0.25 * k * k * spacing_m * spacing_m, 2.0) * std::exp2(std::ceil(std::log2(height)));
+    const double height_m = surface.extent(i).height_m;
+    if (surface.still(i) || !(height_m > 1e-4)) continue;
+    const double bent = step_of_two(1.1 * surface.extent(i).bent_per_m), most_m = 2.0 * step_of_two(height_m);
+    NearMeshError& near = mesh_errors_.emplace_back();
+    // Squares: their corners are the farthest.
+    near.reach_m = std::numbers::sqrt2 * std::min(double(windows.reach.x) * std::exp2(i), double(windows.reach.y));
+    for (std::size_t n = 0; n < near.error.octave_m.size(); ++n) {
+      const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
+      near.error.octave_m[n] = std::min({0.25 * bent * spacing_m * spacing_m, MeshError::most_over_spacing * spacing_m, most_m});
+    }
   }
-  return sum;
 }
 
 void DrawnDynamicWaves::describe(gpu::DynamicData& data, glm::dvec2 grid_origin_m) const {

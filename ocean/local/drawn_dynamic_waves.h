@@ -1,10 +1,12 @@
 // The dynamic waves as images that the surface samples, filled by the processor and copied.
 #pragma once
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/frame.h"
 #include "ocean/local/dynamic_sea.h"
+#include "ocean/lod/surface_selection.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
@@ -25,8 +27,8 @@ class DrawnDynamicWaves {
   // How high and how far sideways they move the water, of all levels together, m.
   double height_m() const { return height_m_; }
   double shift_m() const { return shift_m_; }
-  // What a mesh whose vertices are `spacing_m` apart misses of them at most, m. In steps of a factor two, so that it seldom changes.
-  double mesh_error_m(double spacing_m) const;
+  // What meshes miss of each level that moves, as far as its window is read. In steps of a factor two, so that it seldom changes. Until the next update.
+  std::span<const NearMeshError> mesh_errors() const { return mesh_errors_; }
   const Image& shift() const { return images_[0]; }  // a layer a level: Dx, h, Dz, dDx/dz
   const Image& slope() const { return images_[1]; }  // dh/dx, dh/dz, dDx/dx, dDz/dz
 
@@ -36,6 +38,8 @@ class DrawnDynamicWaves {
   std::array<Buffer, Frame::slots> staging_;
   std::vector<VkBufferImageCopy> regions_;
   double height_m_ = 0.0, shift_m_ = 0.0;
+  std::vector<NearMeshError> mesh_errors_;
+  void find_mesh_errors();
 };
 
 }  // namespace seascape

@@ -73,8 +73,9 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
   }
   // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D
   // over its width.
-  float squeeze = 0.0f, farthest = 0.0f, highest = 0.0f;
+  float squeeze = 0.0f, farthest = 0.0f, highest = 0.0f, bent = 0.0f;
   glm::dvec3 moments(0.0);
+  const std::size_t side = std::size_t(n);
   for (std::size_t i = 0; i < level.shift.size(); ++i) {
     const float xx = level.slope[i].z, zz = level.slope[i].w, xz = level.shift[i].w, half = 0.5f * (xx - zz);
     // More than before? Asked of squares, for roots are dear.
@@ -84,8 +85,13 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
     highest = std::max(highest, std::abs(level.shift[i].y));
     const glm::vec4& s = level.slope[i];
     moments += glm::dvec3(s.x * s.x, s.y * s.y, s.x * s.y);
+    // What its slopes differ by from the next column's and row's: of the Hessian's norm (Frobenius) the square, times a texel's.
+    const glm::vec4& east = level.slope[(i + 1) % side != 0 ? i + 1 : i + 1 - side];
+    const glm::vec4& north = level.slope[i + side < level.slope.size() ? i + side : i + side - level.slope.size()];
+    const float across_x = east.x - s.x, across_z = north.y - s.y, twist_x = east.y - s.y, twist_z = north.x - s.x;
+    bent = std::max(bent, across_x * across_x + across_z * across_z + twist_x * twist_x + twist_z * twist_z);
   }
-  level.extent = {highest, std::sqrt(double(farthest)), moments / double(level.shift.size())};
+  level.extent = {highest, std::sqrt(double(farthest)), std::sqrt(double(bent)) / level.texel_m, moments / double(level.shift.size())};
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
 }
 

@@ -36,6 +36,7 @@ class DynamicSurface {
   // What a level's texels come to.
   struct Extent {
     double height_m = 0.0, shift_m = 0.0;   // nowhere more, to what straight lines between texels have; the shift after `share`
+    double bent_per_m = 0.0;                // of the height along any line, from texel to texel
     glm::dvec3 slope_moments{0.0};          // means of (dh/dx)^2, (dh/dz)^2, product
   };
   Extent extent(int level) const;

@@ -158,8 +158,8 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   const glm::i64vec2 centre(std::llround(centre_m.x / unit_m_), std::llround(centre_m.y / unit_m_));
   const glm::ivec2 to_viewer(static_cast<int>(centre.x - grid_x), static_cast<int>(centre.y - grid_z));
   const Reaches::Asked asked{viewpoint.pixels_per_radian > 0.0 ? viewpoint.pixels_per_radian : reference_pixels_per_radian, vertical_m,
-                             bounds.mesh_error, bounds.below ? std::optional(bounds.below->motion) : std::nullopt};
-  if (!(reaches_.known && reaches_.asked == asked)) find_reaches(asked);
+                             bounds.mesh_error, bounds.near, bounds.near.empty() ? 0.0 : std::abs(eye.y) + vertical_m, bounds.below ? std::optional(bounds.below->motion) : std::nullopt};
+  if (!(reaches_.known && reaches_.asked == asked && std::ranges::equal(reaches_.near, asked.near))) find_reaches(asked);
   frame.levels = reaches_.levels;
   frame.root_size = gpu::patch_quads << frame.levels;
   frame.reach = reaches_.reach;
@@ -241,11 +241,28 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
   for (double half_m = 0.5 * settings_.ocean_size_m; half_m < needed_m && levels < TreeFrame::max_levels; half_m *= 2.0) ++levels;
   const double root_m = (gpu::patch_quads << levels) * unit_m_;
   const auto error_m = [&](double spacing_m) { return mesh_error.known() ? mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m); };
-  reaches_ = {true, asked, levels, {}, 1.0, 0.0};
+  // Water in windows counts no farther than these reach.
+  const auto reach_with_near = [&](double coarser_m) {
+    const double error = error_m(coarser_m);
+    double reach_m = reach_of(coarser_m, error);
+    for (std::size_t n = 0; n < asked.near.size(); ++n) {
+      double sum = error;
+      for (const NearMeshError& near : asked.near.subspan(n)) sum += near.error(coarser_m);
+      reach_m = std::max(reach_m, std::min(reach_of(coarser_m, sum), std::hypot(asked.near[n].reach_m, asked.over_m)));
+    }
+    return reach_m;
+  };
+  reaches_.known = true;
+  reaches_.asked = asked;
+  reaches_.near.assign(asked.near.begin(), asked.near.end());
+  reaches_.asked.near = {};
+  reaches_.levels = levels;
+  reaches_.reach = {};
+  reaches_.border_spacing = 1.0;
   double before = 0.0, most = 0.0;
   for (int n = 0; n < levels; ++n) {
     const double stride = 1 << n;
-    double reach_m = reach_of(2.0 * stride * unit_m_, error_m(2.0 * stride * unit_m_));
+    double reach_m = reach_with_near(2.0 * stride * unit_m_);
     if (motion && reach_m > 0.0) reach_m += closer(reach_m, (*motion)(reach_m).y, fewer);
     most = std::max(most, reach_m / unit_m_);
     if (reach_m < 0.5 * root_m) reaches_.border_spacing = stride * std::clamp(root_m / reach_m, 2.0, 4.0);

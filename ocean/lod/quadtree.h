@@ -56,7 +56,7 @@ class Quadtree {
   // all of its motion is below the error allowed, no patch splits.
   static constexpr double split_ratio = 0.5;
   // What a mesh misses at most over its vertices' spacing, where the sea does not say (measured: 0.07 to 0.12 in a fresh breeze or a storm).
-  static constexpr double error_over_spacing = 0.12;
+  static constexpr double error_over_spacing = MeshError::most_over_spacing;
   static constexpr int max_square_levels = 12;
   static constexpr int max_levels = 17;  // of patches, with three levels of them in a square of 64 quads
   static constexpr int least_levels = TreeFrame::least_levels;
@@ -71,15 +71,18 @@ class Quadtree {
     struct Asked {
       double pixels_per_radian = 0.0, vertical_m = 0.0;
       MeshError mesh_error;
+      std::span<const NearMeshError> near;
+      double over_m = 0.0;  // the viewer, over water that is near
       std::optional<NearMotion> motion;
       bool operator==(const Asked& o) const {
-        return pixels_per_radian == o.pixels_per_radian && vertical_m == o.vertical_m && mesh_error.octave_m == o.mesh_error.octave_m &&
+        return pixels_per_radian == o.pixels_per_radian && vertical_m == o.vertical_m && mesh_error.octave_m == o.mesh_error.octave_m && over_m == o.over_m &&
                motion.has_value() == o.motion.has_value() &&
                (!motion || (motion->vertical_m == o.motion->vertical_m && motion->horizontal_m == o.motion->horizontal_m));
       }
     };
     bool known = false;
-    Asked asked;
+    Asked asked;  // but for its `near`, which is
+    std::vector<NearMeshError> near;
     int levels = 0;
     std::array<double, TreeFrame::max_levels> reach{};
     double border_spacing = 1.0, visible = 0.0;

@@ -1,6 +1,7 @@
 // What is drawn of the surface for a viewer: the patches, and the numbers that place their vertices.
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ocean/waves/wave_field.h"
@@ -8,6 +9,13 @@
 #include "shaders/shared/vertex_morph.h"
 
 namespace seascape {
+
+// What meshes miss besides of data that lie in windows around the viewer: as far as `reach_m` from there, in plan.
+struct NearMeshError {
+  double reach_m = 0.0;
+  MeshError error;
+  bool operator==(const NearMeshError& o) const { return reach_m == o.reach_m && error.octave_m == o.error.octave_m; }
+};
 
 // What the surface may be displaced by, in metres, anywhere: bounds for culling; and what meshes of it miss.
 struct DisplacementBounds {
@@ -24,6 +32,8 @@ struct DisplacementBounds {
     NearMotion off;  // how far water may stand off it besides, at most, and land with it; by distances as in `motion`
   };
   std::optional<Below> below;
+  // To add to mesh_error, nearest first. Of whoever gave the bounds, until its next frame.
+  std::span<const NearMeshError> near{};
 };
 
 struct SurfaceSelection {

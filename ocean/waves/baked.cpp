@@ -137,7 +137,7 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
   laying_ = {1.0, loop_.side_m, 0.0, loop_.side_m, 4.0 * texel};
 
   struct Sums {
-    double height = 0.0, raised_slope = 0.0, highest = 0.0, furthest = 0.0, bent = 0.0;
+    double height = 0.0, raised_slope = 0.0, highest = 0.0, furthest = 0.0;
     glm::dvec3 slope{0.0};
   };
   std::vector<Sums> of_frame(std::size_t(loop_.frames));
@@ -162,11 +162,6 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
         sums.raised_slope += glm::dot(s, s);
         sums.highest = std::max(sums.highest, double(std::abs(height(x, z))));
         sums.furthest = std::max(sums.furthest, std::hypot(double(first[z * n + x]), double(first[2 * plane + z * n + x])));
-        for (int c = 0; c < 3; ++c) {
-          const Torus of{first + c * plane, n};
-          const double here = 2.0 * of(x, z);
-          sums.bent = std::max(sums.bent, std::abs(of(x + 1, z) + of(x - 1, z) - here) + std::abs(of(x, z + 1) + of(x, z - 1) - here));
-        }
       }
   });
   Sums all;
@@ -176,7 +171,6 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
     all.raised_slope += sums.raised_slope;
     all.highest = std::max(all.highest, sums.highest);
     all.furthest = std::max(all.furthest, sums.furthest);
-    all.bent = std::max(all.bent, sums.bent);
   }
   const double count = double(loop_.frames) * n * n;
   statistics_.height_variance = all.height / count;
@@ -184,7 +178,6 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
   constexpr double between = 1.05;  // frames and texels
   statistics_.largest_height_m = between * all.highest;
   statistics_.largest_shift_m = between * all.furthest;
-  statistics_.largest_curvature_per_m = between * all.bent / (texel * texel);
   if (all.raised_slope > 0.0) moment_share_ = float((all.slope.x + all.slope.y) / all.raised_slope);
   still_ = all.highest == 0.0 && all.furthest == 0.0;
 }

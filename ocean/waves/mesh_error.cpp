@@ -34,6 +34,8 @@ Octave octave(double value, std::size_t last) {
 }
 }  // namespace
 
+double largest_of_missed(double spacing_m, double rms_m) { return peak(spacing_m) * rms_m; }
+
 double VarianceByLength::wave_number(int bucket) { return least_wave_number * std::exp2((bucket + 0.5) / per_octave); }
 
 void VarianceByLength::add(double wave_number, double height_variance, double shift_variance) {
@@ -52,7 +54,7 @@ MeshError VarianceByLength::mesh_error() const {
       const double t = wave_number(b) * spacing_m / half_missed, t4 = t * t * t * t;
       missed += height_[std::size_t(b)] * most_missed * t4 / (most_missed + t4);
     }
-    result.octave_m[n] = peak(spacing_m) * std::sqrt(missed);
+    result.octave_m[n] = largest_of_missed(spacing_m, std::sqrt(missed));
   }
   return result;
 }

@@ -29,7 +29,7 @@ struct SourceStatistics {
   double height_variance = 0.0;
   glm::dvec3 slope_moments{0.0};  // of one laying: all have the same
   double largest_height_m = 0.0, largest_shift_m = 0.0;
-  double largest_curvature_per_m = 0.0;  // of any component of the displacement along any line; 0: not known
+  double largest_curvature_per_m = 0.0;  // of any component of the displacement along any line, of what may be laid along curves
 };
 
 // Immutable once made: any number of threads may evaluate one.

@@ -59,6 +59,7 @@ std::int64_t ticks_from_seconds(double time_s);
 // itself, of some million points, by its vertices' spacing: rises with it. All zero: unknown.
 struct MeshError {
   static constexpr double least_spacing_m = 1.0 / 128.0;
+  static constexpr double most_over_spacing = 0.12;  // of any water, over the vertices' spacing
   std::array<double, 20> octave_m{};  // of spacings of 1, 2, 4, ... times the least
   double operator()(double spacing_m) const;
   bool known() const { return octave_m.back() > 0.0; }

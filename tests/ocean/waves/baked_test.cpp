@@ -243,11 +243,6 @@ TEST(Baked, StatisticsAreThoseOfTheLoop) {
   const auto source = std::make_shared<Baked>(loop_of(waves, 64, 48), BakedSettings{});
   EXPECT_NEAR(source->statistics().height_variance / variance, 1.0, 0.01);
   EXPECT_NEAR((source->statistics().slope_moments.x + source->statistics().slope_moments.y) / slope, 1.0, 0.02);
-  // No tighter than a bound may be, nor much wider. Control: a texel's difference from one beside it for its bend (tests/mutants).
-  double bent = 0.0;
-  for (const truth::Trochoid& w : waves) bent += w.a * (w.kx * w.kx + w.kz * w.kz);
-  EXPECT_LE(source->statistics().largest_curvature_per_m, 1.5 * bent);
-  EXPECT_GE(source->statistics().largest_curvature_per_m, 0.3 * bent);
   EXPECT_EQ(source->bytes(), 48u * 3u * 64u * 64u * 4u);
   EXPECT_NEAR(source->period_s(), 12.0, 1e-6);
   const WaveField field(flat(), {.resolution = 16, .cascades = 1}, {source});
