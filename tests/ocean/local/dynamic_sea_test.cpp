@@ -181,6 +181,27 @@ TEST(DynamicSea, ExtentsBoundTheWaves) {
   EXPECT_GT(sea.surface().extent(0).slope_moments.x, 0.0);
 }
 
+// A straight line between places of the surface misses what lies between by no more than its bend says, and by no less than a seventh of it. Controls seen: the bend of the
+// slopes along x alone, by half a texel, and by two.
+TEST(DynamicSea, ExtentsBoundTheBend) {
+  DynamicSea sea(small_sea());
+  sea.update(2.0, head);
+  const DynamicSurface& surface = sea.surface();
+  const double half_m = 2.0 * surface.texel_m(0);
+  double bound = 0.0, most = 0.0;
+  for (int i = 0; i < surface.levels(); ++i) bound += 0.5 * 1.1 * surface.extent(i).bent_per_m * half_m * half_m;
+  const auto height = [&](glm::dvec2 at) { return surface.sea(at, 0.0).displacement.y; };
+  for (int j = -60; j <= 60; ++j)
+    for (int i = -60; i <= 60; ++i) {
+      const glm::dvec2 at = glm::dvec2(3.0, -2.0) + 0.1 * glm::dvec2(i, j);
+      for (const glm::dvec2 way : {glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(0.7071, 0.7071)})
+        most = std::max(most, std::abs(height(at) - 0.5 * (height(at + half_m * way) + height(at - half_m * way))));
+    }
+  RecordProperty("of_bound", std::to_string(most / bound));
+  EXPECT_LE(most, bound);
+  EXPECT_GT(most, bound / 7.0);
+}
+
 TEST(DynamicSea, KnowsWhatCanNeverMove) {
   DynamicSeaSettings s = small_sea();
   EXPECT_FALSE(still(s));

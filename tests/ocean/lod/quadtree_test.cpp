@@ -140,6 +140,54 @@ TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
 
 // The vertex budget of the presets at deck height (60 degrees, 16:9, 720 lines, 4096 m) over a sea of which the tree knows no more than
 // its bounds. Mean patches of 4 by 4 quads in view: see `most`, a tenth more. Control seen: ultra's error at high (12,357).
+// What is missed of data in windows refines the mesh as far as they reach, and no farther. Controls seen: added to what is missed anywhere (30 times as many patches beyond), and of
+// two windows the nearer left out where the farther one counts.
+TEST(Quadtree, WindowsAreFineOnlyAsFarAsTheyReach) {
+  MeshError sea, ripples, swell;
+  for (std::size_t n = 0; n < sea.octave_m.size(); ++n) {
+    const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
+    sea.octave_m[n] = 0.01 * spacing_m;
+    ripples.octave_m[n] = std::min(0.1 * spacing_m, 0.2);
+    swell.octave_m[n] = std::min(0.05 * spacing_m, 0.5);
+  }
+  LodSettings settings = settings_of(presets[2], 4096.0, LodJoin::morphed);
+  settings.pixel_error = 2.0;
+  Quadtree tree(settings);
+  DisplacementBounds bounds{1.0, 0.5, sea};
+  // Leaves as fine as a spacing, within and beyond a distance.
+  struct Fine {
+    int within = 0, beyond = 0;
+  };
+  const auto finer = [](const SurfaceSelection& s, double than_m, double distance_m) {
+    Fine result;
+    for (const auto& p : s.patches) {
+      if (is_skirt(p) || p.stride * s.unit_m > than_m) continue;
+      const glm::dvec2 middle = (glm::dvec2(p.corner) + 0.5 * p.stride * gpu::patch_quads) * s.unit_m;
+      ++(glm::length(middle) < distance_m ? result.within : result.beyond);
+    }
+    return result;
+  };
+  const Viewpoint view = everything_from({3.0, 1.7, 5.0});
+  constexpr double fine_m = 0.05, coarser_m = 0.25;
+  const Fine alone = finer(tree.select(view, bounds), fine_m, 12.0), alone_coarser = finer(tree.select(view, bounds), coarser_m, 100.0);
+  const std::array<NearMeshError, 2> near{{{8.0, ripples}, {60.0, swell}}};
+  bounds.near = near;
+  const SurfaceSelection& s = tree.select(view, bounds);
+  const Fine fine = finer(s, fine_m, 12.0), coarser = finer(s, coarser_m, 100.0);
+  RecordProperty("fine", std::to_string(alone.within) + ' ' + std::to_string(fine.within) + ' ' + std::to_string(fine.beyond));
+  RecordProperty("coarser", std::to_string(alone_coarser.within) + ' ' + std::to_string(coarser.within) + ' ' + std::to_string(coarser.beyond));
+  EXPECT_GT(fine.within, 2 * alone.within + 100);
+  EXPECT_EQ(fine.beyond, 0);
+  EXPECT_GT(coarser.within, 2 * alone_coarser.within + 100);
+  EXPECT_EQ(coarser.beyond, 0);
+  // Other windows, other reaches; and without any as before.
+  const std::array<NearMeshError, 1> higher{{{8.0, swell}}};
+  bounds.near = higher;
+  EXPECT_LT(finer(tree.select(view, bounds), coarser_m, 100.0).within, coarser.within);
+  bounds.near = {};
+  EXPECT_EQ(finer(tree.select(view, bounds), fine_m, 12.0).within, alone.within);
+}
+
 TEST(Quadtree, PresetsStayInTheirVertexBudget) {
   const std::array<double, 4> most{275.0, 790.0, 3200.0, 14100.0}, pixels{8.0, 4.0, 2.0, 1.0};
   for (std::size_t n = 0; n < presets.size(); ++n) {
