@@ -140,15 +140,15 @@ TEST(Quadtree, NothingSplitsWhereTheWatersMotionIsBelowTheMeshsError) {
 
 // The vertex budget of the presets at deck height (60 degrees, 16:9, 720 lines, 4096 m) over a sea of which the tree knows no more than
 // its bounds. Mean patches of 4 by 4 quads in view: see `most`, a tenth more. Control seen: ultra's error at high (12,357).
-// What is missed of data in windows refines the mesh as far as they reach, and no farther. Controls seen: added to what is missed anywhere (30 times as many patches beyond), and of
-// two windows the nearer left out where the farther one counts.
+// What is missed of data in windows refines the mesh as far as they reach, and no farther. Controls seen: no limit to where they count, what one alone
+// misses where two do, and reaches not found anew for other windows.
 TEST(Quadtree, WindowsAreFineOnlyAsFarAsTheyReach) {
   MeshError sea, ripples, swell;
   for (std::size_t n = 0; n < sea.octave_m.size(); ++n) {
     const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
     sea.octave_m[n] = 0.01 * spacing_m;
-    ripples.octave_m[n] = std::min(0.1 * spacing_m, 0.2);
-    swell.octave_m[n] = std::min(0.05 * spacing_m, 0.5);
+    ripples.octave_m[n] = std::min(spacing_m, 0.2);
+    swell.octave_m[n] = std::min(0.8 * spacing_m, 0.5);
   }
   LodSettings settings = settings_of(presets[2], 4096.0, LodJoin::morphed);
   settings.pixel_error = 2.0;
@@ -180,7 +180,18 @@ TEST(Quadtree, WindowsAreFineOnlyAsFarAsTheyReach) {
   EXPECT_EQ(fine.beyond, 0);
   EXPECT_GT(coarser.within, 2 * alone_coarser.within + 100);
   EXPECT_EQ(coarser.beyond, 0);
+  // What lies in both counts together.
+  const std::array<NearMeshError, 2> wide{{{1e5, sea}, {2e5, sea}}};
+  bounds.near = wide;
+  const std::vector<gpu::PatchInstance> both = tree.select(view, bounds).patches;
+  DisplacementBounds thrice{1.0, 0.5, sea};
+  for (double& error_m : thrice.mesh_error.octave_m) error_m *= 3.0;
+  // But for the tree's own size, which windows do not change.
+  const auto count = [](const std::vector<gpu::PatchInstance>& list) { return std::count_if(list.begin(), list.end(), [](const auto& p) { return !is_skirt(p); }); };
+  EXPECT_NEAR(double(count(both)) / double(count(tree.select(view, thrice).patches)), 1.0, 0.01);
   // Other windows, other reaches; and without any as before.
+  bounds.near = near;
+  EXPECT_EQ(finer(tree.select(view, bounds), coarser_m, 100.0).within, coarser.within);
   const std::array<NearMeshError, 1> higher{{{8.0, swell}}};
   bounds.near = higher;
   EXPECT_LT(finer(tree.select(view, bounds), coarser_m, 100.0).within, coarser.within);
