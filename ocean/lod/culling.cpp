@@ -34,11 +34,11 @@ std::size_t join_ranges(BoxRange* ranges, std::size_t count) {
 }
 
 void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
-  planes_.resize(eyes.size() * planes_per_eye);
+  together_.resize(eyes.size());
   for (std::vector<Across>& axis : across_) axis.resize(eyes.size());
   for (std::size_t e = 0; e < eyes.size(); ++e) {
     const Fov& fov = eyes[e].fov;
-    FrustumPlane* const planes = &planes_[e * planes_per_eye];
+    std::array<FrustumPlane, planes_per_eye> planes;
     const glm::dvec3 position = eyes[e].pose.position_m - origin_m;
     std::size_t count = 0;
     const auto add = [&](const glm::dvec3& n, double offset) {
@@ -66,8 +66,9 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
       normal[axis] = all_up[axis] ? 1.0 : -1.0;
       add(normal, all_up[axis] ? -position[axis] : position[axis]);
     }
-    for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes, count, axis == 1);
-    for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0};
+    for (std::size_t axis = 0; axis < 2; ++axis) across_[axis][e] = across(planes.data(), count, axis == 1);
+    for (; count < planes_per_eye; ++count) planes[count] = {0.0, 0.0, 1.0, 0.0, 0.0};  // all on its seen side
+    together_[e] = side_by_side(planes.data());
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     pairs_[axis].resize((eyes.size() + 1) / 2);
@@ -133,10 +134,47 @@ EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t coun
 namespace {
 constexpr double far_m = 1e7;  // farther than any box: what a plane as good as along an axis may rise on the way
 constexpr double spare = 1e-3;  // of a box, for what doubles lose
+constexpr double float_spare = 1e-6;  // of each distance: more than what sums of seven floats lose
 namespace hn = hwy::HWY_NAMESPACE;
 // Two doubles are a vector that every instruction set has: no run-time dispatch is needed.
 using Pair = hn::FixedTag<double, 2>;
 }  // namespace
+
+EyeFrusta::SideBySide EyeFrusta::side_by_side(const FrustumPlane* planes) {
+  SideBySide result;
+  for (std::size_t n = 0; n < planes_per_eye; ++n) {
+    const FrustumPlane& p = planes[n];
+    const double length = std::sqrt(p.x * p.x + p.z * p.z + (p.up + p.down) * (p.up + p.down));
+    const double per = length > 0.0 ? 1.0 / length : 1.0;
+    result.x[n] = float(per * p.x);
+    result.z[n] = float(per * p.z);
+    result.x_size[n] = std::abs(result.x[n]);
+    result.z_size[n] = std::abs(result.z[n]);
+    result.up[n] = float(per * p.up);
+    result.down[n] = float(per * p.down);
+    result.offset[n] = float(per * p.offset + float_spare * std::abs(per * p.offset));
+  }
+  return result;
+}
+
+bool EyeFrusta::may_see(const UprightBox& box) const {
+  if (together_.empty()) return true;
+  const hn::FixedTag<float, 4> d;  // as of pairs: every instruction set has it
+  const double lost_m = float_spare * (std::abs(box.x) + std::abs(box.z) + box.half_x + box.half_z + std::abs(box.low) + std::abs(box.high));
+  const auto x = hn::Set(d, float(box.x)), z = hn::Set(d, float(box.z)), half_x = hn::Set(d, float(box.half_x)), half_z = hn::Set(d, float(box.half_z));
+  const auto high = hn::Set(d, float(box.high)), low = hn::Set(d, float(box.low)), least = hn::Set(d, float(-lost_m));
+  for (const SideBySide& p : together_) {
+    auto beyond = hn::Zero(d);
+    for (std::size_t n = 0; n < planes_per_eye; n += 4) {
+      const auto across = hn::MulAdd(hn::Load(d, &p.x[n]), x, hn::MulAdd(hn::Load(d, &p.z[n]), z, hn::Load(d, &p.offset[n])));
+      const auto size = hn::MulAdd(hn::Load(d, &p.x_size[n]), half_x, hn::Mul(hn::Load(d, &p.z_size[n]), half_z));
+      const auto upright = hn::MulAdd(hn::Load(d, &p.up[n]), high, hn::Mul(hn::Load(d, &p.down[n]), low));
+      beyond = hn::Or(beyond, hn::VecFromMask(d, hn::Lt(hn::Add(hn::Add(across, size), upright), least)));
+    }
+    if (hn::AllFalse(d, hn::MaskFromVec(beyond))) return true;
+  }
+  return false;
+}
 
 // A box is beyond a plane where along * its centre's x + rest < 0, so the plane keeps all boxes to one side of -rest / along, and rest is
 // linear in the row. Two eyes at a time, one to a lane.

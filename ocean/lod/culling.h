@@ -84,16 +84,7 @@ class EyeFrusta {
   void set(const std::vector<View>& eyes, const glm::dvec3& origin_m);
 
   // False only if no eye can see any point of the box.
-  bool may_see(const UprightBox& box) const {
-    if (planes_.empty()) return true;
-    for (std::size_t first = 0; first < planes_.size(); first += planes_per_eye) {
-      const auto beyond = [&box](const FrustumPlane& p) {
-        return p.x * box.x + p.z * box.z + std::abs(p.x) * box.half_x + std::abs(p.z) * box.half_z + p.up * box.high + p.down * box.low + p.offset < 0.0;
-      };
-      if (std::none_of(&planes_[first], &planes_[first] + planes_per_eye, beyond)) return true;
-    }
-    return false;
-  }
+  bool may_see(const UprightBox& box) const;
 
   // Lists of one range for every eye: one eye that sees everything where there are none.
   std::size_t lists() const { return std::max<std::size_t>(across_[0].size(), 1); }
@@ -134,7 +125,14 @@ class EyeFrusta {
   };
   static TwoEyes two_eyes(const Across* eyes, std::size_t count);
 
-  std::vector<FrustumPlane> planes_;  // eight an eye; those that an eye does not need have all on their seen side
+  // All planes of an eye side by side, as single boxes are held against them.
+  struct SideBySide {
+    using Lanes = std::array<float, planes_per_eye>;
+    alignas(16) Lanes x, z, x_size, z_size, up, down, offset;  // sizes: |x|, |z|
+  };
+  static SideBySide side_by_side(const FrustumPlane* planes);
+
+  std::vector<SideBySide> together_;  // of each eye
   std::array<std::vector<Across>, 2> across_;  // lines along x, along z
   std::array<std::vector<TwoEyes>, 2> pairs_;  // the same
 };

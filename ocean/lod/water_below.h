@@ -20,7 +20,7 @@ std::optional<DisplacementBounds::Below> water_below(const WaveField& field, con
 
 // Finds the near leaves that no eye sees as their water stands, which culling by bounds cannot tell: the water of a node of four by four leaves lies about its
 // corners, no farther off than what a mesh of its size misses. `frusta` as the tree was culled with (relative to the grid origin), `tiles` with all waves that
-// are drawn. Looks at leaves of up to half a significant wave height. Keeps room to work in: no allocation once levels have reached as far.
+// are drawn. Looks at leaves of up to two fifths of a significant wave height. Keeps room to work in: no allocation once levels have reached as far.
 class WaterCulling {
  public:
   // Tells the levels which of their nodes are seen: valid until the next call.
