@@ -146,7 +146,7 @@ TEST(CullingHard, BruteForceSeesShrunkenBoundsAndAForgottenEye) {
 }
 
 // A box without size is a point: what single boxes are held against, in floats, says of it what doubles say, but for what floats lose. Controls seen: no spare
-// room for that (points at the edge are dropped), the spare room a hundred times as large, the second eye's planes forgotten, the four last planes forgotten.
+// room for that (points at the edge are dropped), the spare room a hundred times as large, the second eye's planes forgotten, the four first planes forgotten.
 TEST(CullingHard, SingleBoxesAreSeenWhereOneEyeSeesThem) {
   Random random(41);
   EyeFrusta frusta;
