@@ -36,9 +36,9 @@ struct Draw {
 };
 constexpr std::array<Draw, 4> draws{{{"first", 1, 8, 0.0}, {"second", 7321, 90210, 51234.5}, {"third", 415, 20261121, 261803.0}, {"fourth", 90017, 31337, 777.0}}};
 
-// `faults` is done to what the quadtree is told: the planted ones.
+// `faults` is done to what the quadtree is told: the planted ones. Looks from the `first` of the poses on.
 template <class Fault>
-ScreenError screen_error(const std::string& scene, const char* preset, LodJoin join, const Draw& draw, int poses, int per_patch, const Fault& faults) {
+ScreenError screen_error(const std::string& scene, const char* preset, LodJoin join, const Draw& draw, int poses, int per_patch, const Fault& faults, int first = 0) {
   Settings settings = load_scene(scene, preset).settings;
   settings.lod.join = join;
   settings.sea.seed = draw.sea;
@@ -54,6 +54,7 @@ ScreenError screen_error(const std::string& scene, const char* preset, LodJoin j
   for (int n = 0; n < poses; ++n) {
     if (n % 25 == 0) field.evaluate(ticks_from_seconds(draw.from_s + 17.0 * n), tiles);
     const Viewpoint view = pose_over(field, tiles, poses_drawn, n);
+    if (n < first) continue;
     DisplacementBounds bounds = bounds_of(field, tiles, view.viewer.position_m);
     faults(settings.lod, bounds);
     add_picture({field, tiles, tree.select(view, bounds, &field, &tiles)}, view, per_patch, points, error);
@@ -89,6 +90,14 @@ TEST(ScreenErrorHard, IsWithinThePresetsFigure) {
           }
           EXPECT_GT(e.worst, 0.2 * figures[p]) << row << ": far finer than asked for";
         }
+}
+
+// From this pose a crest 280 m off was missed by 4.09 of the 4 pixels, while larger figures took as much less of the mesh as a normal sea's largest says. Control seen: that law,
+// a seventh of the logarithm for a tenth in Quadtree's `fewer`.
+TEST(ScreenErrorHard, ACrestFarOffIsWithinMediumsPixels) {
+  if (!chosen("crest")) GTEST_SKIP() << "another row is asked for";
+  ScreenError e = screen_error("open_sea", "medium", LodJoin::morphed, draws[3], 107, 200, no_fault, 106);
+  EXPECT_LE(e.worst, figures[1]) << e.where;
 }
 
 // The threshold's own way, one constant for all presets. Controls seen: 0.6 (ultra in the storm, third draw: 1.23) and 0.72 (1.12 in the first).
