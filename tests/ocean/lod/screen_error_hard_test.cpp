@@ -100,6 +100,14 @@ TEST(ScreenErrorHard, ACrestFarOffIsWithinMediumsPixels) {
   EXPECT_LE(e.worst, figures[1]) << e.where;
 }
 
+// From this one a trough 400 m off was missed by 1.10 of the one pixel. Control seen: ultra asking for 1 pixel, not for 0.9.
+TEST(ScreenErrorHard, ATroughFarOffIsWithinUltrasPixel) {
+  if (!chosen("trough")) GTEST_SKIP() << "another row is asked for";
+  if (test::sanitized) GTEST_SKIP() << "a million points";
+  ScreenError e = screen_error("storm", "ultra", LodJoin::morphed, draws[1], 131, 64, no_fault, 130);
+  EXPECT_LE(e.worst, figures[3]) << e.where;
+}
+
 // The threshold's own way, one constant for all presets. Controls seen: 0.6 (ultra in the storm, third draw: 1.23) and 0.72 (1.12 in the first).
 TEST(ScreenErrorHard, IsWithinTheFigureByTheThresholdToo) {
   for (std::size_t p = 0; p < presets.size(); ++p)
