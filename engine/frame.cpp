@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "engine/error.h"
@@ -44,10 +45,9 @@ void Commands::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   ++work_->back().dispatches;
 }
 
-void Commands::bind_vertices(const Upload& upload) {
-  const VkBuffer buffer = upload.buffer->get();
-  const VkDeviceSize offset = upload.offset;
-  vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &offset);
+void Commands::bind_vertices(const VertexList& list) {
+  const VkBuffer buffer = list.buffer->get();
+  vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &list.offset);
   note(5);
 }
 
@@ -91,15 +91,23 @@ void Commands::count_draw(std::uint64_t triangles) {
   work_->back().triangles += triangles;
 }
 
-Frame::Frame(Device& device, std::uint32_t ring_bytes)
+namespace {
+
+constexpr std::uint32_t ring_bytes = 64u << 10;  // a frame's uniforms
+
+Buffer make_vertices(Device& device, VkDeviceSize bytes) {
+  return Buffer(device, "frame vertices", bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
+}
+
+}  // namespace
+
+Frame::Frame(Device& device, VkDeviceSize vertex_bytes)
     : device_(device),
-      ring_(device, "frame ring", VkDeviceSize(ring_bytes) * slots,
-            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-            HostAccess::write),
-      ring_bytes_(ring_bytes) {
+      ring_(device, "frame ring", VkDeviceSize(ring_bytes) * slots, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, HostAccess::write) {
   times_.reserve(max_passes);
   work_.reserve(4 * max_passes);
   for (Slot& slot : slots_) {
+    slot.vertices = make_vertices(device, vertex_bytes);
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.queueFamilyIndex = device.queue_family();
     VkCommandPool pool_handle = VK_NULL_HANDLE;
@@ -151,6 +159,7 @@ void Frame::begin() {
   slot.frame = number_;
   slot.passes = 0;
   ring_used_ = 0;
+  vertices_used_ = 0;
   counts_ = {};
   work_.clear();
   device_.frame_begun(number_);
@@ -167,14 +176,26 @@ void Frame::begin() {
   commands_.eye_ = 0;
 }
 
-Upload Frame::upload(const void* data, std::uint32_t bytes, std::uint32_t alignment) {
+std::uint32_t Frame::upload_bytes(const void* data, std::uint32_t bytes) {
+  const std::uint32_t alignment = device_.facts().uniform_alignment;
   ring_used_ = (ring_used_ + alignment - 1) / alignment * alignment;
-  if (ring_used_ + bytes > ring_bytes_)
-    throw Error("frame", fmt::format("uploads exceed {} bytes", ring_bytes_), "this is a fault of seascape; a lower preset avoids it");
-  const std::uint32_t offset = std::uint32_t(number_ % slots) * ring_bytes_ + ring_used_;
+  if (ring_used_ + bytes > ring_bytes)
+    throw Error("frame", fmt::format("uniforms exceed {} bytes", ring_bytes), "this is a fault of seascape; fewer views avoid it");
+  const std::uint32_t offset = std::uint32_t(slot()) * ring_bytes + ring_used_;
   std::memcpy(ring_.mapped<char>() + offset, data, bytes);
   ring_used_ += bytes;
-  return {&ring_, offset};
+  return offset;
+}
+
+VertexList Frame::vertices(VkDeviceSize bytes) {
+  Buffer& buffer = slots_[number_ % slots].vertices;
+  if (vertices_used_ + bytes > buffer.bytes()) {  // the smaller one lives until the frame that draws from it has finished
+    buffer = make_vertices(device_, std::max(2 * buffer.bytes(), bytes));
+    vertices_used_ = 0;
+  }
+  const VertexList list{&buffer, vertices_used_, buffer.mapped<char>() + vertices_used_};
+  vertices_used_ += (bytes + 15) / 16 * 16;
+  return list;
 }
 
 void Frame::open(const char* name, BarrierBatch& barriers) {

@@ -57,10 +57,11 @@ struct PassTime {
   double ms;
 };
 
-// A piece of the frame's upload ring.
-struct Upload {
+// A list of vertices that the host writes for one frame.
+struct VertexList {
   const Buffer* buffer;
-  std::uint32_t offset;
+  VkDeviceSize offset;
+  void* host;  // where to write it; uninitialized
 };
 
 // The one place where commands are recorded.
@@ -74,7 +75,7 @@ class Commands {
     push_bytes(&constants, sizeof(T));
   }
   void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z);
-  void bind_vertices(const Upload& upload);
+  void bind_vertices(const VertexList& list);
   void bind_indices(const Buffer& buffer, VkIndexType type);
   void draw(std::uint32_t vertices, std::uint32_t instances = 1);
   // `nothing`: so many of the triangles are not there (shaders/shared/patch_instance.h), and are not counted.
@@ -104,7 +105,10 @@ class Frame {
   static constexpr int slots = 2;  // frames in flight
   static constexpr std::uint32_t max_passes = 64;
 
-  explicit Frame(Device& device, std::uint32_t ring_bytes = 4u << 20);
+  // Room for a frame's vertex lists when it begins to be used; it grows with what frames ask for.
+  static constexpr VkDeviceSize first_vertex_bytes = 4u << 20;
+
+  explicit Frame(Device& device, VkDeviceSize vertex_bytes = first_vertex_bytes);
   ~Frame();
 
   // Waits until the slot's last frame has left the GPU, reads its timers, and begins to record.
@@ -126,11 +130,13 @@ class Frame {
     }
     end_pass();
   }
-  Upload upload(const void* data, std::uint32_t bytes, std::uint32_t alignment);
+  // The offset of a copy of `data` in ring(), until this frame has left the GPU.
   template <typename T>
   std::uint32_t upload_uniform(const T& data) {
-    return upload(&data, sizeof(T), device_.facts().uniform_alignment).offset;
+    return upload_bytes(&data, sizeof(T));
   }
+  // Room for `bytes` of vertices, aligned to 16, until this frame has left the GPU.
+  VertexList vertices(VkDeviceSize bytes);
   const Buffer& ring() const { return ring_; }
   // Which of the frames in flight this is, 0 to slots - 1: what the host writes for the GPU needs a piece for each.
   int slot() const { return int(number_ % slots); }
@@ -154,6 +160,7 @@ class Frame {
     Owned<VkFence> fence;
     Owned<VkQueryPool> queries;
     Buffer stamps;  // the queries' results, copied there by the frame itself
+    Buffer vertices;
     std::array<const char*, max_passes> names{};
     std::uint32_t passes = 0;
     std::uint64_t frame = 0;
@@ -166,11 +173,13 @@ class Frame {
   void end_pass();
   void open(const char* name, BarrierBatch& barriers);
   void collect(Slot& slot);
+  std::uint32_t upload_bytes(const void* data, std::uint32_t bytes);
 
   Device& device_;
   std::array<Slot, slots> slots_;
   Buffer ring_;
-  std::uint32_t ring_bytes_, ring_used_ = 0;
+  std::uint32_t ring_used_ = 0;
+  VkDeviceSize vertices_used_ = 0;
   Commands commands_;
   FrameCounts counts_;
   std::vector<PipelineWork> work_;

@@ -1,6 +1,6 @@
 #include "ocean/surface/surface.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 
 #include "ocean/lod/patch_mesh.h"
@@ -185,12 +185,10 @@ void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& sel
   if (selection.patches.empty()) return;
   constexpr std::size_t group = gpu::patches_an_instance;
   const std::size_t instances = (selection.patches.size() + group - 1) / group;
-  const Upload list = frame.upload(selection.patches.data(), std::uint32_t(selection.patches.size() * sizeof(gpu::PatchInstance)), 16);
-  // The ring grows without gaps between pieces of whole 16 bytes: what fills the last instance follows the list.
-  std::array<gpu::PatchInstance, group> rest;
-  rest.fill({selection.patches.back().corner, 1, gpu::patch_nothing});
+  const VertexList list = frame.vertices(instances * group * sizeof(gpu::PatchInstance));
   const std::size_t missing = instances * group - selection.patches.size();
-  if (missing > 0) frame.upload(rest.data(), std::uint32_t(missing * sizeof(gpu::PatchInstance)), 16);
+  auto* filled = std::copy(selection.patches.begin(), selection.patches.end(), static_cast<gpu::PatchInstance*>(list.host));
+  std::fill_n(filled, missing, gpu::PatchInstance{selection.patches.back().corner, 1, gpu::patch_nothing});
   commands.bind(pipeline_, bindings_[waves_.shown()], {frame_uniform, 0u}, from_air);
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(list);
