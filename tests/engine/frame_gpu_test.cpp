@@ -38,6 +38,7 @@ TEST_F(FrameVertices, GrowWithWhatFramesAskFor) {
         const VertexList list = frame.vertices(wanted);
         ASSERT_EQ(list.offset % 16, 0u);
         ASSERT_LE(list.offset + wanted, list.buffer->bytes());
+        ASSERT_TRUE(f < 2 * Frame::slots || lists.empty() || list.offset > 0) << "a buffer anew in frame " << f;
         std::memset(list.host, int(lists.size()) + 1, wanted);
         c.bind_vertices(list);
         c.draw(3);
