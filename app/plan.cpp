@@ -28,7 +28,7 @@ struct Part {
 constexpr Part parts[] = {
     {"surface", "the sea is drawn by it"},
     {"sky", "the sea mirrors it and is lit by it"},
-    {"frame", "every frame needs targets and a ring for uploads"},
+    {"frame", "every frame needs targets, and room for what the processor writes for it"},
 };
 
 PlanEffect& effect_named(Plan& plan, const std::string& name) {
