@@ -180,9 +180,10 @@ bool EyeFrusta::may_see(const UprightBox& box) const {
 // linear in the row. Two eyes at a time, one to a lane.
 void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const {
   const std::size_t eyes = lists();
-  seen.resize(eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0)));
+  const std::size_t ranges = eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0));
+  if (seen.size() < ranges) seen.resize(ranges);
   if (across_[0].empty()) {
-    std::fill(seen.begin(), seen.end(), columns);
+    std::fill_n(seen.begin(), ranges, columns);
     return;
   }
   const double inverse_step = 1.0 / grid.step;
@@ -245,7 +246,7 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
 
 // Of a plane the farthest corner of a trapezoid counts, which lies at one of its ends, t, on the inner or the outer line: along * t * scale +
 // across * border * scale + rest, which is not below 0 where along * t >= -(rest / scale + across * border).
-bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span<const BorderBand> bands, std::span<BorderRange> seen) const {
+bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, const std::function<std::span<const BorderBand>()>& bands, std::span<BorderRange> seen) const {
   const std::size_t count = lists();
   const double centre_along = border.centre[border.axis], centre_across = border.centre[1 - border.axis];
   const std::vector<Across>& eyes = across_[static_cast<std::size_t>(border.axis)];
@@ -259,6 +260,8 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span
   }
   const Pair d;
   const auto zero = hn::Zero(d);
+  const BorderRange nothing{border.half, -border.half};
+  std::span<const BorderBand> all;
   bool any = false;
   for (std::size_t pair = 0; pair < pairs_[0].size(); ++pair) {
     const TwoEyes& two = pairs_[static_cast<std::size_t>(border.axis)][pair];
@@ -307,13 +310,17 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, std::span
     ranges_of(whole, of_whole.data());
     bool sees = false;
     for (std::size_t lane = 0; lane < lanes; ++lane) sees = sees || of_whole[lane].least <= of_whole[lane].most;
+    if (sees && !any) {
+      all = bands();
+      for (std::size_t b = 0; b < all.size(); ++b) std::fill_n(&seen[b * count], first, nothing);  // as the eyes before have seen
+    }
     any = any || sees;
-    for (std::size_t b = 0; b < bands.size(); ++b) {
+    for (std::size_t b = 0; b < all.size(); ++b) {
       BorderRange* const to = &seen[b * count + first];
       if (sees)
-        ranges_of(bands[b], to);
+        ranges_of(all[b], to);
       else
-        std::copy_n(of_whole.data(), lanes, to);
+        std::fill_n(to, lanes, nothing);
     }
   }
   return any;

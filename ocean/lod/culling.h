@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -90,13 +91,13 @@ class EyeFrusta {
   std::size_t lists() const { return std::max<std::size_t>(across_[0].size(), 1); }
 
   // The same for boxes of a grid: writes for each of `rows` and for each eye (lists() of them, side by side) which of its `columns` may be
-  // seen. The planes cut a row where one sum says, so that a row costs as little as one box.
+  // seen; the list grows as needed. The planes cut a row where one sum says, so that a row costs as little as one box.
   void may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const;
 
   // The same for bands of trapezoids: writes for each band and each eye between which t the eye sees any of it. A trapezoid from t0 to t1 may be
-  // seen only if t1 >= least and t0 <= most; least > most: nothing is. `whole` holds all bands: an eye that sees nothing of it is asked no more.
-  // False if none sees any.
-  bool may_see(const Border& border, const BorderBand& whole, std::span<const BorderBand> bands, std::span<BorderRange> seen) const;
+  // seen only if t1 >= least and t0 <= most; least > most: nothing is. `whole` holds all bands: an eye that sees nothing of it is asked no more, and
+  // `bands` is not called if none sees any. Then nothing is written, and the answer is false.
+  bool may_see(const Border& border, const BorderBand& whole, const std::function<std::span<const BorderBand>()>& bands, std::span<BorderRange> seen) const;
 
  private:
   static constexpr std::size_t planes_per_eye = FrustumPlane::per_eye;

@@ -13,7 +13,7 @@ using Patch = hn::Vec<Words>;
 static_assert(sizeof(gpu::PatchInstance) == 4 * sizeof(std::int32_t));
 
 constexpr int block = 4;
-constexpr std::size_t room_at_a_time = 256;
+constexpr std::size_t room_at_a_time = 32;
 
 Patch words(int x, int z, int stride, std::uint32_t flags) {
   HWY_ALIGN const std::int32_t of[4] = {x, z, stride, static_cast<std::int32_t>(flags)};

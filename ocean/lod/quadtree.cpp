@@ -189,7 +189,6 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   const double off_centre_m = (static_cast<double>(spacing) + 1.0) * 0.5 * unit_m_ + glm::length(glm::dvec2(to_viewer)) * unit_m_;
   lay_skirt(frame, settings_.skirt_multiplier * (gpu::patch_quads << levels_) / frame.root_size, selection_.horizon_m + off_centre_m, selection_);
 
-  selection_.patches.clear();
   selection_.visited_nodes = selection_.culled_nodes = selection_.skirt_strips = 0;
   frusta_.set(viewpoint.eyes, {selection_.grid_origin_m.x, 0.0, selection_.grid_origin_m.y});
   splits_.find(frame);
@@ -283,7 +282,6 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
 // leaves to the farthest.
 void Quadtree::find_leaves(const TreeFrame& frame, const DisplacementBounds& bounds) {
   const std::size_t lists = frusta_.lists();
-  runs_.clear();
   leaves_.clear();
   std::size_t count = 0;
   int considered = 1;
@@ -352,7 +350,6 @@ void Quadtree::find_leaves(const TreeFrame& frame, const DisplacementBounds& bou
     }
     if (count > first_run) leaves_.push_back({level + 1, size, rows, columns, frame.viewer_x >> shift, first_run, count});
   }
-  runs_.resize(count);
   selection_.visited_nodes += considered;
   selection_.culled_nodes += considered;
 }

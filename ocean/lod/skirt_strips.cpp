@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 #include "shaders/shared/skirt.h"
 
@@ -92,9 +93,11 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
     const Border border = border_of(frame, selection.tree_centre, side);
     const std::span<BorderRange> of_side = std::span(seen_).subspan(side * bands * lists, bands * lists);
     const BorderBand whole = band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer);
-    if (!frusta.may_see(border, whole, {}, of_side)) continue;
-    for (std::size_t band = 0; band < bands; ++band) bands_[band] = band_of(frame, border, of_band_[band].inner, of_band_[band].outer);
-    frusta.may_see(border, whole, bands_, of_side);
+    const auto each = [&]() -> std::span<const BorderBand> {
+      for (std::size_t band = 0; band < bands; ++band) bands_[band] = band_of(frame, border, of_band_[band].inner, of_band_[band].outer);
+      return bands_;
+    };
+    if (!frusta.may_see(border, whole, std::cref(each), of_side)) continue;
     const auto before = [](const BorderRange& a, const BorderRange& b) { return a.least < b.least; };
     for (auto of_band = of_side.begin(); lists > 1 && of_band != of_side.end(); of_band += static_cast<std::ptrdiff_t>(lists))
       if (lists > 2)
