@@ -84,12 +84,14 @@ void lay_foam(inout vec3 lit, SurfacePoint p, SeaSlopes s, vec3 variance, vec3 n
       lace = mix(foam_lacing(p.rest - way.second, footprint, there), lace, way.share);
       here = mix(there, here, way.share);
     }
-    const float soft = 0.07 + 0.25 * clamp(footprint / 1.2, 0.0, 1.0), level = min(here, 1.0) * (1.0 + 2.0 * soft) - soft;
-    opaque = mix(covered, smoothstep(lace.x - soft, lace.x + soft, level), near);
+    // Its edge is a few bubbles deep and lets water through; within it grows thick.
+    const float soft = 0.07 + 0.25 * clamp(footprint / 1.2, 0.0, 1.0), reached = foam_reach(min(here, 1.0));
+    const float edge = smoothstep(lace.x - soft, lace.x + soft, reached * (1.0 + 2.0 * soft) - soft), thick = foam_thickness(reached - lace.x);
+    opaque = mix(covered, edge * mix(foam_thin, 1.0, thick), near);
     // Thick foam stands higher than thin: its own slope, and bubbles that shade each other.
-    const vec3 lean = normalize(normal - 0.03 * near * vec3(-lace.y, 0.0, -lace.z));
+    const vec3 lean = normalize(normal - 0.05 * near * vec3(-lace.y, 0.0, -lace.z));
     shone = (light.sky_irradiance.rgb + sunlit * light.sun_irradiance.rgb * max(dot(lean, frame.sun.xyz), 0.0)) / pi;
-    shone *= mix(1.0, 0.75 + 0.25 * clamp(level - lace.x + 0.5, 0.0, 1.0) + 0.12 * (lace.w - 0.5), near);
+    shone *= mix(1.0, 0.7 + 0.3 * thick + 0.2 * (lace.w - 0.5), near);
   }
   lit = mix(lit, 0.8 * shone, 0.94 * opaque);
 }

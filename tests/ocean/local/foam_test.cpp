@@ -9,6 +9,7 @@
 
 #include "ocean/local/foam_pattern.h"
 #include "ocean/waves/half_floats.h"
+#include "shaders/shared/foam_data.h"
 #include "tests/support/expect_error.h"
 
 namespace seascape {
@@ -245,6 +246,26 @@ TEST(Foam, LaceCoversAsMuchAsItIsAskedFor) {
   }
   EXPECT_LT(across, 2.0 * inside);
   EXPECT_NEAR(tile[tile.size() - 4], 127, 3) << "the last level is the mean";
+}
+
+// Thin at its edges and thick within, foam lets through just as much as its share of the water lacks, so that it is as bright from near as from afar, where
+// pixels take its mean. Controls seen: a reach of the share itself (off by 0.1), the law of small shares for all (0.02).
+TEST(Foam, LaceIsAsBrightAsItsShare) {
+  constexpr int numbers = 4000;
+  float before = -1.0f;
+  for (int n = 0; n <= 100; ++n) {
+    const float share = float(n) / 100.0f, reach = gpu::foam_reach(share);
+    EXPECT_GT(reach, before) << share;
+    before = reach;
+    double mean = 0.0;
+    for (int i = 0; i < numbers; ++i) {
+      const float below = reach - (float(i) + 0.5f) / numbers;
+      if (below > 0.0f) mean += std::lerp(gpu::foam_thin, 1.0f, gpu::foam_thickness(below)) / numbers;
+    }
+    EXPECT_NEAR(mean, share, 1e-3);
+  }
+  EXPECT_FLOAT_EQ(gpu::foam_reach(0.0f), 0.0f);
+  EXPECT_FLOAT_EQ(gpu::foam_reach(1.0f), 1.0f + gpu::foam_depth) << "thick everywhere";
 }
 
 }  // namespace
