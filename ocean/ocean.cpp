@@ -162,6 +162,7 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
   }
   if (!blend_->over(ticks)) return;
   if (foam_ && shallows()) foam_->sea().set_water(still_water(shallows().from));
+  if (foam_) foam_->set_wind(settings_.sea);
   drawn_seed_ = blend_->to().state.seed;
   blend_.reset();
 }

@@ -35,6 +35,12 @@ DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, 
   for (Buffer& staging : staging_)
     staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   fill_lace(device);
+  set_wind(sea);
+}
+
+void DrawnFoam::set_wind(const SeaState& sea) {
+  const double to = glm::radians(sea.wind_to_deg), drawn_out = glm::smoothstep(9.0, 28.0, sea.wind_speed_mps);
+  wind_ = {std::sin(to), -std::cos(to), 1.0 - 1.0 / (1.0 + 1.5 * drawn_out), 1.0 - 1.0 / (1.0 + 5.0 * drawn_out)};
 }
 
 void DrawnFoam::fill_lace(Device& device) {
@@ -90,12 +96,15 @@ void DrawnFoam::update(Frame& frame, double time_s, const glm::dvec3& viewer, co
 void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
   const LodField<float>& field = sea_.foam().field();
   data.windows = lod_windows(settings_, field.placement(), grid_origin_m);
-  const glm::dvec2 first = grid_origin_m / double(gpu::foam_side_m);
+  const glm::dvec2 along(wind_);
+  const auto drawn_out = [&](double taken) { return grid_origin_m - taken * glm::dot(grid_origin_m, along) * along; };
+  const glm::dvec2 lace = drawn_out(wind_.z), wide = drawn_out(wind_.w), first = lace / double(gpu::foam_side_m);
   const double c = double(gpu::foam_turn_cos), s = double(gpu::foam_turn_sin);
-  const glm::dvec2 second = glm::dvec2(c * grid_origin_m.x + s * grid_origin_m.y, c * grid_origin_m.y - s * grid_origin_m.x) / double(gpu::foam_fine_side_m);
-  const glm::dvec2 third = glm::dvec2(c * grid_origin_m.x - s * grid_origin_m.y, c * grid_origin_m.y + s * grid_origin_m.x) / double(gpu::foam_wide_side_m);
+  const glm::dvec2 second = glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m);
+  const glm::dvec2 third = glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m);
   data.origin = glm::vec4(glm::vec2(glm::fract(first)), glm::vec2(glm::fract(second)));
   data.look = glm::vec4(glm::vec2(glm::fract(third)), sea_.fresh(), 0.0f);
+  data.wind = wind_;
 }
 
 void DrawnFoam::add_uses(Uses& uses, Access access) const {

@@ -16,6 +16,8 @@ class DrawnFoam {
 
   // Has the foam of a time and a viewer (m) in the images; records nothing where it has not changed, or where there is and was none. `wakes`: null for none.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes);
+  // Foam is drawn out into streaks along the wind: from Beaufort 6 on, and to the full in a storm (Beaufort 11, 2.5 and 6 times).
+  void set_wind(const SeaState& sea);
   // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
   void describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const;
   void add_uses(Uses& uses, Access access) const;
@@ -32,6 +34,7 @@ class DrawnFoam {
   Image windows_, lace_;
   std::array<Buffer, Frame::slots> staging_;
   std::vector<VkBufferImageCopy> regions_;
+  glm::dvec4 wind_{0.0};  // gpu::FoamData::wind
   std::uint32_t drawn_ = 0;  // slices whose images may have foam
   bool begun_ = false;  // or else nothing is in them yet
 };

@@ -25,6 +25,9 @@ float foam_covered(vec2 rest, float footprint) {
   return mix(frame.foam.look.z, value, read.present);
 }
 
+// A place of a laying where the wind has drawn it out, or a slope there.
+vec2 foam_drawn_out(vec2 v, float taken) { return v - taken * dot(v, frame.foam.wind.xy) * frame.foam.wind.xy; }
+
 // A laying's share of the tile that is covered before this place, its slope along the tile's axes, 1/m, and fine bubbles.
 vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
   const float a_metre = foam_lace_texels / side;
@@ -35,20 +38,24 @@ vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
 
 // Of the first laying and, as a pixel takes in more, of the second, none or the third. `covered`: the third has more of it here and less there, so that no
 // tile is seen to come again.
-vec4 foam_lacing(vec2 rest, float footprint, inout float covered) {
-  const vec4 first = foam_laying(rest, frame.foam.origin.xy, foam_side_m, footprint);
-  const vec2 one_way = vec2(foam_turn_cos * rest.x - foam_turn_sin * rest.y, foam_turn_cos * rest.y + foam_turn_sin * rest.x);
+vec4 foam_lacing(vec2 place, float footprint, inout float covered) {
+  const vec2 rest = foam_drawn_out(place, frame.foam.wind.z);
+  vec4 first = foam_laying(rest, frame.foam.origin.xy, foam_side_m, footprint);
+  first.yz = foam_drawn_out(first.yz, frame.foam.wind.z);
+  const vec2 wide = foam_drawn_out(place, frame.foam.wind.w);
+  const vec2 one_way = vec2(foam_turn_cos * wide.x - foam_turn_sin * wide.y, foam_turn_cos * wide.y + foam_turn_sin * wide.x);
   vec4 second = foam_laying(one_way, frame.foam.look.xy, foam_wide_side_m, max(footprint, 0.2));
-  float b = 0.55 * clamp(footprint / 0.12 - 1.0, 0.0, 1.0) + 0.45 * clamp(footprint / 0.4 - 1.0, 0.0, 1.0), turn = -foam_turn_sin;
+  float b = 0.55 * clamp(footprint / 0.12 - 1.0, 0.0, 1.0) + 0.45 * clamp(footprint / 0.4 - 1.0, 0.0, 1.0), turn = -foam_turn_sin, taken = frame.foam.wind.w;
   covered *= mix(0.4 + 1.2 * second.x, 1.0, clamp(b * 2.0, 0.0, 1.0));
   if (footprint < 0.12) {
     const vec2 other_way = vec2(foam_turn_cos * rest.x + foam_turn_sin * rest.y, foam_turn_cos * rest.y - foam_turn_sin * rest.x);
     second = foam_laying(other_way, frame.foam.origin.zw, foam_fine_side_m, footprint);
     b = 0.42 * clamp(2.0 - footprint / 0.06, 0.0, 1.0);
     turn = foam_turn_sin;
+    taken = frame.foam.wind.z;
   }
   if (b < 0.01) return first;
-  second.yz = vec2(foam_turn_cos * second.y - turn * second.z, foam_turn_cos * second.z + turn * second.y);
+  second.yz = foam_drawn_out(vec2(foam_turn_cos * second.y - turn * second.z, foam_turn_cos * second.z + turn * second.y), taken);
   // The sum of two even numbers is below s in so many cases: a trapezium's integral.
   const float a = 1.0 - b, s = a * first.x + b * second.x, low = min(a, b), high = max(a, b), corners = 2.0 * max(a * b, 1e-6);
   const float below = s < low ? s * s / corners : s > high ? 1.0 - (1.0 - s) * (1.0 - s) / corners : (s - 0.5 * low) / high;

@@ -29,6 +29,7 @@ struct FoamData {
   LodWindows windows;
   vec4 origin;  // of the grid in tile coordinates: xy of the first laying, zw of the second
   vec4 look;    // xy: of the third; z: what covers the water beyond the windows
+  vec4 wind;    // xy: where it blows to, x and z; what it takes from a length along it, as it draws foam out: z in the first two layings, w in the third
 };
 
 SEASCAPE_SHARED_END

@@ -1,4 +1,5 @@
 // Foam as it is drawn: the images against the processor's foam, and white where inputs foam and nowhere else.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -115,6 +116,36 @@ TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
       EXPECT_LT(within, 1e-3);
     }
     EXPECT_LT(beyond, 1e-3) << with;
+  }
+}
+
+// A storm draws the lace out along the wind, and it stays where it lies on the water when the grid origin moves on with the viewer, 400 km from the world's; below
+// Beaufort 6 it is as it was laid. Controls seen: an origin that is not drawn out; the wide laying's origin drawn out as the others.
+TEST_F(DrawnFoamWindows, LaceIsDrawnOutByTheWindAndStaysWhereItLies) {
+  for (const double wind_mps : {8.0, 24.0}) {
+    const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", std::to_string(wind_mps)}, {"waves.wind_to_deg", "70"}};
+    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
+    const glm::dvec2 place(4e5, -3e5), blown(std::sin(glm::radians(70.0)), -std::cos(glm::radians(70.0)));
+    // Where in its tile each laying has a place, as shaders/lib/foam.glsl finds it.
+    const auto layings = [&](const glm::dvec2& at, const glm::dvec2& origin) {
+      gpu::FoamData data{};
+      shot.experience().ocean().foam()->describe(data, origin);
+      const glm::dvec2 rest = at - origin, along(data.wind.x, data.wind.y);
+      const auto drawn_out = [&](double taken) { return rest - taken * glm::dot(rest, along) * along; };
+      const glm::dvec2 lace = drawn_out(data.wind.z), wide = drawn_out(data.wind.w);
+      const double c = double(gpu::foam_turn_cos), s = double(gpu::foam_turn_sin);
+      return std::array{lace / double(gpu::foam_side_m) + glm::dvec2(data.origin.x, data.origin.y),
+                        glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m) + glm::dvec2(data.origin.z, data.origin.w),
+                        glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m) + glm::dvec2(data.look.x, data.look.y)};
+    };
+    const auto before = layings(place, place + glm::dvec2(7.0, -13.0)), after = layings(place, place + glm::dvec2(-21.0, 40.0));
+    const auto along = layings(place + 1.0 * blown, place), across = layings(place + glm::dvec2(-blown.y, blown.x), place), there = layings(place, place);
+    for (std::size_t laying = 0; laying < 3; ++laying) {
+      const glm::dvec2 off = before[laying] - after[laying];
+      EXPECT_LT(glm::length(off - glm::round(off)), 1e-4) << laying << ", " << wind_mps << " m/s";
+      const double drawn = glm::length(across[laying] - there[laying]) / glm::length(along[laying] - there[laying]), want = wind_mps < 9.0 ? 1.0 : laying == 2 ? 5.5 : 2.3;
+      EXPECT_NEAR(drawn, want, 0.1 * want * double(want > 1.0) + 1e-5) << laying << ", " << wind_mps << " m/s";
+    }
   }
 }
 
