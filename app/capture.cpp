@@ -101,11 +101,8 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
   Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
   for (int i = 0; i < all;) {
-    // Of the path, which the warm-up walks too, from 1: its last frame is never the first that counts, whose waves would then
-    // be there already.
-    const int number = i < arguments.warmup ? i + 1 : i - arguments.warmup;
-    const bool measured = i >= arguments.warmup && number < count;
-    const double path_time_s = number / arguments.fps;
+    const auto [number, path_time_s, before_s] = capture_moment(i, arguments.warmup, arguments.fps);
+    const bool measured = number >= 0 && number < count;
     const PathSample sample = path.at(path_time_s);
     const auto interval = Clock::now();
     const DisplayFrame shown = display->begin();
@@ -118,7 +115,7 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
     experience.resize(shown.width, shown.height);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
-    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample.scene_time_s));
+    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample.scene_time_s + before_s));
     display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
 

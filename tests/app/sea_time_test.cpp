@@ -38,5 +38,19 @@ TEST(SeaTime, AnOffsetOfAYearIsExactToATick) {
   EXPECT_GT(single, 100'000) << "the control";
 }
 
+// The sea's time goes on by a frame's with every frame that a capture draws, and is the path's own from its first on. Control seen: a warm-up along the path's first frames, after
+// which time went back.
+TEST(CaptureMoments, TimeNeverGoesBack) {
+  for (const int warmup : {0, 1, 7}) {
+    for (int i = 0; i < warmup + 5; ++i) {
+      const CaptureMoment now = capture_moment(i, warmup, 20.0);
+      EXPECT_EQ(now.number, i - warmup);
+      EXPECT_EQ(now.path_time_s, (i - warmup) / 20.0);
+      const double sea_s = std::max(now.path_time_s, 0.0) + now.before_s;  // a path stands at its first key before it
+      EXPECT_EQ(sea_s, (i - warmup) / 20.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace seascape
