@@ -14,7 +14,8 @@ namespace seascape {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> command_names{"explore", "replay", "capture", "lab", "bake", "plan", "query", "validate", "doctor"};
+constexpr std::array<std::string_view, 9> command_names{"explore", "replay", "capture",  "lab",   "bake",
+                                                        "plan",    "query",  "validate", "doctor"};
 
 constexpr std::string_view overview = R"(Seascape: an ocean for virtual reality
 
@@ -43,7 +44,9 @@ Examples:
 
 void add_common(Options& options, Arguments& arguments) {
   options.option("--seed", "N", "the scene's", "Which sea of the same statistics (0 to 4294967295)",
-                 [&](const std::string& text) { arguments.overrides.push_back({"--seed", "waves.seed", text}); });
+                 [&](const std::string& text) {
+                   arguments.overrides.push_back({"--seed", "waves.seed", text});
+                 });
   std::vector<std::string_view> levels{"trace", "debug", "info", "warn", "error", "off"};
   options.choice("--log-level", levels, "info", "What is told on stderr",
                  [&arguments, levels](int i) { arguments.log_level = levels[static_cast<std::size_t>(i)]; });
@@ -81,7 +84,8 @@ void add_size(Options& options, Arguments& arguments, const std::string& fallbac
   options.option("--size", "WxH", fallback, "Pixels of one eye, 1x1 to 16384x16384", [&](const std::string& text) {
     const std::size_t cross = text.find('x');
     const auto width = integer_from(std::string_view(text).substr(0, cross));
-    const auto height = cross == std::string::npos ? std::nullopt : integer_from(std::string_view(text).substr(cross + 1));
+    const auto height =
+        cross == std::string::npos ? std::nullopt : integer_from(std::string_view(text).substr(cross + 1));
     if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
       refuse("--size", in_quotes(text) + (width && height ? " is out of range" : " is not WIDTHxHEIGHT"),
              "give two whole numbers from 1 to 16384, as 1280x720");
@@ -100,10 +104,11 @@ void add_stereo(Options& options, Arguments& arguments) {
 
 void add_debug(Options& options, Arguments& arguments) {
   const std::vector<std::string_view> views = find_setting("debug.view")->choices;
-  options.choice("--debug", views, "none", "Paints holes in magenta, levels, wires, normals or slices",
-                 [&arguments, views](int i) {
-                   arguments.overrides.push_back({"--debug", "debug.view", std::string(views[static_cast<std::size_t>(i)])});
-                 });
+  options.choice(
+      "--debug", views, "none", "Paints holes in magenta, levels, wires, normals or slices",
+      [&arguments, views](int i) {
+        arguments.overrides.push_back({"--debug", "debug.view", std::string(views[static_cast<std::size_t>(i)])});
+      });
 }
 
 void add_views(Options& options, Arguments& arguments) {
@@ -129,7 +134,8 @@ void add_explore(Options& options, Arguments& arguments) {
   options.whole("--views", arguments.views, 1, 2, "One picture, or left and right side by side");
   add_stereo(options, arguments);
   add_debug(options, arguments);
-  options.whole("--frames", arguments.frames, 0, 1'000'000, "Closes after so many frames; 0 runs until it is closed, or draws one headless");
+  options.whole("--frames", arguments.frames, 0, 1'000'000,
+                "Closes after so many frames; 0 runs until it is closed, or draws one headless");
   options.text("--out", "DIR", arguments.out, "Folder of screenshots, recorded paths and headless pictures");
 }
 
@@ -167,16 +173,26 @@ void add_lab(Options& options, Arguments& arguments) {
   arguments.out = "out/lab";
   std::vector<std::string_view> curves(std::begin(lab_curve_names), std::end(lab_curve_names));
   curves.push_back("all");
-  options.choice("--curve", curves, "all", "One curve, or all of them", [&arguments, curves](int i) { arguments.curve = curves[static_cast<std::size_t>(i)]; });
-  options.flag("--quick", arguments.quick, "Fewer settings and rounds: all curves in five minutes on two cores, instead of forty");
-  options.flag("--recommend", arguments.recommend, "Names the quality settings on the front of the curve frame that fit --budget, from DIR/curves.csv where it is there");
-  options.option("--budget", "MS", "", "Milliseconds of a frame that --recommend may spend, as 4ms (0.01 to 10000)", [&arguments](const std::string& text) {
-    const std::string_view number = text.ends_with("ms") ? std::string_view(text).substr(0, text.size() - 2) : std::string_view(text);
-    const auto value = real_from(number);
-    if (!value || !(*value >= 0.01 && *value <= 10000.0)) refuse("--budget", in_quotes(text) + (value ? " is out of range" : " is not a time"), "give milliseconds from 0.01 to 10000, as 4ms");
-    arguments.budget_ms = *value;
-  });
-  options.text("--out", "DIR", arguments.out, "Folder of curves.csv, an SVG a plot and report.html; a run that was stopped goes on there");
+  options.choice("--curve", curves, "all", "One curve, or all of them",
+                 [&arguments, curves](int i) { arguments.curve = curves[static_cast<std::size_t>(i)]; });
+  options.flag("--quick", arguments.quick,
+               "Fewer settings and rounds: all curves in five minutes on two cores, instead of forty");
+  options.flag("--recommend", arguments.recommend,
+               "Names the quality settings on the front of the curve frame that fit --budget, from DIR/curves.csv "
+               "where it is there");
+  options.option("--budget", "MS", "", "Milliseconds of a frame that --recommend may spend, as 4ms (0.01 to 10000)",
+                 [&arguments](const std::string& text) {
+                   const std::string_view number = text.ends_with("ms")
+                                                       ? std::string_view(text).substr(0, text.size() - 2)
+                                                       : std::string_view(text);
+                   const auto value = real_from(number);
+                   if (!value || !(*value >= 0.01 && *value <= 10000.0))
+                     refuse("--budget", in_quotes(text) + (value ? " is out of range" : " is not a time"),
+                            "give milliseconds from 0.01 to 10000, as 4ms");
+                   arguments.budget_ms = *value;
+                 });
+  options.text("--out", "DIR", arguments.out,
+               "Folder of curves.csv, an SVG a plot and report.html; a run that was stopped goes on there");
 }
 
 void add_bake(Options& options, Arguments& arguments) {
@@ -187,8 +203,10 @@ void add_bake(Options& options, Arguments& arguments) {
   options.text("--scene", "S", arguments.scene, "A scene file, or the name of one in content/scenes");
   options.whole("--frames", arguments.frames, 8, 1000, "Frames of the loop");
   options.number("--fps", "1/s", arguments.fps, 0.1, 240.0, "Frames a second: the loop takes frames / fps seconds");
-  options.choice("--size", {"64", "128", "256", "512"}, "128", "Texels a side; waves down to four texels are in it", [&](int i) { arguments.width = 64 << i; });
-  options.number("--tile", "m", arguments.tile_m, 0.0, 20000.0, "Side of the loop's tile; 0 takes three peak waves at 64 texels, and more with more");
+  options.choice("--size", {"64", "128", "256", "512"}, "128", "Texels a side; waves down to four texels are in it",
+                 [&](int i) { arguments.width = 64 << i; });
+  options.number("--tile", "m", arguments.tile_m, 0.0, 20000.0,
+                 "Side of the loop's tile; 0 takes three peak waves at 64 texels, and more with more");
   options.text("--out", "DIR", arguments.out, "Folder of loop.json and frame_0000.exr and on");
 }
 
@@ -197,8 +215,11 @@ void add_plan(Options& options, Arguments& arguments) {
   add_size(options, arguments, "1280x720");
   add_views(options, arguments);
   options.flag("--json", arguments.json, "Prints JSON");
-  options.text("--matrix", "DIR", arguments.matrix, "Folder of what each effect costs beside each other, matrix_SCENE_PRESET.csv and .svg, and of the plan of every preset");
-  options.whole("--frames", arguments.frames, 0, 100'000, "Frames of each two scenes that the matrix times in turn; 0: 24");
+  options.text("--matrix", "DIR", arguments.matrix,
+               "Folder of what each effect costs beside each other, matrix_SCENE_PRESET.csv and .svg, and of the plan "
+               "of every preset");
+  options.whole("--frames", arguments.frames, 0, 100'000,
+                "Frames of each two scenes that the matrix times in turn; 0: 24");
 }
 
 void add_query(Options& options, Arguments& arguments) {
@@ -206,7 +227,8 @@ void add_query(Options& options, Arguments& arguments) {
   options.number("--time", "s", arguments.time_s, -1e9, 1e9, "The sea's time");
   options.text("--points", "IN.csv", arguments.points, "Points, with the header x,z in metres");
   options.text("--out", "OUT.csv", arguments.out,
-               "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged; the velocity is the water's (orbital)");
+               "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged; the "
+               "velocity is the water's (orbital)");
 }
 
 void add_validate(Options& options, Arguments& arguments) {
@@ -226,25 +248,35 @@ struct CommandRow {
 
 constexpr CommandRow commands[] = {
     {Command::explore, "Fly, walk and ride over the sea, in a window or without a display.",
-     "  seascape\n  seascape explore --scene storm --preset low\n  seascape --display headless --size 960x540 --out out",
+     "  seascape\n  seascape explore --scene storm --preset low\n  seascape --display headless --size 960x540 --out "
+     "out",
      add_explore},
-    {Command::replay, "Draw a camera path to numbered pictures: the same scene, path, preset and seed give the same bits.",
+    {Command::replay,
+     "Draw a camera path to numbered pictures: the same scene, path, preset and seed give the same bits.",
      "  seascape replay --scene open_sea --frames 60 --out out\n"
-     "  seascape replay --scene storm --views 1 --eye left --format exr --out out", add_replay},
+     "  seascape replay --scene storm --views 1 --eye left --format exr --out out",
+     add_replay},
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
-     "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1", add_capture},
-    {Command::lab, "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, for seas of 3, 10 and 25 m/s of wind.",
-     "  seascape lab --quick\n  seascape lab --curve query --out out/lab\n  seascape lab --recommend --budget 30ms", add_lab},
-    {Command::bake, "Record the waves of a scene as a loop of EXR pictures of displacement, which the effect baked plays.",
+     "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1",
+     add_capture},
+    {Command::lab,
+     "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, "
+     "for seas of 3, 10 and 25 m/s of wind.",
+     "  seascape lab --quick\n  seascape lab --curve query --out out/lab\n  seascape lab --recommend --budget 30ms",
+     add_lab},
+    {Command::bake,
+     "Record the waves of a scene as a loop of EXR pictures of displacement, which the effect baked plays.",
      "  seascape bake --scene storm --frames 64 --fps 4 --size 128 --out loops/storm\n"
-     "  seascape --scene baked --set baked.loop=loops/storm", add_bake},
+     "  seascape --scene baked --set baked.loop=loops/storm",
+     add_bake},
     {Command::plan, "Say what a scene would build and run, why, its memory and its cost.",
      "  seascape plan --scene storm --preset high\n  seascape plan --json", add_plan},
     {Command::query, "The surface at points of a CSV file, without a GPU.",
      "  seascape query --scene swell --time 12.5 --points points.csv --out surface.csv", add_query},
     {Command::validate, "Check files and tell every fault with file and place; exit status 1 if there is any.",
-     "  seascape validate content/scenes/*.json content/paths/*.json\n  seascape validate boat.glb sky.exr", add_validate},
+     "  seascape validate content/scenes/*.json content/paths/*.json\n  seascape validate boat.glb sky.exr",
+     add_validate},
     {Command::doctor, "Say which devices there are, what is missing and how to get it.",
      "  seascape doctor\n  seascape doctor --json", add_doctor},
 };
@@ -260,7 +292,8 @@ Arguments parse_arguments(std::span<const std::string> words) {
     return arguments;
   }
   if (!words.empty() && (words[0].empty() || words[0][0] != '-')) {
-    row = static_cast<std::size_t>(std::find(command_names.begin(), command_names.end(), words[0]) - command_names.begin());
+    row = static_cast<std::size_t>(std::find(command_names.begin(), command_names.end(), words[0]) -
+                                   command_names.begin());
     if (row == command_names.size())
       refuse("", "unknown command " + in_quotes(words[0]) + did_you_mean(words[0], command_names),
              "take " + listed(command_names) + "; see seascape --help");
@@ -280,16 +313,19 @@ Arguments parse_arguments(std::span<const std::string> words) {
     refuse(arguments.points.empty() ? "--points" : "--out", "a file is needed",
            "give both, as seascape query --points points.csv --out surface.csv");
   if (arguments.recommend != (arguments.budget_ms > 0.0))
-    refuse(arguments.recommend ? "--budget" : "--recommend", arguments.recommend ? "a budget is needed" : "a budget needs it", "give both, as seascape lab --recommend --budget 30ms");
+    refuse(arguments.recommend ? "--budget" : "--recommend",
+           arguments.recommend ? "a budget is needed" : "a budget needs it",
+           "give both, as seascape lab --recommend --budget 30ms");
   if (arguments.command == Command::validate && arguments.files.empty())
     refuse("", "no file to validate", "give one or more, as seascape validate scene.json");
-  if (arguments.views == 2 && arguments.eye != Eye::centre)
-    refuse("--eye", "one eye needs one view", "add --views 1");
+  if (arguments.views == 2 && arguments.eye != Eye::centre) refuse("--eye", "one eye needs one view", "add --views 1");
   Settings scratch;  // a wrong override is wrong usage, told before anything is opened
   for (const Override& one : arguments.overrides) set_from_text(scratch, one.key, one.value, one.option, 2);
   if (arguments.command == Command::lab)
     for (const Override& one : arguments.overrides)
-      if (one.key != "waves.seed") refuse("--set", "the lab sets " + one.key + " itself", "leave it out; of the sea's settings it takes --seed alone");
+      if (one.key != "waves.seed")
+        refuse("--set", "the lab sets " + one.key + " itself",
+               "leave it out; of the sea's settings it takes --seed alone");
   return arguments;
 }
 

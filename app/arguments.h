@@ -24,20 +24,20 @@ struct Override {
 
 struct Arguments {
   Command command = Command::explore;
-  std::string text;                 // of Command::text: help or version, to print and exit 0
+  std::string text;  // of Command::text: help or version, to print and exit 0
 
-  std::string scene = "open_sea";   // a file, or a name in content/scenes
-  std::string preset = "auto";      // of quality.h; "auto"; "all" for capture
-  std::string path;                 // a file or a name in content/paths; empty: named like the scene
+  std::string scene = "open_sea";  // a file, or a name in content/scenes
+  std::string preset = "auto";     // of quality.h; "auto"; "all" for capture
+  std::string path;                // a file or a name in content/paths; empty: named like the scene
   DisplayKind display = DisplayKind::automatic;
-  int width = 0, height = 0;        // pixels an eye; 0: the display's own choice; bake: texels a side
-  int views = 2;                    // 1: one picture from `eye`, the default of explore; 2: left and right
+  int width = 0, height = 0;  // pixels an eye; 0: the display's own choice; bake: texels a side
+  int views = 2;              // 1: one picture from `eye`, the default of explore; 2: left and right
   Eye eye = Eye::centre;
-  double fps = 30.0;                // frames a second of simulated time
-  int frames = 0;                   // how many; 0: to the path's end (replay, capture), until closed (explore)
-  int start = 0;                    // replay: the path's first frame to draw
-  int warmup = 10;                  // capture: frames drawn before measuring
-  std::string out;                  // folder of results; query: the file
+  double fps = 30.0;  // frames a second of simulated time
+  int frames = 0;     // how many; 0: to the path's end (replay, capture), until closed (explore)
+  int start = 0;      // replay: the path's first frame to draw
+  int warmup = 10;    // capture: frames drawn before measuring
+  std::string out;    // folder of results; query: the file
   PictureFormat format = PictureFormat::png;
   bool json = false;                // plan, doctor: machine-readable
   std::string matrix;               // plan: a folder for the plans of every preset; empty: none
@@ -53,11 +53,12 @@ struct Arguments {
   std::string log_level = "info";   // trace debug info warn error off
 };
 
-// `words` without the program's name. No command means explore. Throws Error with exit code 2 for wrong usage, naming the
-// nearest known option.
+// `words` without the program's name. No command means explore. Throws Error with exit code 2 for wrong usage, naming
+// the nearest known option.
 Arguments parse_arguments(std::span<const std::string> words);
 
-// The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where a device is known, what the preset is otherwise on it (suit_device).
+// The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where a device
+// is known, what the preset is otherwise on it (suit_device).
 Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> device = std::nullopt);
 // Warns of what in the scene gives nothing.
 void tell_remarks(const Scene& scene);

@@ -44,11 +44,17 @@ int run_bake(const Arguments& arguments) {
       progress.step(std::size_t(frame) + 1);
     }
   }
-  for (int frame = request.frames; fs::remove(out / loop_frame_name(frame), ignored); ++frame) {}  // of a longer loop that was here
-  write_atomically(out / loop_manifest, loop_manifest_text(loop, {scene.name, recorder.frequency_error(), recorder.height_m()}));
-  fmt::print("{}: {} frames of {}x{} texels, {:.4g} m a side, a loop of {:.4g} s\n", out.string(), request.frames, request.samples, request.samples, request.side_m, request.frames / request.fps);
-  fmt::print("waves from {:.3g} m down to {:.3g} m, {:.3g} m significant height of the sea's {:.3g} m\n", request.side_m, 4.0 * request.side_m / request.samples, recorder.height_m(), recorder.sea_height_m());
-  fmt::print("frequencies moved by {:.2g} % (root mean square by energy), the most by {:.2g} %, so that the loop closes\n", 100.0 * recorder.frequency_error(), 100.0 * recorder.worst_frequency_error());
+  for (int frame = request.frames; fs::remove(out / loop_frame_name(frame), ignored); ++frame) {
+  }  // of a longer loop that was here
+  write_atomically(out / loop_manifest,
+                   loop_manifest_text(loop, {scene.name, recorder.frequency_error(), recorder.height_m()}));
+  fmt::print("{}: {} frames of {}x{} texels, {:.4g} m a side, a loop of {:.4g} s\n", out.string(), request.frames,
+             request.samples, request.samples, request.side_m, request.frames / request.fps);
+  fmt::print("waves from {:.3g} m down to {:.3g} m, {:.3g} m significant height of the sea's {:.3g} m\n",
+             request.side_m, 4.0 * request.side_m / request.samples, recorder.height_m(), recorder.sea_height_m());
+  fmt::print(
+      "frequencies moved by {:.2g} % (root mean square by energy), the most by {:.2g} %, so that the loop closes\n",
+      100.0 * recorder.frequency_error(), 100.0 * recorder.worst_frequency_error());
   return 0;
 }
 

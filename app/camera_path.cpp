@@ -22,9 +22,9 @@ glm::dquat rotation(const glm::dvec3& vector) {
   return glm::normalize(glm::dquat(std::cos(0.5 * angle), vector.x * scale, vector.y * scale, vector.z * scale));
 }
 
-// The velocity at a key between two segments of mean velocities `before` and `after`: the parabola through the three keys,
-// held to three times the slower of the two so that the curve never swings past a hold (the bound of Fritsch and Carlson
-// 1980 for monotone cubics).
+// The velocity at a key between two segments of mean velocities `before` and `after`: the parabola through the three
+// keys, held to three times the slower of the two so that the curve never swings past a hold (the bound of Fritsch and
+// Carlson 1980 for monotone cubics).
 glm::dvec3 key_velocity(const glm::dvec3& before, double before_s, const glm::dvec3& after, double after_s) {
   const glm::dvec3 velocity = (before * after_s + after * before_s) / (before_s + after_s);
   const double most = 3.0 * std::min(glm::length(before), glm::length(after));
@@ -39,8 +39,8 @@ double key_rate(double before, double before_s, double after, double after_s) {
   return (w0 + w1) / (w0 / before + w1 / after);
 }
 
-// The same for positions, with the height monotone between keys: a path whose keys lie above the waves never dips between
-// them.
+// The same for positions, with the height monotone between keys: a path whose keys lie above the waves never dips
+// between them.
 glm::dvec3 key_motion(const glm::dvec3& before, double before_s, const glm::dvec3& after, double after_s) {
   const glm::dvec3 level = key_velocity({before.x, 0.0, before.z}, before_s, {after.x, 0.0, after.z}, after_s);
   return {level.x, key_rate(before.y, before_s, after.y, after_s), level.z};
@@ -113,18 +113,19 @@ PathSample CameraPath::at(double time_s) const {
   // Hermite's cubic in position, relative to the nearer key so that far from the origin nothing is lost.
   const glm::dvec3 step = velocity * duration, v0 = velocity0 * duration, v1 = velocity1 * duration;
   const double r = 1.0 - s;
-  sample.pose.position_m =
-      s < 0.5 ? here.from->pose.position_m + s * (s * (3.0 - 2.0 * s) * step + r * r * v0 - s * r * v1)
-              : here.to->pose.position_m + r * (-r * (3.0 - 2.0 * r) * step + r * s * v0 - s * s * v1);
-  // Kim, Kim and Shin 1995, "A general construction scheme for unit quaternion curves with simple high order derivatives":
-  // Bezier's cubic in its cumulative form, with the angular velocities of the keys at its ends.
+  sample.pose.position_m = s < 0.5
+                               ? here.from->pose.position_m + s * (s * (3.0 - 2.0 * s) * step + r * r * v0 - s * r * v1)
+                               : here.to->pose.position_m + r * (-r * (3.0 - 2.0 * r) * step + r * s * v0 - s * s * v1);
+  // Kim, Kim and Shin 1995, "A general construction scheme for unit quaternion curves with simple high order
+  // derivatives": Bezier's cubic in its cumulative form, with the angular velocities of the keys at its ends.
   const glm::dvec3 w0 = turn0 * (duration / 3.0), w1 = turn1 * (duration / 3.0);
   const glm::dvec3 middle = rotation_vector(rotation(-w0) * rotation(turn * duration) * rotation(-w1));
   sample.pose.orientation = glm::normalize(here.from->pose.orientation * rotation(w0 * (1.0 - r * r * r)) *
                                            rotation(middle * (s * s * (3.0 - 2.0 * s))) * rotation(w1 * (s * s * s)));
   // Hermite's cubic around the straight line: a steady clock stays exact.
   const double bend0 = (rate0 - here.rate()) * duration, bend1 = (rate1 - here.rate()) * duration;
-  sample.scene_time_s = here.from->scene_time_s + here.rate() * (time_s - here.from->time_s) + s * r * (r * bend0 - s * bend1);
+  sample.scene_time_s =
+      here.from->scene_time_s + here.rate() * (time_s - here.from->time_s) + s * r * (r * bend0 - s * bend1);
   return sample;
 }
 

@@ -20,7 +20,7 @@ glm::dquat orientation_from_angles(const ViewAngles& angles);
 ViewAngles angles_from_orientation(const glm::dquat& orientation);
 
 struct PathKey {
-  double time_s = 0.0;        // along the path, strictly increasing
+  double time_s = 0.0;  // along the path, strictly increasing
   Pose pose;
   double scene_time_s = 0.0;  // the sea's time there; equal to time_s where the file gives none
 };
@@ -34,9 +34,9 @@ struct CameraPath {
   std::string name;
   std::vector<PathKey> keys;  // one or more
   double duration_s() const { return keys.empty() ? 0.0 : keys.back().time_s; }
-  // Cubic in time through every key exactly: Hermite in position, its counterpart on unit quaternions in orientation, both
-  // with continuous velocities that come to rest at both ends; monotone between keys in scene time. Held before the first
-  // key and after the last. A hold stays still, and between two keys the height stays between theirs.
+  // Cubic in time through every key exactly: Hermite in position, its counterpart on unit quaternions in orientation,
+  // both with continuous velocities that come to rest at both ends; monotone between keys in scene time. Held before
+  // the first key and after the last. A hold stays still, and between two keys the height stays between theirs.
   PathSample at(double time_s) const;
 };
 

@@ -40,7 +40,8 @@ PathKey read_key(const LocatedJson& json, const std::string& name, const std::st
     for (const char* angle : {"yaw_deg", "pitch_deg", "roll_deg"})
       if (const LocatedJson* found = json.member(angle))
         faults.attempt([&] {
-          throw Error(reader.place(*found), reader.key_name(angle) + " and " + reader.key_name("orientation") + " are both given",
+          throw Error(reader.place(*found),
+                      reader.key_name(angle) + " and " + reader.key_name("orientation") + " are both given",
                       "keep one of the two");
         });
     faults.attempt([&] { key.pose.orientation = read_orientation(*orientation, name + ".orientation", where); });
@@ -63,8 +64,10 @@ void read_path(CameraPath& path, const LocatedJson& json, const std::string& whe
     const PathKey key = read_key(entry, name, where, faults);
     faults.attempt([&] {
       if (!path.keys.empty() && !(key.time_s > path.keys.back().time_s) && entry.member("time_s") != nullptr)
-        throw Error(file.place(entry), name + ".time_s: " + text_from(key.time_s) + " does not come after " +
-                    text_from(path.keys.back().time_s) + " of the key before", "order the keys by rising time_s");
+        throw Error(file.place(entry),
+                    name + ".time_s: " + text_from(key.time_s) + " does not come after " +
+                        text_from(path.keys.back().time_s) + " of the key before",
+                    "order the keys by rising time_s");
     });
     path.keys.push_back(key);
   }
@@ -97,9 +100,9 @@ std::string camera_path_text(const CameraPath& path) {
     const glm::dvec3& p = key.pose.position_m;
     const glm::dquat& q = key.pose.orientation;
     text += i == 0 ? "\n" : ",\n";
-    text += "    {\"time_s\": " + text_from(key.time_s) + ", \"position_m\": [" + text_from(p.x) + ", " + text_from(p.y) +
-            ", " + text_from(p.z) + "], \"orientation\": [" + text_from(q.x) + ", " + text_from(q.y) + ", " +
-            text_from(q.z) + ", " + text_from(q.w) + "]";
+    text += "    {\"time_s\": " + text_from(key.time_s) + ", \"position_m\": [" + text_from(p.x) + ", " +
+            text_from(p.y) + ", " + text_from(p.z) + "], \"orientation\": [" + text_from(q.x) + ", " + text_from(q.y) +
+            ", " + text_from(q.z) + ", " + text_from(q.w) + "]";
     if (key.scene_time_s != key.time_s) text += ", \"scene_time_s\": " + text_from(key.scene_time_s);
     text += "}";
   }

@@ -26,9 +26,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
-// One run and, apart from what the files hold, the time from one frame's begin to the next: all there is of both CPU and GPU.
+// One run and, apart from what the files hold, the time from one frame's begin to the next: all there is of both CPU
+// and GPU.
 struct Measured {
   CaptureRun run;
   std::vector<double> interval_ms;
@@ -54,7 +57,8 @@ void take_gpu_times(const Frame& frame, CaptureRun& run, CaptureFrame& measured)
 std::vector<MemoryUse> memory_of(const Device& device) {
   std::map<std::string, std::uint64_t> bytes;
   for (const ObjectRecord& object : device.objects())
-    if (object.type == VK_OBJECT_TYPE_BUFFER || object.type == VK_OBJECT_TYPE_IMAGE) bytes[object.effect] += object.bytes;
+    if (object.type == VK_OBJECT_TYPE_BUFFER || object.type == VK_OBJECT_TYPE_IMAGE)
+      bytes[object.effect] += object.bytes;
   std::vector<MemoryUse> uses;
   for (const auto& [tag, sum] : bytes) uses.push_back({tag, sum});
   return uses;
@@ -81,7 +85,8 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
   const HeadlessOptions options = headless_options(arguments, render);
   const std::unique_ptr<Display> display = make_display(options, windows, device);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
-  Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Experience experience(device, program.shaders, program.scene,
+                        {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
 
   Measured result;
@@ -96,7 +101,8 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
   run.frames.resize(std::size_t(count));
   result.interval_ms.resize(std::size_t(count));
 
-  // A frame's GPU times are read when its slot comes round again: so many frames more are drawn, and none is waited for.
+  // A frame's GPU times are read when its slot comes round again: so many frames more are drawn, and none is waited
+  // for.
   const int all = arguments.warmup + count + Frame::slots;
   Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
@@ -107,7 +113,8 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
     const auto interval = Clock::now();
     const DisplayFrame shown = display->begin();
     if (shown.closed)
-      throw Error("--display window", fmt::format("the window was closed at frame {} of {}", i, all), "let it be, or measure headless");
+      throw Error("--display window", fmt::format("the window was closed at frame {} of {}", i, all),
+                  "let it be, or measure headless");
     if (!shown.should_render) {  // hidden or minimised: nothing is measured meanwhile
       display->end(frame, nullptr);
       continue;
@@ -115,7 +122,8 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
     experience.resize(shown.width, shown.height);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
-    draw_frame(experience, frame, display->viewpoint(sample.pose), sea_time_s(program.scene.settings, sample.scene_time_s + before_s));
+    draw_frame(experience, frame, display->viewpoint(sample.pose),
+               sea_time_s(program.scene.settings, sample.scene_time_s + before_s));
     display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
 
@@ -146,13 +154,13 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
 
 void print_table(const std::vector<Measured>& all) {
   fmt::print("frame time in ms (the longer of CPU and GPU); interval: from one frame's begin to the next\n");
-  fmt::print("{:<8} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {:>6} {:>6} {:>6} {:>6}  of frames\n", "preset", "frames", "min",
-             "median", "p95", "p99", "max", "interval", "72 Hz", "80 Hz", "90 Hz", "120 Hz");
+  fmt::print("{:<8} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {:>6} {:>6} {:>6} {:>6}  of frames\n", "preset",
+             "frames", "min", "median", "p95", "p99", "max", "interval", "72 Hz", "80 Hz", "90 Hz", "120 Hz");
   for (const Measured& measured : all) {
     const std::vector<double> times = frame_times_ms(measured.run);
     const Summary s = summarise(times);
-    fmt::print("{:<8} {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} ", measured.run.preset, times.size(), s.min, s.median,
-               s.p95, s.p99, s.max, summarise(measured.interval_ms).median);
+    fmt::print("{:<8} {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} ", measured.run.preset, times.size(),
+               s.min, s.median, s.p95, s.p99, s.max, summarise(measured.interval_ms).median);
     for (const int rate : display_rates_hz) fmt::print(" {:>6}", count_missed(times, rate));
     fmt::print("  missed\n");
   }
@@ -162,7 +170,8 @@ void print_table(const std::vector<Measured>& all) {
 
 int run_capture(const Arguments& arguments) {
   if (arguments.display == DisplayKind::headset)
-    throw Error("--display headset", "this version draws to windows and to files, not yet to headsets", "take --display window or headless");
+    throw Error("--display headset", "this version draws to windows and to files, not yet to headsets",
+                "take --display window or headless");
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;

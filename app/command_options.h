@@ -31,7 +31,9 @@ class Options {
   CLI::Option* option(const std::string& name, const std::string& type, const std::string& fallback,
                       const std::string& sentence, Take take) {
     names_.push_back(name);
-    return app_.add_option_function<std::string>(name, [take](const std::string& text) { take(text); }, sentence)
+    return app_
+        .add_option_function<std::string>(
+            name, [take](const std::string& text) { take(text); }, sentence)
         ->type_name(type)
         ->default_str(fallback);
   }
@@ -49,7 +51,8 @@ class Options {
     option(name, "NUMBER", text_from(value), sentence + " (" + range + ")", [=, &value](const std::string& given) {
       const auto number = real_from(given);
       if (!number || *number < least || *number > most)
-        refuse(name, in_quotes(given) + (number ? " is out of range" : " is not a number"), "give a number from " + range);
+        refuse(name, in_quotes(given) + (number ? " is out of range" : " is not a number"),
+               "give a number from " + range);
       value = *number;
     });
   }
@@ -80,7 +83,8 @@ class Options {
 
   void flag(const std::string& name, bool& value, const std::string& sentence) {
     names_.push_back(name);
-    app_.add_flag_callback(name, [&value] { value = true; }, sentence);
+    app_.add_flag_callback(
+        name, [&value] { value = true; }, sentence);
   }
 
   CLI::App& app() { return app_; }
@@ -97,8 +101,9 @@ class Options {
     for (const std::string& word : app_.remaining()) {
       const bool is_option = word.size() > 1 && word[0] == '-';
       const std::vector<std::string_view> known(names_.begin(), names_.end());
-      refuse("", (is_option ? "unknown option " : "unexpected word ") + in_quotes(word) +
-                     (is_option ? did_you_mean(word.substr(0, word.find('=')), known) : ""),
+      refuse("",
+             (is_option ? "unknown option " : "unexpected word ") + in_quotes(word) +
+                 (is_option ? did_you_mean(word.substr(0, word.find('=')), known) : ""),
              "see " + app_.get_name() + " --help");
     }
     return {};

@@ -17,7 +17,8 @@ std::filesystem::path content_directory() {
   std::error_code ignored;
   if (const char* named = std::getenv("SEASCAPE_CONTENT"); named != nullptr && *named != '\0') {
     if (!fs::is_directory(named, ignored))
-      throw Error("SEASCAPE_CONTENT", in_quotes(named, 400) + " is not a folder", "name the folder that holds scenes/ and paths/");
+      throw Error("SEASCAPE_CONTENT", in_quotes(named, 400) + " is not a folder",
+                  "name the folder that holds scenes/ and paths/");
     return named;
   }
   const fs::path source = fs::path(SEASCAPE_SOURCE_DIR) / "content";
@@ -42,8 +43,8 @@ std::filesystem::path content_file(const std::string& name_or_file, std::string_
   const std::vector<std::string_view> names(stems.begin(), stems.end());
   const std::string what = kind == "scenes" ? "scene" : "path";
   throw Error("", "no " + what + " is called " + in_quotes(name_or_file) + did_you_mean(name_or_file, names),
-              "take " + (names.empty() ? std::string() : listed(names) + ", or ") + "a file " + what + ".json; names are looked up in " +
-                  directory.string());
+              "take " + (names.empty() ? std::string() : listed(names) + ", or ") + "a file " + what +
+                  ".json; names are looked up in " + directory.string());
 }
 
 }  // namespace seascape

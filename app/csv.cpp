@@ -38,7 +38,8 @@ bool two_cells(std::string_view line, std::array<std::string_view, 2>& cells) {
 double coordinate(std::string_view cell, std::string_view column, const std::string& place) {
   const auto number = real_from(cell);
   if (!number || std::abs(*number) > farthest_m)
-    throw Error(place, std::string(column) + ": " + in_quotes(cell) + (number ? " is out of range" : " is not a number"),
+    throw Error(place,
+                std::string(column) + ": " + in_quotes(cell) + (number ? " is out of range" : " is not a number"),
                 "give a number from -10000000 to 10000000 m");
   return *number;
 }

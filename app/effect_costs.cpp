@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 Cost held(const Device& device) {
   Cost cost;
   for (const ObjectRecord& object : device.objects()) {
-    if (object.type == VK_OBJECT_TYPE_IMAGE || object.type == VK_OBJECT_TYPE_BUFFER) cost.bytes += std::int64_t(object.bytes);
+    if (object.type == VK_OBJECT_TYPE_IMAGE || object.type == VK_OBJECT_TYPE_BUFFER)
+      cost.bytes += std::int64_t(object.bytes);
     if (object.type == VK_OBJECT_TYPE_SHADER_MODULE) cost.words += std::int64_t(object.bytes / 4);
     cost.pipelines += object.type == VK_OBJECT_TYPE_PIPELINE;
   }
@@ -41,7 +42,8 @@ std::vector<std::string> set_of(const std::vector<std::string>& named) {
   std::vector<std::string> set;
   const std::vector<EffectEntry> entries = closure(named);
   for (const std::string_view name : effect_names())
-    if (std::any_of(entries.begin(), entries.end(), [&](const EffectEntry& e) { return e.name == name; })) set.emplace_back(name);
+    if (std::any_of(entries.begin(), entries.end(), [&](const EffectEntry& e) { return e.name == name; }))
+      set.emplace_back(name);
   return set;
 }
 
@@ -125,7 +127,8 @@ Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, i
     if (!with_first) with = make_with();
     cost = less(with->holds(), without->holds());
     for (int n = 0; n < frames; ++n) {
-      const bool first = n % 2 == 0;  // whatever a frame leaves to the next in the machine's caches, either leaves it as often
+      const bool first =
+          n % 2 == 0;  // whatever a frame leaves to the next in the machine's caches, either leaves it as often
       const double a = (first ? *with : *without).draw_ms(n + 2), b = (first ? *without : *with).draw_ms(n + 2);
       ms.push_back(first ? a - b : b - a);
     }
@@ -134,8 +137,10 @@ Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, i
   return cost;
 }
 
-CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene, const std::vector<std::string>& effects, const ExperienceOptions& options,
-                         const std::string& preset, int frames, const std::function<void(std::size_t, std::size_t)>& step) {
+CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene,
+                         const std::vector<std::string>& effects, const ExperienceOptions& options,
+                         const std::string& preset, int frames,
+                         const std::function<void(std::size_t, std::size_t)>& step) {
   CostMatrix matrix;
   matrix.scene = scene.name;
   matrix.preset = preset;
@@ -148,23 +153,30 @@ CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& sc
       const std::vector<std::string> with = set_of({effect});
       std::vector<std::string> needs = with;
       std::erase(needs, effect);
-      const Cost own = less(CostSubject(device, shaders, with_effects(scene, with), options).holds(), CostSubject(device, shaders, with_effects(scene, needs), options).holds());
-      if (own.bytes != 0 || own.passes != 0 || own.draws != 0 || own.dispatches != 0 || own.pipelines != 0 || own.words != 0) matrix.effects.push_back(effect);
-      else spdlog::info("the matrix leaves {} out, which has nothing to do in {}", effect, scene.name);
+      const Cost own = less(CostSubject(device, shaders, with_effects(scene, with), options).holds(),
+                            CostSubject(device, shaders, with_effects(scene, needs), options).holds());
+      if (own.bytes != 0 || own.passes != 0 || own.draws != 0 || own.dispatches != 0 || own.pipelines != 0 ||
+          own.words != 0)
+        matrix.effects.push_back(effect);
+      else
+        spdlog::info("the matrix leaves {} out, which has nothing to do in {}", effect, scene.name);
     } catch (const Error& fault) {
       spdlog::warn("the matrix leaves {} out, for which {} has no settings: {}", effect, scene.name, fault.what());
     }
   const std::vector<Question> questions = questions_of(matrix.effects);
   for (std::size_t q = 0; q < questions.size(); ++q) {
     const Question& asked = questions[q];
-    const auto same = std::find_if(questions.begin(), questions.begin() + std::ptrdiff_t(q), [&](const Question& o) { return o.with == asked.with && o.without == asked.without; });
+    const auto same = std::find_if(questions.begin(), questions.begin() + std::ptrdiff_t(q), [&](const Question& o) {
+      return o.with == asked.with && o.without == asked.without;
+    });
     if (same != questions.begin() + std::ptrdiff_t(q)) {  // of two effects one is all others
       matrix.cells.push_back({asked.effect, asked.beside, matrix.cells[std::size_t(same - questions.begin())].cost});
     } else {
       const auto maker = [&](const std::vector<std::string>& set) {
         return [&] { return std::make_unique<CostSubject>(device, shaders, with_effects(scene, set), options); };
       };
-      matrix.cells.push_back({asked.effect, asked.beside, difference(maker(asked.with), maker(asked.without), frames, 2)});
+      matrix.cells.push_back(
+          {asked.effect, asked.beside, difference(maker(asked.with), maker(asked.without), frames, 2)});
     }
     step(q + 1, questions.size());
   }

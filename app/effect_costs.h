@@ -1,4 +1,5 @@
-// Measures what each effect adds to a scene's frames, alone, beside each other and beside all: scenes with and without it drawn in turn.
+// Measures what each effect adds to a scene's frames, alone, beside each other and beside all: scenes with and without
+// it drawn in turn.
 #pragma once
 #include <functional>
 #include <memory>
@@ -32,16 +33,20 @@ class CostSubject {
   Cost holds_;
 };
 
-// What one scene has more than another. `frames` of either are timed, in turn, each first as often as the other; and all of it `rounds` times, an even
-// number, with the one built first and with the other: where a scene's memory comes to lie makes it faster or slower than its twin by some per cent
-// (measured: 5). The interval is that of the median of all differences of two frames in turn (a mean of rounds is no better than its worst frame is).
+// What one scene has more than another. `frames` of either are timed, in turn, each first as often as the other; and
+// all of it `rounds` times, an even number, with the one built first and with the other: where a scene's memory comes
+// to lie makes it faster or slower than its twin by some per cent (measured: 5). The interval is that of the median of
+// all differences of two frames in turn (a mean of rounds is no better than its worst frame is).
 using MakeSubject = std::function<std::unique_ptr<CostSubject>()>;
 Cost difference(const MakeSubject& make_with, const MakeSubject& make_without, int frames, int rounds);
 
-// The matrix of `effects` (all that are built, as a rule) in `scene`, whose own list of effects does not count. An effect whose settings the scene
-// lacks is left out, with a notice, and so is one for which it has nothing to do: without its input or its height it is not built. A cell is missing where what stands beside needs the effect anyway. `step`: called with how many cells of how
-// many are done.
-CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene, const std::vector<std::string>& effects, const ExperienceOptions& options,
-                         const std::string& preset, int frames, const std::function<void(std::size_t, std::size_t)>& step);
+// The matrix of `effects` (all that are built, as a rule) in `scene`, whose own list of effects does not count. An
+// effect whose settings the scene lacks is left out, with a notice, and so is one for which it has nothing to do:
+// without its input or its height it is not built. A cell is missing where what stands beside needs the effect anyway.
+// `step`: called with how many cells of how many are done.
+CostMatrix measure_costs(Device& device, ShaderLibrary& shaders, const Scene& scene,
+                         const std::vector<std::string>& effects, const ExperienceOptions& options,
+                         const std::string& preset, int frames,
+                         const std::function<void(std::size_t, std::size_t)>& step);
 
 }  // namespace seascape

@@ -42,11 +42,12 @@ bool draw_per_eye(Device& device, ShaderLibrary& shaders, StereoMode mode, int v
   if (mode == StereoMode::per_eye) return true;
   if (multiview_works(device, shaders)) return false;
   if (mode == StereoMode::single) {
-    spdlog::warn("{} ({}) draws multiview passes wrongly; --stereo single uses them all the same", device.facts().name, device.facts().driver);
+    spdlog::warn("{} ({}) draws multiview passes wrongly; --stereo single uses them all the same", device.facts().name,
+                 device.facts().driver);
     return false;
   }
-  spdlog::warn("{} ({}) draws multiview passes wrongly: drawing a pass per eye instead; a newer driver is faster", device.facts().name,
-               device.facts().driver);
+  spdlog::warn("{} ({}) draws multiview passes wrongly: drawing a pass per eye instead; a newer driver is faster",
+               device.facts().name, device.facts().driver);
   return true;
 }
 
@@ -61,10 +62,12 @@ bool Experience::in_tile() const {
   return shape == FrameShape::tile || (shape == FrameShape::automatic && !options_.linear_picture);
 }
 
-// Where pixels are lit by a CPU, one that several small triangles touch costs several times its light: measured in docs/performance.md.
+// Where pixels are lit by a CPU, one that several small triangles touch costs several times its light: measured in
+// docs/performance.md.
 bool Experience::deferred() const {
   const RenderSettings& render = scene_.settings.render;
-  if (render.msaa > 1 || (is_debug(scene_.settings) && render.debug != DebugView::holes)) return false;  // the others colour triangles
+  if (render.msaa > 1 || (is_debug(scene_.settings) && render.debug != DebugView::holes))
+    return false;  // the others colour triangles
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
@@ -88,7 +91,13 @@ void Experience::build() {
     dynamic_waves->waves.depth_m = s.sea.depth_m;
   }
   ocean_.reset();
-  ocean_ = std::make_unique<Ocean>(device_, shaders_, OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m, calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves, dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr, place_inputs(scene_), calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
+  ocean_ = std::make_unique<Ocean>(
+      device_, shaders_,
+      OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m,
+                    calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves,
+                    dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr,
+                    place_inputs(scene_),
+                    calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;
@@ -101,10 +110,13 @@ void Experience::build() {
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   const SurfaceLight light{sky_->map().view(), sky_->sampler(), &sky_->light()};
-  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(), ocean_->place(), ocean_->foam(), frame_->ring(),
-                                       light, look);
+  surface_ =
+      std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(),
+                                ocean_->place(), ocean_->foam(), frame_->ring(), light, look);
   spray_.reset();
-  if (ocean_->spray()) spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most, SprayLook{tile, surface_->depths()});
+  if (ocean_->spray())
+    spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most,
+                                          SprayLook{tile, surface_->depths()});
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
     const EffectScope scope(device_, "sky");
@@ -186,7 +198,8 @@ void Experience::apply_effects(const std::vector<std::string>& effects) {
 
 void Experience::apply(const Settings& settings, bool sea_at_once) {
   const bool at_once = sea_at_once || settings.sea_change_s <= 0.0;
-  const bool rebuild = needs_rebuild(scene_.settings, settings, at_once), change = needs_change(scene_.settings, settings);
+  const bool rebuild = needs_rebuild(scene_.settings, settings, at_once),
+             change = needs_change(scene_.settings, settings);
   scene_.settings = settings;
   if (rebuild) return build();
   ocean_->apply(settings.lod, settings.water);

@@ -12,20 +12,21 @@ namespace seascape {
 struct ExperienceOptions {
   std::uint32_t width = 1280, height = 720;  // pixels an eye
   int views = 2;
-  bool per_eye = false;  // a pass per eye: for drivers whose multiview is at fault, and to compare
-  bool probe = false;    // record vertex positions (tests)
+  bool per_eye = false;         // a pass per eye: for drivers whose multiview is at fault, and to compare
+  bool probe = false;           // record vertex positions (tests)
   bool linear_picture = false;  // the light before tone mapping is asked for
 };
 
 class Experience {
  public:
-  // Builds everything the scene names; throws Error. The settings' msaa is lowered to what the device has, with a notice.
+  // Builds everything the scene names; throws Error. The settings' msaa is lowered to what the device has, with a
+  // notice.
   Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options);
 
   // Other picture size: new targets, the same pipelines.
   void resize(std::uint32_t width, std::uint32_t height);
-  // Other settings: what only needs numbers is taken at once, another wind or swell comes over the sea (waves.change_s, or at once if wished), what
-  // needs objects is built anew.
+  // Other settings: what only needs numbers is taken at once, another wind or swell comes over the sea (waves.change_s,
+  // or at once if wished), what needs objects is built anew.
   void apply(const Settings& settings, bool sea_at_once = false);
 
   // Other effects, of those that are built (effect_is_built): its objects are built anew. Throws Error, and stays as it

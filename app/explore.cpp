@@ -58,21 +58,22 @@ void explore_headless(const Arguments& arguments) {
   options.eye_distance_m = settings.render.eye_distance_m;
   Headless display(options);
   const bool per_eye = draw_per_eye(*program.device, program.shaders, settings.render.stereo, options.views);
-  Experience experience(*program.device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  Experience experience(*program.device, program.shaders, program.scene,
+                        {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
   const int frames = std::max(1, arguments.frames);
   Progress progress("explore: frame", frames);
   for (int number = 0; number < frames; ++number) {
     display.begin();
     frame.begin();
-    draw_frame(experience, frame, display.viewpoint(program.scene.start),
-               sea_time_s(settings, number / arguments.fps));
+    draw_frame(experience, frame, display.viewpoint(program.scene.start), sea_time_s(settings, number / arguments.fps));
     display.end(frame, &experience.picture());
     progress.step(number + 1);
   }
   frame.finish();
   for (int view = 0; view < options.views; ++view) {
-    const std::filesystem::path file = std::filesystem::path(arguments.out) / fmt::format("explore{}.png", view_suffix(options.views, view));
+    const std::filesystem::path file =
+        std::filesystem::path(arguments.out) / fmt::format("explore{}.png", view_suffix(options.views, view));
     write_png(file, picture_of(*program.device, experience, view));
     fmt::print("{}\n", file.string());
   }
@@ -86,8 +87,12 @@ int run_explore(const Arguments& arguments) {
     case DisplayKind::headset:
       throw Error("--display headset", "this version draws to windows and to files, not yet to headsets",
                   "take --display window or headless");
-    case DisplayKind::headless: explore_headless(arguments); break;
-    default: explore_in_window(arguments); break;
+    case DisplayKind::headless:
+      explore_headless(arguments);
+      break;
+    default:
+      explore_in_window(arguments);
+      break;
   }
   return 0;
 }

@@ -42,7 +42,7 @@ class Explorer {
   std::filesystem::path free_name(const std::string& stem, const std::string& ending) const;
 
   double sea_time_s() const;
-  void begin_time();                // as a scene begins
+  void begin_time();  // as a scene begins
   void scrub(double by_s);
   double scene_time_s() const;  // as a path of this scene counts it
   const Settings& settings() const { return experience_->scene().settings; }
@@ -61,8 +61,8 @@ class Explorer {
   std::vector<std::string> scenes_;
   bool paused_ = false, look_by_button_ = false, look_by_tab_ = false, button_was_down_ = false;
   bool screenshot_wanted_ = false, leaving_ = false;
-  double now_s_ = 0.0;            // the display's clock, what a hidden window waited left out
-  double sea_elapsed_s_ = 0.0;    // the sea's time since time.start_s
+  double now_s_ = 0.0;          // the display's clock, what a hidden window waited left out
+  double sea_elapsed_s_ = 0.0;  // the sea's time since time.start_s
   double recording_began_s_ = 0.0, message_until_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
   std::size_t patches_ = 0;

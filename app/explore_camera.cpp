@@ -9,17 +9,20 @@ namespace seascape {
 
 namespace {
 
-constexpr double response_per_s = 8.0;      // how fast the velocity follows the keys
-constexpr double height_per_s = 4.0;        // how fast a change of travel comes to its height
+constexpr double response_per_s = 8.0;  // how fast the velocity follows the keys
+constexpr double height_per_s = 4.0;    // how fast a change of travel comes to its height
 constexpr double fast_factor = 5.0;
 constexpr double notch_factor = 1.2, slowest_factor = 0.05, fastest_factor = 200.0;
 
 // Metres per second at full push.
 double base_speed(Travel travel) {
   switch (travel) {
-    case Travel::fly: return 12.0;
-    case Travel::walk: return 1.6;
-    case Travel::ride: return 3.0;
+    case Travel::fly:
+      return 12.0;
+    case Travel::walk:
+      return 1.6;
+    case Travel::ride:
+      return 3.0;
   }
   return 0.0;
 }
@@ -33,9 +36,12 @@ double wrapped_deg(double deg) {
 
 const char* travel_name(Travel travel) {
   switch (travel) {
-    case Travel::fly: return "fly";
-    case Travel::walk: return "walk at deck height";
-    case Travel::ride: return "ride the waves";
+    case Travel::fly:
+      return "fly";
+    case Travel::walk:
+      return "walk at deck height";
+    case Travel::ride:
+      return "ride the waves";
   }
   return "";
 }
@@ -59,7 +65,8 @@ void ExploreCamera::set_travel(Travel travel) {
 }
 
 void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
-  speed_factor_ = std::clamp(speed_factor_ * std::pow(notch_factor, wish.faster_notches), slowest_factor, fastest_factor);
+  speed_factor_ =
+      std::clamp(speed_factor_ * std::pow(notch_factor, wish.faster_notches), slowest_factor, fastest_factor);
   yaw_deg_ = wrapped_deg(yaw_deg_ + wish.turn_deg.x);
   pitch_deg_ = std::clamp(pitch_deg_ + wish.turn_deg.y, -largest_pitch_deg, largest_pitch_deg);
 

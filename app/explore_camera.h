@@ -11,8 +11,8 @@ const char* travel_name(Travel travel);
 
 // What the user asks of the camera for a stretch of time.
 struct CameraWish {
-  glm::dvec3 move{0.0};       // -1 to 1 each: to the right, up, forward
-  glm::dvec2 turn_deg{0.0};   // by the mouse since the last step: to the right, up
+  glm::dvec3 move{0.0};      // -1 to 1 each: to the right, up, forward
+  glm::dvec2 turn_deg{0.0};  // by the mouse since the last step: to the right, up
   bool fast = false;
   double faster_notches = 0;  // of the wheel: each changes the speed by a fifth
 };
@@ -20,16 +20,16 @@ struct CameraWish {
 // Poses come from two angles, so the horizon stays level whatever was done before.
 class ExploreCamera {
  public:
-  static constexpr double deck_height_m = 1.7;    // a person's eyes over the still sea
-  static constexpr double ride_height_m = 1.2;    // over the water that carries
-  static constexpr double clearance_m = 0.3;      // no eye comes closer to the water than this
+  static constexpr double deck_height_m = 1.7;  // a person's eyes over the still sea
+  static constexpr double ride_height_m = 1.2;  // over the water that carries
+  static constexpr double clearance_m = 0.3;    // no eye comes closer to the water than this
   static constexpr double largest_pitch_deg = 89.0;
 
   // Starts flying from a pose; its roll is dropped.
   explicit ExploreCamera(const Pose& start);
 
-  // Moves for `dt_s` seconds. `water_m` is the water's height at the camera's place. The movement follows its differential
-  // equation exactly for a constant wish, so it does not depend on how time is cut into frames.
+  // Moves for `dt_s` seconds. `water_m` is the water's height at the camera's place. The movement follows its
+  // differential equation exactly for a constant wish, so it does not depend on how time is cut into frames.
   void step(const CameraWish& wish, double dt_s, double water_m);
   // The camera stays where it is and comes to the new height within about a second.
   void set_travel(Travel travel);

@@ -7,9 +7,9 @@
 
 #include "app/explore.h"
 #include "app/frame.h"
+#include "app/place_inputs.h"
 #include "app/quality.h"
 #include "app/sea_time.h"
-#include "app/place_inputs.h"
 #include "app/tile_sources.h"
 #include "engine/error.h"
 #include "engine/files.h"
@@ -18,8 +18,9 @@ namespace seascape {
 
 namespace {
 
-constexpr double degrees_a_pixel = 0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
-constexpr double longest_step_s = 1.0;      // a pause of the machine is no journey
+constexpr double degrees_a_pixel =
+    0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
+constexpr double longest_step_s = 1.0;  // a pause of the machine is no journey
 constexpr double message_s = 4.0;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -33,12 +34,18 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-double axis(const Input& input, Key plus, Key minus) { return double(input.is_held(plus)) - double(input.is_held(minus)); }
+double axis(const Input& input, Key plus, Key minus) {
+  return double(input.is_held(plus)) - double(input.is_held(minus));
+}
 
 }  // namespace
 
 Explorer::Explorer(const Arguments& arguments, Program& program, Window& window)
-    : arguments_(arguments), program_(program), window_(window), overlay_(*program.device, window), camera_(program.scene.start),
+    : arguments_(arguments),
+      program_(program),
+      window_(window),
+      overlay_(*program.device, window),
+      camera_(program.scene.start),
       scenes_(scene_names()) {
   begin_time();
   build();
@@ -72,7 +79,9 @@ void Explorer::begin_time() {
 
 void Explorer::scrub(double by_s) {
   sea_elapsed_s_ += by_s;
-  tell(fmt::format("sea time: {:.1f} s{}", sea_time_s(), settings().follow_clock && !paused_ ? ", held to the clock (stop it with Space to look elsewhere)" : ""));
+  tell(fmt::format(
+      "sea time: {:.1f} s{}", sea_time_s(),
+      settings().follow_clock && !paused_ ? ", held to the clock (stop it with Space to look elsewhere)" : ""));
 }
 
 void Explorer::tell(const std::string& line) {
@@ -90,7 +99,8 @@ void Explorer::tell_fault(const std::string& line) {
 
 std::filesystem::path Explorer::free_name(const std::string& stem, const std::string& ending) const {
   for (int number = 1;; ++number) {
-    const std::filesystem::path file = std::filesystem::path(arguments_.out) / fmt::format("{}_{:03}{}", stem, number, ending);
+    const std::filesystem::path file =
+        std::filesystem::path(arguments_.out) / fmt::format("{}_{:03}{}", stem, number, ending);
     if (!std::filesystem::exists(file)) return file;
   }
 }
@@ -108,7 +118,8 @@ void Explorer::apply(const Settings& wanted) {
   }
   const std::uint64_t builds = experience_->builds();
   try {
-    experience_->apply(wanted, paused_ || wanted.time_scale <= 0.0);  // while time stands still or runs back no sea grows
+    experience_->apply(wanted,
+                       paused_ || wanted.time_scale <= 0.0);  // while time stands still or runs back no sea grows
     sea_elapsed_s_ += wanted.time_scale * (wanted.time_offset_s - before.time_offset_s);
   } catch (const Error& fault) {
     tell_fault(fault.what());
@@ -118,7 +129,9 @@ void Explorer::apply(const Settings& wanted) {
 }
 
 void Explorer::feel_water() {
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(), tile_sources(experience_->scene()), place_inputs(experience_->scene()), experience_->ocean().shallows());
+  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(),
+                                         tile_sources(experience_->scene()), place_inputs(experience_->scene()),
+                                         experience_->ocean().shallows());
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
@@ -204,25 +217,54 @@ void Explorer::toggle_recording() {
 void Explorer::keys(const Input& input) {
   if (overlay_.wants_keyboard()) return;
   for (const Key key : input.pressed) switch (key) {
-      case Key::one: set_travel(Travel::fly); break;
-      case Key::two: set_travel(Travel::walk); break;
-      case Key::three: set_travel(Travel::ride); break;
-      case Key::space: toggle_pause(); break;
-      case Key::left_bracket: scale_time(0.5); break;
-      case Key::right_bracket: scale_time(2.0); break;
-      case Key::comma: scrub(input.is_held(Key::shift) ? -10.0 : -1.0); break;
-      case Key::period: scrub(input.is_held(Key::shift) ? 10.0 : 1.0); break;
-      case Key::v: next_debug_view(); break;
-      case Key::f1: panel_.visible = !panel_.visible; break;
-      case Key::p:
-      case Key::f2: screenshot_wanted_ = true; break;
-      case Key::r: toggle_recording(); break;
-      case Key::tab: look_by_tab_ = !look_by_tab_; break;
-      case Key::escape:
-        if (look_by_tab_) look_by_tab_ = false;
-        else leaving_ = true;
+      case Key::one:
+        set_travel(Travel::fly);
         break;
-      default: break;  // held to move
+      case Key::two:
+        set_travel(Travel::walk);
+        break;
+      case Key::three:
+        set_travel(Travel::ride);
+        break;
+      case Key::space:
+        toggle_pause();
+        break;
+      case Key::left_bracket:
+        scale_time(0.5);
+        break;
+      case Key::right_bracket:
+        scale_time(2.0);
+        break;
+      case Key::comma:
+        scrub(input.is_held(Key::shift) ? -10.0 : -1.0);
+        break;
+      case Key::period:
+        scrub(input.is_held(Key::shift) ? 10.0 : 1.0);
+        break;
+      case Key::v:
+        next_debug_view();
+        break;
+      case Key::f1:
+        panel_.visible = !panel_.visible;
+        break;
+      case Key::p:
+      case Key::f2:
+        screenshot_wanted_ = true;
+        break;
+      case Key::r:
+        toggle_recording();
+        break;
+      case Key::tab:
+        look_by_tab_ = !look_by_tab_;
+        break;
+      case Key::escape:
+        if (look_by_tab_)
+          look_by_tab_ = false;
+        else
+          leaving_ = true;
+        break;
+      default:
+        break;  // held to move
     }
 }
 
@@ -241,7 +283,8 @@ void Explorer::move(const Input& input, double dt_s) {
     wish.fast = input.is_held(Key::shift);
   }
   if (look_by_button_ || look_by_tab_)
-    wish.turn_deg = glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) * (degrees_a_pixel * settings().render.vertical_fov_deg);
+    wish.turn_deg = glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
+                    (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
   const Ocean& ocean = experience_->ocean();
@@ -346,8 +389,10 @@ void Explorer::run() {
     frame_ms_ = 1000.0 * passed_s;
     now_s_ += dt_s;
     if (!paused_) {
-      if (settings().follow_clock) sea_elapsed_s_ = seascape::sea_time_s(settings(), machine_clock_s()) - settings().time_start_s;
-      else sea_elapsed_s_ += dt_s * settings().time_scale;
+      if (settings().follow_clock)
+        sea_elapsed_s_ = seascape::sea_time_s(settings(), machine_clock_s()) - settings().time_start_s;
+      else
+        sea_elapsed_s_ += dt_s * settings().time_scale;
     }
     move(window_.input(), dt_s);
     draw(shown);

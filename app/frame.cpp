@@ -27,7 +27,8 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
   for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
     data.view[i] = view_data(viewpoint.eyes[i], viewpoint.viewer, settings.render.near_m, height);
   data.sun = glm::vec4(glm::vec3(sun_direction(settings.sky)), float(std::cos(glm::radians(0.267))));
-  data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev), float(settings.render.near_m), 0.0f);
+  data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev),
+                       float(settings.render.near_m), 0.0f);
   data.grid.w = int(settings.render.debug);
   return data;
 }
@@ -37,7 +38,8 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
 
-  // 1. What the sea does: spectrum, transforms, tiles; dynamic waves around the viewer; each only if the scene asked for it.
+  // 1. What the sea does: spectrum, transforms, tiles; dynamic waves around the viewer; each only if the scene asked
+  // for it.
   e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
 
   // 2. The light: only when sun or haze have changed.
@@ -53,11 +55,12 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
   if (e.spray_) e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m);
 
-  // 5. Sea, then the sky where no sea is, and spray over both: in the tile up to the finished picture, or into the desktop frame's lit picture. Deferred: what
-  // the sea is in each pixel first, then the light of all pixels.
+  // 5. Sea, then the sky where no sea is, and spray over both: in the tile up to the finished picture, or into the
+  // desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
-  const Use probe = e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
+  const Use probe =
+      e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
   e.ocean_->add_uses(uses);
   frame.draw_pass("surface", e.surface_->target(drawn), uses, [&](Commands& c) {

@@ -18,8 +18,8 @@ class InputFiles {
 
   // Throws Error as load_gltf() does.
   std::shared_ptr<const Model> model(const std::string& name);
-  // EXR as it is; PNG from 0 to 1, with `colours` as linear light, else as its bytes stand. Throws Error as the readers do, for another kind of file, and
-  // for more than most_input_texels in all pictures together.
+  // EXR as it is; PNG from 0 to 1, with `colours` as linear light, else as its bytes stand. Throws Error as the readers
+  // do, for another kind of file, and for more than most_input_texels in all pictures together.
   std::shared_ptr<const ImageF> image(const std::string& name, bool colours);
 
  private:

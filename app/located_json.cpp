@@ -79,9 +79,11 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& name) override {
     Open& parent = open_.back();
     if (const LocatedJson* first = parent.json.member(name))
-      throw Error(at(place_.line), "the key " + in_quotes(name) + " is given twice, first on line " + std::to_string(first->line),
+      throw Error(at(place_.line),
+                  "the key " + in_quotes(name) + " is given twice, first on line " + std::to_string(first->line),
                   "remove one of the two");
-    // Looking for a key given twice takes time by the square of their number; no object of ours has more than some dozens.
+    // Looking for a key given twice takes time by the square of their number; no object of ours has more than some
+    // dozens.
     if (parent.json.items.size() >= 1000)
       throw Error(at(place_.line), "an object with more than 1000 keys", "remove what does not belong there");
     parent.key = std::move(name);
@@ -139,7 +141,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(Kind kind) {
     if (open_.size() >= deepest_json)
-      throw Error(at(place_.line), "nested deeper than " + std::to_string(deepest_json) + " levels", "flatten the file");
+      throw Error(at(place_.line), "nested deeper than " + std::to_string(deepest_json) + " levels",
+                  "flatten the file");
     Open opened;
     opened.json = made(kind, place_.line);
     open_.push_back(std::move(opened));
@@ -179,12 +182,18 @@ LocatedJson parse_located_json(std::string_view text, const std::string& where) 
 
 std::string described(const LocatedJson& json) {
   switch (json.kind) {
-    case LocatedJson::Kind::null: return "null";
-    case LocatedJson::Kind::flag: return json.flag ? "true" : "false";
-    case LocatedJson::Kind::number: return text_from(json.number);
-    case LocatedJson::Kind::text: return in_quotes(json.text);
-    case LocatedJson::Kind::array: return "a list of " + std::to_string(json.items.size());
-    case LocatedJson::Kind::object: break;
+    case LocatedJson::Kind::null:
+      return "null";
+    case LocatedJson::Kind::flag:
+      return json.flag ? "true" : "false";
+    case LocatedJson::Kind::number:
+      return text_from(json.number);
+    case LocatedJson::Kind::text:
+      return in_quotes(json.text);
+    case LocatedJson::Kind::array:
+      return "a list of " + std::to_string(json.items.size());
+    case LocatedJson::Kind::object:
+      break;
   }
   return "an object";
 }
@@ -194,7 +203,8 @@ double number_of(const LocatedJson& json, const std::string& name, double least,
   const std::string place = where + ":" + std::to_string(json.line);
   const std::string remedy = "give a number from " + text_from(least) + " to " + text_from(most) +
                              (unit.empty() ? "" : " " + std::string(unit));
-  if (!json.is(LocatedJson::Kind::number)) throw Error(place, name + ": " + described(json) + " is not a number", remedy);
+  if (!json.is(LocatedJson::Kind::number))
+    throw Error(place, name + ": " + described(json) + " is not a number", remedy);
   if (!std::isfinite(json.number) || json.number < least || json.number > most)
     throw Error(place, name + ": " + text_from(json.number) + " is out of range", remedy);
   return json.number;
@@ -203,8 +213,9 @@ double number_of(const LocatedJson& json, const std::string& name, double least,
 std::vector<double> numbers_of(const LocatedJson& json, const std::string& name, std::size_t count, double least,
                                double most, std::string_view unit, const std::string& where) {
   if (!json.is(LocatedJson::Kind::array) || json.items.size() != count)
-    throw Error(where + ":" + std::to_string(json.line), name + ": " + described(json) + " is not a list of " +
-                std::to_string(count) + " numbers", "write [" + std::string(count == 3 ? "x, y, z" : "x, y, z, w") + "]");
+    throw Error(where + ":" + std::to_string(json.line),
+                name + ": " + described(json) + " is not a list of " + std::to_string(count) + " numbers",
+                "write [" + std::string(count == 3 ? "x, y, z" : "x, y, z, w") + "]");
   std::vector<double> numbers;
   for (std::size_t i = 0; i < count; ++i)
     numbers.push_back(number_of(json.items[i], name + "[" + std::to_string(i) + "]", least, most, unit, where));
@@ -221,8 +232,10 @@ ObjectReader::ObjectReader(const LocatedJson& json, std::string name, const std:
     : json_(json), name_(std::move(name)), where_(where), faults_(faults) {
   faults_.attempt([&] {
     if (!json.is(LocatedJson::Kind::object))
-      throw Error(place(json), (name_.empty() ? "the file holds " : name_ + ": ") + described(json) +
-                  (name_.empty() ? "" : " is not an object"), "write {\"key\": value, ...}");
+      throw Error(place(json),
+                  (name_.empty() ? "the file holds " : name_ + ": ") + described(json) +
+                      (name_.empty() ? "" : " is not an object"),
+                  "write {\"key\": value, ...}");
   });
 }
 
@@ -249,8 +262,9 @@ double ObjectReader::number(std::string_view key, double least, double most, dou
 
 double ObjectReader::required_number(std::string_view key, double least, double most, std::string_view unit) {
   double value = least;
-  if (const LocatedJson* found = required(key, "\"" + std::string(key) + "\": a number from " + text_from(least) + " to " +
-                                                   text_from(most) + (unit.empty() ? "" : " " + std::string(unit))))
+  if (const LocatedJson* found =
+          required(key, "\"" + std::string(key) + "\": a number from " + text_from(least) + " to " + text_from(most) +
+                            (unit.empty() ? "" : " " + std::string(unit))))
     faults_.attempt([&] { value = number_of(*found, key_name(key), least, most, unit, where_); });
   return value;
 }

@@ -34,8 +34,8 @@ constexpr std::size_t most_json_values = 2'000'000;
 // levels, 2 million values or 16 MiB.
 LocatedJson parse_located_json(std::string_view text, const std::string& where);
 
-// Reads members of one object and refuses whatever it was not asked for. `where` is the file; faults add the line and go to
-// `faults`; where they are collected, a value with a fault reads as its fallback.
+// Reads members of one object and refuses whatever it was not asked for. `where` is the file; faults add the line and
+// go to `faults`; where they are collected, a value with a fault reads as its fallback.
 class ObjectReader {
  public:
   // `name` is what messages call the object: "camera", "keys[3]", "" for the file itself.
@@ -55,7 +55,9 @@ class ObjectReader {
   // Refuses keys that nothing above asked for; names the nearest known key.
   void finish();
 
-  std::string key_name(std::string_view key) const { return name_.empty() ? std::string(key) : name_ + "." + std::string(key); }
+  std::string key_name(std::string_view key) const {
+    return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+  }
   std::string place(const LocatedJson& json) const { return where_ + ":" + std::to_string(json.line); }
 
  private:

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 int whole(ObjectReader& reader, std::string_view key, int least, int most, const std::string& where) {
   const double value = reader.required_number(key, least, most, "");
-  if (value != std::floor(value)) throw Error(where, std::string(key) + ": " + text_from(value) + " is not a whole number", "give a whole number");
+  if (value != std::floor(value))
+    throw Error(where, std::string(key) + ": " + text_from(value) + " is not a whole number", "give a whole number");
   return int(value);
 }
 
@@ -34,17 +35,26 @@ void read_frame(const fs::path& file, int samples, double side_m, float* to) {
   const std::vector<std::string> channels = exr_channels_from_memory(bytes, where);
   std::string missing;
   for (const char* name : {"R", "G", "B"})
-    if (std::find(channels.begin(), channels.end(), name) == channels.end()) missing += (missing.empty() ? "" : ", ") + std::string(name);
-  if (!missing.empty()) throw Error(where, "lacks the channel " + missing + " of a displacement (R along x, G upwards, B along z)", "name its channels R, G and B, or bake the loop anew");
+    if (std::find(channels.begin(), channels.end(), name) == channels.end())
+      missing += (missing.empty() ? "" : ", ") + std::string(name);
+  if (!missing.empty())
+    throw Error(where, "lacks the channel " + missing + " of a displacement (R along x, G upwards, B along z)",
+                "name its channels R, G and B, or bake the loop anew");
   const ImageF image = read_exr_from_memory(bytes, where);
   if (image.width != samples || image.height != samples)
-    throw Error(where, fmt::format("is {}x{} texels where the manifest says {}x{}", image.width, image.height, samples, samples), "take frames of one size, or bake the loop anew");
+    throw Error(
+        where,
+        fmt::format("is {}x{} texels where the manifest says {}x{}", image.width, image.height, samples, samples),
+        "take frames of one size, or bake the loop anew");
   const std::size_t count = std::size_t(samples) * std::size_t(samples);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       const float value = image.pixels[4 * i + c];
       if (!(std::abs(value) <= side_m))
-        throw Error(where, fmt::format("moves the water by {} m at column {}, row {}, more than the loop's side of {} m", value, i % std::size_t(samples), i / std::size_t(samples), side_m), "repair the frame, or the manifest's size_m");
+        throw Error(where,
+                    fmt::format("moves the water by {} m at column {}, row {}, more than the loop's side of {} m",
+                                value, i % std::size_t(samples), i / std::size_t(samples), side_m),
+                    "repair the frame, or the manifest's size_m");
       to[c * count + i] = value;
     }
 }
@@ -54,15 +64,21 @@ void read_frame(const fs::path& file, int samples, double side_m, float* to) {
 std::string loop_frame_name(int frame) { return fmt::format("frame_{:04}.exr", frame); }
 
 std::string loop_manifest_text(const BakedLoop& loop, const LoopNotes& notes) {
-  const nlohmann::ordered_json json = {{"version", 1},          {"size_m", loop.side_m},      {"texels", loop.samples},
-                                       {"frames", loop.frames}, {"fps", loop.fps},            {"scene", notes.scene},
-                                       {"significant_height_m", notes.height_m}, {"frequency_error", notes.frequency_error}};
+  const nlohmann::ordered_json json = {{"version", 1},
+                                       {"size_m", loop.side_m},
+                                       {"texels", loop.samples},
+                                       {"frames", loop.frames},
+                                       {"fps", loop.fps},
+                                       {"scene", notes.scene},
+                                       {"significant_height_m", notes.height_m},
+                                       {"frequency_error", notes.frequency_error}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::filesystem::path loop_folder(const std::string& name, const fs::path& scene) {
   std::error_code ignored;
-  if (name.empty()) throw Error("baked.loop", "no loop is named", "name a folder that seascape bake wrote, or one of content/loops");
+  if (name.empty())
+    throw Error("baked.loop", "no loop is named", "name a folder that seascape bake wrote, or one of content/loops");
   if (name.find('/') != std::string::npos) {
     const fs::path beside = scene.empty() || fs::path(name).is_absolute() ? fs::path(name) : scene.parent_path() / name;
     for (const fs::path& folder : {beside, fs::path(name)})
@@ -77,7 +93,8 @@ std::filesystem::path loop_folder(const std::string& name, const fs::path& scene
   std::sort(names.begin(), names.end());
   const std::vector<std::string_view> views(names.begin(), names.end());
   throw Error("baked.loop", "no loop is called " + in_quotes(name) + did_you_mean(name, views),
-              "take " + (names.empty() ? std::string() : listed(views) + ", or ") + "a folder as ./" + name + "; names are looked up in " + all.string());
+              "take " + (names.empty() ? std::string() : listed(views) + ", or ") + "a folder as ./" + name +
+                  "; names are looked up in " + all.string());
 }
 
 BakedLoop read_loop(const fs::path& folder) {
@@ -91,7 +108,9 @@ BakedLoop read_loop(const fs::path& folder) {
     reader.version();
     loop.side_m = reader.required_number("size_m", 1e-3, 1e6, "m");
     loop.samples = whole(reader, "texels", BakedLoop::least_samples, BakedLoop::most_samples, where);
-    if (!std::has_single_bit(unsigned(loop.samples))) throw Error(where, "texels: " + text_from(loop.samples) + " is no power of two", "give 16, 32, 64, 128, 256 or 512");
+    if (!std::has_single_bit(unsigned(loop.samples)))
+      throw Error(where, "texels: " + text_from(loop.samples) + " is no power of two",
+                  "give 16, 32, 64, 128, 256 or 512");
     loop.frames = whole(reader, "frames", BakedLoop::least_frames, BakedLoop::most_frames, where);
     loop.fps = reader.required_number("fps", 1e-3, 1e4, "1/s");
     for (const char* note : {"significant_height_m", "frequency_error"}) (void)reader.number(note, 0.0, 1e9, 0.0, "");
@@ -99,14 +118,19 @@ BakedLoop read_loop(const fs::path& folder) {
     reader.finish();
   }
   if (std::size_t(loop.frames) * loop.frame_floats() * sizeof(float) > largest_file_bytes * 4)
-    throw Error(where, fmt::format("{} frames of {}x{} texels take {} MiB", loop.frames, loop.samples, loop.samples, (std::size_t(loop.frames) * loop.frame_floats() * sizeof(float)) >> 20), "take fewer or smaller frames: at most 1024 MiB");
+    throw Error(where,
+                fmt::format("{} frames of {}x{} texels take {} MiB", loop.frames, loop.samples, loop.samples,
+                            (std::size_t(loop.frames) * loop.frame_floats() * sizeof(float)) >> 20),
+                "take fewer or smaller frames: at most 1024 MiB");
   std::error_code ignored;
   for (int frame = 0; frame < loop.frames; ++frame)  // told before memory is taken
     if (const fs::path file = folder / loop_frame_name(frame); !fs::is_regular_file(file, ignored))
-      throw Error(file.string(), fmt::format("is missing, of {} frames", loop.frames), "copy it there, or bake the loop anew");
+      throw Error(file.string(), fmt::format("is missing, of {} frames", loop.frames),
+                  "copy it there, or bake the loop anew");
   loop.texels.resize(std::size_t(loop.frames) * loop.frame_floats());
   for (int frame = 0; frame < loop.frames; ++frame)
-    read_frame(folder / loop_frame_name(frame), loop.samples, loop.side_m, loop.texels.data() + std::size_t(frame) * loop.frame_floats());
+    read_frame(folder / loop_frame_name(frame), loop.samples, loop.side_m,
+               loop.texels.data() + std::size_t(frame) * loop.frame_floats());
   return loop;
 }
 

@@ -17,16 +17,27 @@ using namespace seascape;
 
 int run(const Arguments& arguments) {
   switch (arguments.command) {
-    case Command::text: std::fwrite(arguments.text.data(), 1, arguments.text.size(), stdout); return 0;
-    case Command::explore: return run_explore(arguments);
-    case Command::replay: return run_replay(arguments);
-    case Command::capture: return run_capture(arguments);
-    case Command::lab: return run_lab(arguments);
-    case Command::bake: return run_bake(arguments);
-    case Command::plan: return run_plan(arguments);
-    case Command::query: return run_query(arguments);
-    case Command::validate: return run_validate(arguments);
-    case Command::doctor: return run_doctor(arguments);
+    case Command::text:
+      std::fwrite(arguments.text.data(), 1, arguments.text.size(), stdout);
+      return 0;
+    case Command::explore:
+      return run_explore(arguments);
+    case Command::replay:
+      return run_replay(arguments);
+    case Command::capture:
+      return run_capture(arguments);
+    case Command::lab:
+      return run_lab(arguments);
+    case Command::bake:
+      return run_bake(arguments);
+    case Command::plan:
+      return run_plan(arguments);
+    case Command::query:
+      return run_query(arguments);
+    case Command::validate:
+      return run_validate(arguments);
+    case Command::doctor:
+      return run_doctor(arguments);
   }
   return 2;
 }

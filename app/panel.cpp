@@ -61,8 +61,8 @@ std::string label_of(const Setting& setting) {
 }
 
 struct Edit {
-  bool changed = false;   // the value differs from before
-  bool settled = true;    // and nobody is dragging or typing any more
+  bool changed = false;  // the value differs from before
+  bool settled = true;   // and nobody is dragging or typing any more
 };
 
 // One of several names. The list is open for one frame at least, so a choice is settled at once.
@@ -81,9 +81,7 @@ Edit pick(const char* id, const std::string& current, std::span<const std::strin
 }
 
 // The scalar under the pointer or the keyboard, told when it has come to rest.
-Edit scalar_state(bool changed) {
-  return {changed || ImGui::IsItemDeactivatedAfterEdit(), !ImGui::IsItemActive()};
-}
+Edit scalar_state(bool changed) { return {changed || ImGui::IsItemDeactivatedAfterEdit(), !ImGui::IsItemActive()}; }
 
 Edit edit_row(Settings& settings, const Setting& row) {
   const std::string id = "##" + std::string(row.key);
@@ -93,7 +91,8 @@ Edit edit_row(Settings& settings, const Setting& row) {
     if (edit.changed) set_from_text(settings, row.key, chosen, "the panel");
     return edit;
   }
-  if (const auto* flag = std::get_if<FlagMember>(&row.member)) return {ImGui::Checkbox(id.c_str(), &(*flag)(settings)), true};
+  if (const auto* flag = std::get_if<FlagMember>(&row.member))
+    return {ImGui::Checkbox(id.c_str(), &(*flag)(settings)), true};
   if (const auto* seed = std::get_if<SeedMember>(&row.member)) {
     const std::uint32_t one = 1;
     return scalar_state(ImGui::InputScalar(id.c_str(), ImGuiDataType_U32, &(*seed)(settings), &one));
@@ -118,10 +117,15 @@ Edit edit_row(Settings& settings, const Setting& row) {
   }
   const bool wide = row.least >= 0.0 && row.most > 1000.0 * std::max(row.least, 1.0);
   const bool small = !wide && row.most - row.least <= 20.0;
-  const std::string format = (wide ? (row.least > 0.0 && row.least < 1.0 ? "%.3g" : "%.0f") : row.most <= 0.5 ? "%.3f" : small ? "%.2f" : "%.1f") + unit;
+  const std::string format = (wide              ? (row.least > 0.0 && row.least < 1.0 ? "%.3g" : "%.0f")
+                              : row.most <= 0.5 ? "%.3f"
+                              : small           ? "%.2f"
+                                                : "%.1f") +
+                             unit;
   const bool logarithmic = wide || (row.least > 0.0 && row.most / row.least >= 100.0);
-  return scalar_state(ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &row.least, &row.most, format.c_str(),
-                                          ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0)));
+  return scalar_state(
+      ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &row.least, &row.most, format.c_str(),
+                          ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0)));
 }
 
 void tooltip(const Setting& row) {
@@ -130,8 +134,10 @@ void tooltip(const Setting& row) {
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
   ImGui::TextUnformatted(std::string(row.sentence).c_str());
   ImGui::TextDisabled("%s", (std::string(row.key) + ": " + range_text(row)).c_str());
-  if (row.grows) ImGui::TextDisabled("A change comes over the sea within waves.change_s.");
-  else if (row.rebuild) ImGui::TextDisabled("A change takes a moment: it makes things anew.");
+  if (row.grows)
+    ImGui::TextDisabled("A change comes over the sea within waves.change_s.");
+  else if (row.rebuild)
+    ImGui::TextDisabled("A change takes a moment: it makes things anew.");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -141,7 +147,8 @@ bool preset_holds(const Settings& settings, std::string_view preset, DeviceClass
   apply_preset(fresh, preset);
   suit_device(fresh, preset, device);
   for (const PresetRow& row : preset_rows())
-    if (const Setting* setting = find_setting(row.key); value_of(settings, *setting) != value_of(fresh, *setting)) return false;
+    if (const Setting* setting = find_setting(row.key); value_of(settings, *setting) != value_of(fresh, *setting))
+      return false;
   return true;
 }
 
@@ -156,9 +163,11 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   const std::vector<std::string_view> scenes(facts.scenes.begin(), facts.scenes.end());
   if (pick("scene", std::string(facts.scene), scenes, chosen).changed) wish.scene = chosen;
   // The preset whose values are all in force, if there is one.
-  const auto holds = std::find_if(preset_names().begin(), preset_names().end(),
-                                  [&](std::string_view name) { return preset_holds(settings, name, facts.device_class); });
-  const std::string preset = holds == preset_names().end() ? std::string(facts.preset) + ", changed" : std::string(*holds);
+  const auto holds = std::find_if(preset_names().begin(), preset_names().end(), [&](std::string_view name) {
+    return preset_holds(settings, name, facts.device_class);
+  });
+  const std::string preset =
+      holds == preset_names().end() ? std::string(facts.preset) + ", changed" : std::string(*holds);
   if (pick("quality", preset, preset_names(), chosen).changed) wish.preset = chosen;
   constexpr std::string_view travels[] = {"fly", "walk at deck height", "ride the waves"};
   if (pick("travel", travel_name(facts.travel), travels, chosen).changed)
@@ -171,24 +180,29 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
     std::replace(label.begin(), label.end(), '_', ' ');
     if (!std::exchange(first, false)) {
       ImGui::SameLine();
-      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetFrameHeight()) ImGui::NewLine();
+      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetFrameHeight())
+        ImGui::NewLine();
     }
     const auto at = std::find(facts.effects.begin(), facts.effects.end(), name);
     bool on = at != facts.effects.end();
     if (!ImGui::Checkbox(label.c_str(), &on)) continue;
     wish.effects.emplace(facts.effects.begin(), facts.effects.end());
-    if (on) wish.effects->emplace_back(name);
-    else wish.effects->erase(wish.effects->begin() + (at - facts.effects.begin()));
+    if (on)
+      wish.effects->emplace_back(name);
+    else
+      wish.effects->erase(wish.effects->begin() + (at - facts.effects.begin()));
   }
   if (ImGui::Button(facts.paused ? "Run" : "Pause")) wish.pause = true;
   ImGui::SameLine();
   if (ImGui::Button("Screenshot")) wish.screenshot = true;
   if (ImGui::GetWindowWidth() > ImGui::GetFontSize() * 22.0f) ImGui::SameLine();
-  if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str() : "Record path###record"))
+  if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str()
+                                    : "Record path###record"))
     wish.record = true;
   double time_s = facts.sea_time_s;
   ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 5.0f);
-  if (ImGui::DragScalar("sea time", ImGuiDataType_Double, &time_s, 0.05f, nullptr, nullptr, "%.1f s")) wish.sea_time_s = std::clamp(time_s, -1e10, 1e10);
+  if (ImGui::DragScalar("sea time", ImGuiDataType_Double, &time_s, 0.05f, nullptr, nullptr, "%.1f s"))
+    wish.sea_time_s = std::clamp(time_s, -1e10, 1e10);
   ImGui::TextWrapped("time x %.3g   speed %.1f m/s", facts.paused ? 0.0 : settings.time_scale, facts.speed_mps);
 }
 
@@ -199,7 +213,8 @@ void Panel::draw_times(const PanelFacts& facts) {
   const float most = *std::max_element(history_ms_.begin(), history_ms_.end());
   ImGui::PlotLines("##history", history_ms_.data(), int(history_ms_.size()), history_at_, nullptr, 0.0f, most * 1.1f,
                    {ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 2.5f});
-  ImGui::TextWrapped("%.1f ms a frame (%.0f a second)", facts.frame_ms, facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
+  ImGui::TextWrapped("%.1f ms a frame (%.0f a second)", facts.frame_ms,
+                     facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
   ImGui::TextWrapped("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
   if (!facts.passes.empty() && ImGui::BeginTable("passes", 2)) {
     for (const PassTime& pass : facts.passes) {
@@ -212,9 +227,10 @@ void Panel::draw_times(const PanelFacts& facts) {
   }
   ImGui::Separator();
   ImGui::TextWrapped("%llu draws, %llu triangles, %zu patches", static_cast<unsigned long long>(facts.counts.draws),
-              static_cast<unsigned long long>(facts.counts.triangles), facts.patches);
-  ImGui::TextWrapped("%llu dispatches, %llu barriers, %llu commands", static_cast<unsigned long long>(facts.counts.dispatches),
-              static_cast<unsigned long long>(facts.counts.barriers), static_cast<unsigned long long>(facts.counts.commands));
+                     static_cast<unsigned long long>(facts.counts.triangles), facts.patches);
+  ImGui::TextWrapped(
+      "%llu dispatches, %llu barriers, %llu commands", static_cast<unsigned long long>(facts.counts.dispatches),
+      static_cast<unsigned long long>(facts.counts.barriers), static_cast<unsigned long long>(facts.counts.commands));
   ImGui::TextWrapped("%ux%u, %d view%s, %s", facts.width, facts.height, facts.views, facts.views == 1 ? "" : "s",
                      std::string(facts.device).c_str());
 }
@@ -229,7 +245,8 @@ bool Panel::draw_rows(const Settings& initial) {
     if (group_of(row.key) != group) {
       if (open) ImGui::EndTable();
       group = group_of(row.key);
-      open = ImGui::CollapsingHeader(group_title(group).c_str(), group == "waves" || group == "sky" ? ImGuiTreeNodeFlags_DefaultOpen : 0) &&
+      open = ImGui::CollapsingHeader(group_title(group).c_str(),
+                                     group == "waves" || group == "sky" ? ImGuiTreeNodeFlags_DefaultOpen : 0) &&
              ImGui::BeginTable(std::string(group).c_str(), 2);
       if (open) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48f);
@@ -266,8 +283,9 @@ PanelWish Panel::draw(const Settings& settings, const Settings& initial, const P
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize({std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 30.0f), window.y});
-  ImGui::Begin("Seascape", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                                        ImGuiWindowFlags_NoTitleBar);
+  ImGui::Begin(
+      "Seascape", nullptr,
+      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar);
   draw_head(settings, facts, wish);
   draw_times(facts);
   if (draw_rows(initial)) wish.settings = edited_;
@@ -292,7 +310,8 @@ void Panel::draw_message(std::string_view message) {
   const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
   ImGui::SetNextWindowPos({window.x * 0.98f, window.y * 0.97f}, ImGuiCond_Always, {1.0f, 1.0f});
   ImGui::SetNextWindowSize({width + 2.0f * padding.x, height + 2.0f * padding.y});
-  ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushTextWrapPos(padding.x + width + 1.0f);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

@@ -44,8 +44,8 @@ std::span<const std::array<const char*, 2>> key_help();
 
 class Panel {
  public:
-  // Between Overlay::begin and end. `settings` are those in force, `initial` those that a right click goes back to. A row
-  // that makes GPU objects anew is handed out when the mouse lets go of it, any other at once.
+  // Between Overlay::begin and end. `settings` are those in force, `initial` those that a right click goes back to. A
+  // row that makes GPU objects anew is handed out when the mouse lets go of it, any other at once.
   PanelWish draw(const Settings& settings, const Settings& initial, const PanelFacts& facts);
   // A short line at the window's foot, also without the panel.
   static void draw_message(std::string_view message);
@@ -56,7 +56,7 @@ class Panel {
   void draw_head(const Settings& settings, const PanelFacts& facts, PanelWish& wish);
   void draw_times(const PanelFacts& facts);
   bool draw_rows(const Settings& initial);
-  Settings edited_;        // in force, but for a row that is being dragged
+  Settings edited_;  // in force, but for a row that is being dragged
   bool dragging_ = false;
   std::array<float, 120> history_ms_{};
   int history_at_ = 0;

@@ -10,24 +10,33 @@ namespace seascape {
 
 PlaceInputs place_inputs(const Scene& scene) {
   PlaceInputs result{scene.settings.place, {}, {}, nullptr};
-  for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
+  for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip,
+                                 InputTarget::albedo, InputTarget::shadow}) {
     if (!calls_for(scene.effects, traits(kind).name)) continue;
     const bool on_water = kind == InputTarget::albedo || kind == InputTarget::shadow;
     auto follow = [](const InputSpec& spec) { return spec.follow_waves; };
     auto stay = [](const InputSpec& spec) { return !spec.follow_waves; };
-    auto inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay) : std::make_shared<const Inputs>(kind, scene.inputs);
-    if (auto following = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr; following && !following->empty()) result.following.push_back(std::move(following));
-    if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
+    auto inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay)
+                           : std::make_shared<const Inputs>(kind, scene.inputs);
+    if (auto following = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr;
+        following && !following->empty())
+      result.following.push_back(std::move(following));
+    if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
+      result.kinds.push_back(std::move(inputs));
   }
-  if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)) result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);
-  if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene)) result.shore = std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
+  if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume))
+    result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);
+  if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene))
+    result.shore = std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
   return result;
 }
 
 std::optional<FoamSpec> foam_spec(const Scene& scene) {
   if (!calls_for(scene.effects, "foam")) return std::nullopt;
-  FoamSpec spec{scene.settings.foam, std::make_shared<const Inputs>(InputTarget::foam, scene.inputs), nullptr, scene.settings.place};
-  spec.settings.windows.scale_height_m = 24.0;  // lace is broken up by pixels: from there the finest texels are still to be told apart
+  FoamSpec spec{scene.settings.foam, std::make_shared<const Inputs>(InputTarget::foam, scene.inputs), nullptr,
+                scene.settings.place};
+  spec.settings.windows.scale_height_m =
+      24.0;  // lace is broken up by pixels: from there the finest texels are still to be told apart
   for (const auto& kind : place_inputs(scene).kinds)
     if (kind->target() == InputTarget::flow) spec.flow = kind;
   return spec;

@@ -6,7 +6,8 @@
 
 namespace seascape {
 
-// Of the built effects only, and none of a kind that nothing feeds and that would be the same everywhere as without the effect.
+// Of the built effects only, and none of a kind that nothing feeds and that would be the same everywhere as without the
+// effect.
 PlaceInputs place_inputs(const Scene& scene);
 
 // What it says of foam; none without the effect.

@@ -1,4 +1,5 @@
-// `seascape plan`: builds a scene and says what is there, why, and what it costs. It reads the objects and not the request.
+// `seascape plan`: builds a scene and says what is there, why, and what it costs. It reads the objects and not the
+// request.
 #include "app/plan.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,8 @@ constexpr Part parts[] = {
 };
 
 PlanEffect& effect_named(Plan& plan, const std::string& name) {
-  const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == name; });
+  const auto found =
+      std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == name; });
   if (found != plan.effects.end()) return *found;
   plan.effects.push_back({});
   plan.effects.back().name = name;
@@ -42,19 +44,24 @@ PlanEffect& effect_named(Plan& plan, const std::string& name) {
 
 void add_object(PlanEffect& effect, const ObjectRecord& object) {
   switch (object.type) {
-    case VK_OBJECT_TYPE_PIPELINE: effect.pipelines.push_back(object.name); break;
-    case VK_OBJECT_TYPE_SHADER_MODULE: effect.modules.push_back({object.name, object.bytes / 4, ""}); break;
+    case VK_OBJECT_TYPE_PIPELINE:
+      effect.pipelines.push_back(object.name);
+      break;
+    case VK_OBJECT_TYPE_SHADER_MODULE:
+      effect.modules.push_back({object.name, object.bytes / 4, ""});
+      break;
     case VK_OBJECT_TYPE_IMAGE:
     case VK_OBJECT_TYPE_BUFFER:
       effect.resources.push_back({object.type == VK_OBJECT_TYPE_IMAGE ? "image" : "buffer", object.name, object.bytes});
       effect.bytes += object.bytes;
       break;
-    default: ++effect.other_objects;
+    default:
+      ++effect.other_objects;
   }
 }
 
-// The effect a pass works for is the one its pipeline belongs to, or else the image that it copies into; a pass that has
-// neither belongs to the frame.
+// The effect a pass works for is the one its pipeline belongs to, or else the image that it copies into; a pass that
+// has neither belongs to the frame.
 std::string owner_of(const PipelineWork& work, const std::vector<ObjectRecord>& objects) {
   for (const ObjectRecord& object : objects)
     if (work.pipeline ? object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(work.pipeline)
@@ -64,7 +71,8 @@ std::string owner_of(const PipelineWork& work, const std::vector<ObjectRecord>& 
 }
 
 // Adds what one frame recorded. `first`: it is the first of the experience.
-void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vector<ObjectRecord>& objects, bool first) {
+void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vector<ObjectRecord>& objects,
+              bool first) {
   std::vector<PlanEffect> found;  // this frame's passes by effect, for a pass may come several times
   std::vector<std::pair<std::uint32_t, std::string>> counted;
   for (const PipelineWork& work : frame) {
@@ -75,7 +83,8 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
       found.back().name = owner;
       effect = found.end() - 1;
     }
-    auto pass = std::find_if(effect->passes.begin(), effect->passes.end(), [&](const PlanPass& p) { return p.name == work.pass; });
+    auto pass = std::find_if(effect->passes.begin(), effect->passes.end(),
+                             [&](const PlanPass& p) { return p.name == work.pass; });
     if (pass == effect->passes.end()) {
       effect->passes.push_back({work.pass, first});
       pass = effect->passes.end() - 1;
@@ -92,16 +101,20 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
   for (const PlanEffect& part : found)
     for (const PlanPass& pass : part.passes) {
       std::vector<PlanPass>& passes = effect_named(plan, part.name).passes;
-      const auto same = std::find_if(passes.begin(), passes.end(), [&](const PlanPass& p) { return p.name == pass.name; });
-      if (same == passes.end()) passes.push_back(pass);
-      else *same = pass;  // the second frame has it too: it is every frame's
+      const auto same =
+          std::find_if(passes.begin(), passes.end(), [&](const PlanPass& p) { return p.name == pass.name; });
+      if (same == passes.end())
+        passes.push_back(pass);
+      else
+        *same = pass;  // the second frame has it too: it is every frame's
     }
 }
 
 // What effects are of code in the surface's shaders: the words that a shader would lack without the effect.
 void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
   std::vector<std::shared_ptr<const Shader>> shaders = surface.pipeline().shaders();
-  if (&surface.lighting() != &surface.pipeline()) shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
+  if (&surface.lighting() != &surface.pipeline())
+    shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
   for (const auto& shader : shaders) {
     for (const auto& [effect, constant] : Surface::effect_code) {
       std::vector<SpecValue> without = shader->values;
@@ -126,8 +139,10 @@ void draw_once(Experience& experience, Headless& display, double time_s) {
 Plan plan_of(const Arguments& arguments, const std::string& preset) {
   Program program = make_program(arguments, preset, device_options());
   const HeadlessOptions options = headless_options(arguments, program.scene.settings.render);
-  const bool per_eye = draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
-  Experience experience(*program.device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false});
+  const bool per_eye =
+      draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
+  Experience experience(*program.device, program.shaders, program.scene,
+                        {options.width, options.height, options.views, per_eye, false});
   Plan plan = make_plan(*program.device, program.shaders, experience, program.preset);
   expect_no_validation_messages(*program.device);
   return plan;
@@ -137,16 +152,19 @@ Plan plan_of(const Arguments& arguments, const std::string& preset) {
 void write_costs(const Arguments& arguments) {
   Program program = make_program(arguments, arguments.preset, device_options());
   const HeadlessOptions options = headless_options(arguments, program.scene.settings.render);
-  const bool per_eye = draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
+  const bool per_eye =
+      draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
   std::vector<std::string> effects;
   for (const std::string_view name : effect_names())
     if (effect_is_built(name)) effects.emplace_back(name);
   std::optional<Progress> progress;
-  const CostMatrix matrix = measure_costs(*program.device, program.shaders, program.scene, effects, {options.width, options.height, options.views, per_eye, false}, program.preset,
-                                          arguments.frames > 0 ? arguments.frames : 24, [&](std::size_t done, std::size_t all) {
-                                            if (!progress) progress.emplace("plan: cost", all);
-                                            progress->step(done);
-                                          });
+  const CostMatrix matrix =
+      measure_costs(*program.device, program.shaders, program.scene, effects,
+                    {options.width, options.height, options.views, per_eye, false}, program.preset,
+                    arguments.frames > 0 ? arguments.frames : 24, [&](std::size_t done, std::size_t all) {
+                      if (!progress) progress.emplace("plan: cost", all);
+                      progress->step(done);
+                    });
   expect_no_validation_messages(*program.device);
   const std::string name = fmt::format("matrix_{}_{}", matrix.scene, matrix.preset);
   write_atomically(std::filesystem::path(arguments.matrix) / (name + ".csv"), matrix_csv(matrix));
@@ -183,7 +201,8 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
   plan.passes = experience.frame().counts().passes;
   for (const ObjectRecord& object : device.objects()) add_object(effect_named(plan, object.effect), object);
   for (const auto& source : experience.ocean().sources())
-    if (const std::size_t bytes = source->source().bytes(); bytes > 0) effect_named(plan, std::string(source->source().name())).resources.push_back({"host", "recorded frames", bytes});
+    if (const std::size_t bytes = source->source().bytes(); bytes > 0)
+      effect_named(plan, std::string(source->source().name())).resources.push_back({"host", "recorded frames", bytes});
   add_code(plan, shaders, experience.surface());
   return plan;
 }
@@ -196,7 +215,8 @@ int run_plan(const Arguments& arguments) {
     std::size_t done = 0;
     for (const std::string_view preset : preset_names()) {
       const Plan plan = plan_of(arguments, std::string(preset));
-      write_atomically(std::filesystem::path(arguments.matrix) / fmt::format("plan_{}_{}.csv", plan.scene, preset), plan_csv(plan));
+      write_atomically(std::filesystem::path(arguments.matrix) / fmt::format("plan_{}_{}.csv", plan.scene, preset),
+                       plan_csv(plan));
       progress.step(++done);
     }
     write_costs(arguments);

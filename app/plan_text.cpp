@@ -28,8 +28,10 @@ std::string pass_line(const PlanPass& pass) {
 
 std::string effect_text(const PlanEffect& effect) {
   std::string text = fmt::format("{}: {}\n", effect.name, effect.because);
-  if (effect.passes.empty()) text += "  passes     none of its own\n";
-  else text += "  passes\n";
+  if (effect.passes.empty())
+    text += "  passes     none of its own\n";
+  else
+    text += "  passes\n";
   for (const PlanPass& pass : effect.passes) text += pass_line(pass);
   if (!effect.pipelines.empty()) {
     text += "  pipelines  ";
@@ -47,14 +49,20 @@ std::string effect_text(const PlanEffect& effect) {
 }
 
 std::string total_line(const std::string& name, const PlanTotals& t) {
-  return fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", name, t.passes, t.draws, t.triangles,
-                     t.dispatches, t.pipelines, t.modules, t.words, t.resources, mebibytes(t.bytes));
+  return fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", name, t.passes, t.draws,
+                     t.triangles, t.dispatches, t.pipelines, t.modules, t.words, t.resources, mebibytes(t.bytes));
 }
 
 ordered_json totals_json(const PlanTotals& t) {
-  return {{"passes", t.passes},       {"draws", t.draws},     {"triangles", t.triangles},
-          {"dispatches", t.dispatches}, {"pipelines", t.pipelines}, {"modules", t.modules},
-          {"words", t.words},         {"resources", t.resources}, {"other_objects", t.other_objects},
+  return {{"passes", t.passes},
+          {"draws", t.draws},
+          {"triangles", t.triangles},
+          {"dispatches", t.dispatches},
+          {"pipelines", t.pipelines},
+          {"modules", t.modules},
+          {"words", t.words},
+          {"resources", t.resources},
+          {"other_objects", t.other_objects},
           {"bytes", t.bytes}};
 }
 
@@ -127,11 +135,12 @@ PlanTotals totals_of(const Plan& plan) {
 }
 
 std::string plan_text(const Plan& plan) {
-  std::string text = fmt::format("{} at {}: {}x{}, {} view{}, {} x MSAA, on {}\n\n", plan.scene, plan.preset, plan.width, plan.height,
-                                 plan.views, plan.views > 1 ? "s" : "", plan.msaa, plan.device);
+  std::string text =
+      fmt::format("{} at {}: {}x{}, {} view{}, {} x MSAA, on {}\n\n", plan.scene, plan.preset, plan.width, plan.height,
+                  plan.views, plan.views > 1 ? "s" : "", plan.msaa, plan.device);
   for (const PlanEffect& effect : plan.effects) text += effect_text(effect);
-  text += fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", "a frame", "passes", "draws", "triangles",
-                      "dispatches", "pipelines", "modules", "words", "resources", "MiB");
+  text += fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", "a frame", "passes", "draws",
+                      "triangles", "dispatches", "pipelines", "modules", "words", "resources", "MiB");
   for (const PlanEffect& effect : plan.effects) text += total_line(effect.name, totals_of(effect));
   return text + total_line("all", totals_of(plan));
 }
@@ -139,19 +148,27 @@ std::string plan_text(const Plan& plan) {
 std::string plan_json(const Plan& plan) {
   ordered_json effects = ordered_json::array();
   for (const PlanEffect& effect : plan.effects) effects.push_back(effect_json(effect));
-  const ordered_json json = {{"version", 1},          {"scene", plan.scene},   {"preset", plan.preset}, {"device", plan.device},
-                             {"width", plan.width},   {"height", plan.height}, {"views", plan.views},   {"msaa", plan.msaa},
-                             {"effects", std::move(effects)}, {"totals", totals_json(totals_of(plan))}};
+  const ordered_json json = {{"version", 1},
+                             {"scene", plan.scene},
+                             {"preset", plan.preset},
+                             {"device", plan.device},
+                             {"width", plan.width},
+                             {"height", plan.height},
+                             {"views", plan.views},
+                             {"msaa", plan.msaa},
+                             {"effects", std::move(effects)},
+                             {"totals", totals_json(totals_of(plan))}};
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string plan_csv(const Plan& plan) {
-  std::string text = "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes\n";
+  std::string text =
+      "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes\n";
   for (const PlanEffect& effect : plan.effects) {
     const PlanTotals t = totals_of(effect);
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(plan.scene), plan.preset, effect.name,
-                        csv_cell(effect.because), t.passes, t.draws, t.triangles, t.dispatches, t.pipelines, t.modules, t.words,
-                        t.resources, t.bytes);
+                        csv_cell(effect.because), t.passes, t.draws, t.triangles, t.dispatches, t.pipelines, t.modules,
+                        t.words, t.resources, t.bytes);
   }
   return text;
 }

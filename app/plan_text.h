@@ -42,7 +42,7 @@ struct Plan {
   std::string scene, preset, device;
   int width = 0, height = 0;  // per view
   int views = 0, msaa = 1;
-  std::uint64_t passes = 0;   // of a frame: fewer than the effects' sum where two of them draw in one pass
+  std::uint64_t passes = 0;  // of a frame: fewer than the effects' sum where two of them draw in one pass
   std::vector<PlanEffect> effects;
 };
 
@@ -57,7 +57,8 @@ PlanTotals totals_of(const Plan& plan);
 // Aligned tables for a person.
 std::string plan_text(const Plan& plan);
 std::string plan_json(const Plan& plan);
-// One row an effect: "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes".
+// One row an effect:
+// "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes".
 std::string plan_csv(const Plan& plan);
 
 }  // namespace seascape

@@ -34,7 +34,8 @@ std::string date_utc() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);
-  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour,
+                     utc.tm_min);
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ Program make_program(const Arguments& arguments, const DeviceOptions& options) {
 }
 
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options) {
-  // The scene is read first: a fault in it is told before a device is looked for. What a preset is on the device needs that.
+  // The scene is read first: a fault in it is told before a device is looked for. What a preset is on the device needs
+  // that.
   (void)scene_from(arguments, preset == "auto" ? "high" : preset);
   Program program;
   program.device = std::make_unique<Device>(options);
@@ -70,7 +72,8 @@ Program make_program(const Arguments& arguments, const std::string& preset, cons
 void expect_no_validation_messages(const Device& device) {
   const auto messages = device.validation_messages();
   if (!messages.empty())
-    throw Error("validation", fmt::format("{} messages, the first: {}", messages.size(), messages.front()), "this is a fault of seascape");
+    throw Error("validation", fmt::format("{} messages, the first: {}", messages.size(), messages.front()),
+                "this is a fault of seascape");
 }
 
 Image8 picture_of(Device& device, const Experience& experience, int view) {

@@ -6,8 +6,8 @@
 
 namespace seascape {
 
-// Writes "replay: frame 12/90" over itself on stderr, where that is a terminal, once a second at most and not in the first;
-// wipes it at the end.
+// Writes "replay: frame 12/90" over itself on stderr, where that is a terminal, once a second at most and not in the
+// first; wipes it at the end.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);

@@ -10,27 +10,27 @@ namespace seascape {
 
 namespace {
 
-// Low and medium are profiles of a standalone headset: tile shape, tiles of waves in half floats. High and ultra are for PC VR.
-// Resolution adds oversampling and whole short bands; it never changes a wave that is kept. All have the five cascades: without
-// the last, water near the eye is a blur. Low's mesh may miss 8 pixels and asks for 5: of more it
-// gains little time (seascape lab --curve frame; docs/accuracy.md). Ultra's may miss 1 and asks for 0.9: of the largest of 200 poses one in sixteen
-// passed its pixel, by a tenth.
+// Low and medium are profiles of a standalone headset: tile shape, tiles of waves in half floats. High and ultra are
+// for PC VR. Resolution adds oversampling and whole short bands; it never changes a wave that is kept. All have the
+// five cascades: without the last, water near the eye is a blur. Low's mesh may miss 8 pixels and asks for 5: of more
+// it gains little time (seascape lab --curve frame; docs/accuracy.md). Ultra's may miss 1 and asks for 0.9: of the
+// largest of 200 poses one in sixteen passed its pixel, by a tenth.
 constexpr PresetRow rows[] = {
     // key                   low      medium   high       ultra
-    {"waves.resolution",     "256",   "256",   "256",     "512"},
-    {"waves.cascades",       "5",     "5",     "5",       "5"},
-    {"waves.half_storage",   "true",  "true",  "false",   "false"},
-    {"dynamic_waves.resolution", "128", "128", "256",     "256"},
-    {"foam.resolution",      "128",   "128",   "256",     "256"},
-    {"spray.most",           "2000",  "4000",  "6000",    "8000"},
-    {"place.resolution",     "128",   "128",   "256",     "256"},
-    {"lod.patch_quads",      "16",    "32",    "64",      "64"},
-    {"lod.pixel_error",      "5",     "4",     "2",       "0.9"},
-    {"lod.threshold",        "2.0",   "1.5",   "1.2",     "1.0"},
-    {"lod.cull_scale",       "1.2",   "1.5",   "1.8",     "2.0"},
-    {"water.anisotropy",     "2",     "4",     "8",       "16"},
-    {"frame.shape",          "tile",  "tile",  "auto",    "auto"},
-    {"msaa",                 "4",     "4",     "4",       "4"},
+    {"waves.resolution", "256", "256", "256", "512"},
+    {"waves.cascades", "5", "5", "5", "5"},
+    {"waves.half_storage", "true", "true", "false", "false"},
+    {"dynamic_waves.resolution", "128", "128", "256", "256"},
+    {"foam.resolution", "128", "128", "256", "256"},
+    {"spray.most", "2000", "4000", "6000", "8000"},
+    {"place.resolution", "128", "128", "256", "256"},
+    {"lod.patch_quads", "16", "32", "64", "64"},
+    {"lod.pixel_error", "5", "4", "2", "0.9"},
+    {"lod.threshold", "2.0", "1.5", "1.2", "1.0"},
+    {"lod.cull_scale", "1.2", "1.5", "1.8", "2.0"},
+    {"water.anisotropy", "2", "4", "8", "16"},
+    {"frame.shape", "tile", "tile", "auto", "auto"},
+    {"msaa", "4", "4", "4", "4"},
 };
 
 constexpr std::array<std::string_view, 4> names{"low", "medium", "high", "ultra"};
@@ -44,9 +44,12 @@ std::span<const std::string_view> preset_names() { return names; }
 std::string_view resolve_preset(std::string_view preset, DeviceClass device) {
   if (preset != "auto") return preset;
   switch (device) {
-    case DeviceClass::software: return "medium";
-    case DeviceClass::integrated: return "high";
-    case DeviceClass::discrete: return "ultra";
+    case DeviceClass::software:
+      return "medium";
+    case DeviceClass::integrated:
+      return "high";
+    case DeviceClass::discrete:
+      return "ultra";
   }
   return "high";
 }
@@ -62,7 +65,9 @@ std::string presets_with(std::initializer_list<std::pair<std::string_view, std::
   for (const std::string_view preset : names) {
     Settings settings;
     apply_preset(settings, preset);
-    const auto has = [&](const auto& value) { return value_text(settings, *find_setting(value.first)) == value.second; };
+    const auto has = [&](const auto& value) {
+      return value_text(settings, *find_setting(value.first)) == value.second;
+    };
     if (std::all_of(values.begin(), values.end(), has)) found += (found.empty() ? "" : " ") + std::string(preset);
   }
   return found;

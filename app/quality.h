@@ -24,8 +24,9 @@ enum class DeviceClass { software, integrated, discrete };
 // What `auto` means on such a device; any other name is returned as it is.
 std::string_view resolve_preset(std::string_view preset, DeviceClass device);
 
-// What a preset is otherwise on such a device: on a software driver it takes one sample a pixel, with which the sea is lit once a pixel (frame.lighting) in less than half the time; but a
-// scene that asks for another number than the preset's keeps it.
+// What a preset is otherwise on such a device: on a software driver it takes one sample a pixel, with which the sea is
+// lit once a pixel (frame.lighting) in less than half the time; but a scene that asks for another number than the
+// preset's keeps it.
 void suit_device(Settings& settings, std::string_view preset, DeviceClass device);
 
 // The presets, with spaces between their names, that have all of these values (as --set takes them).

@@ -34,8 +34,8 @@ SeaState sea_of(const Scene& scene) {
 
 void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer& answer) {
   append_csv_row(text, std::array{point.x, point.y, answer.height_m, answer.normal.x, answer.normal.y, answer.normal.z,
-                                  answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y, answer.orbital_velocity_mps.z,
-                                  answer.converged ? 1.0 : 0.0});
+                                  answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y,
+                                  answer.orbital_velocity_mps.z, answer.converged ? 1.0 : 0.0});
 }
 
 }  // namespace
@@ -68,7 +68,8 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
 int run_query(const Arguments& arguments) {
   const Scene scene = scene_from(arguments, arguments.preset);
   tell_remarks(scene);
-  if (calls_for(scene.effects, "dynamic_waves")) spdlog::warn("query: the answers leave out {}'s dynamic_waves, which depend on what came before", scene.name);
+  if (calls_for(scene.effects, "dynamic_waves"))
+    spdlog::warn("query: the answers leave out {}'s dynamic_waves, which depend on what came before", scene.name);
   const std::vector<glm::dvec2> points = parse_points(read_text(arguments.points), arguments.points);
   write_atomically(arguments.out, query_csv(scene, arguments.time_s, points));
   return 0;

@@ -19,7 +19,7 @@ struct RenderSettings {
   StereoMode stereo = StereoMode::automatic;
   DebugView debug = DebugView::none;
   double eye_distance_m = 0.064;
-  double vertical_fov_deg = 60.0;   // of one-view pictures and of headless stereo
+  double vertical_fov_deg = 60.0;  // of one-view pictures and of headless stereo
   double near_m = 0.1;
 };
 

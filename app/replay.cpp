@@ -7,8 +7,8 @@
 #include "app/frame.h"
 #include "app/program.h"
 #include "app/progress.h"
-#include "app/sea_time.h"
 #include "app/report_replay.h"
+#include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/files.h"
 
@@ -16,9 +16,12 @@ namespace seascape {
 
 namespace {
 
-std::string setting_text(const Settings& settings, std::string_view key) { return value_text(settings, *find_setting(key)); }
+std::string setting_text(const Settings& settings, std::string_view key) {
+  return value_text(settings, *find_setting(key));
+}
 
-ReplayRecord record_of(const Arguments& arguments, const Program& program, const Experience& experience, const CameraPath& path) {
+ReplayRecord record_of(const Arguments& arguments, const Program& program, const Experience& experience,
+                       const CameraPath& path) {
   const Settings& settings = experience.scene().settings;
   ReplayRecord record;
   record.scene = program.scene.name;
@@ -39,15 +42,17 @@ ReplayRecord record_of(const Arguments& arguments, const Program& program, const
 }
 
 // Writes a picture an eye and returns their names.
-std::vector<std::string> write_pictures(const std::filesystem::path& out, int number, PictureFormat format, Device& device,
-                                        const Experience& experience) {
+std::vector<std::string> write_pictures(const std::filesystem::path& out, int number, PictureFormat format,
+                                        Device& device, const Experience& experience) {
   std::vector<std::string> names;
   const int views = experience.options().views;
   for (int view = 0; view < views; ++view) {
     const bool png = format == PictureFormat::png;
     names.push_back(fmt::format("frame_{:04}{}.{}", number, view_suffix(views, view), png ? "png" : "exr"));
-    if (png) write_png(out / names.back(), picture_of(device, experience, view));
-    else write_exr(out / names.back(), linear_picture_of(device, experience, view));
+    if (png)
+      write_png(out / names.back(), picture_of(device, experience, view));
+    else
+      write_exr(out / names.back(), linear_picture_of(device, experience, view));
   }
   return names;
 }
@@ -60,7 +65,8 @@ int run_replay(const Arguments& arguments) {
   const CameraPath path = path_from(arguments, program.scene);
   const int path_frames = frames_of(path, arguments.fps);
   if (arguments.start >= path_frames)
-    throw Error("--start", fmt::format("{} is past the path's last frame, {}", arguments.start, path_frames - 1), "choose an earlier one", 2);
+    throw Error("--start", fmt::format("{} is past the path's last frame, {}", arguments.start, path_frames - 1),
+                "choose an earlier one", 2);
   const int count = arguments.frames > 0 ? arguments.frames : path_frames - arguments.start;
   const std::filesystem::path out = arguments.out;
   make_output_directory(out);
@@ -69,7 +75,9 @@ int run_replay(const Arguments& arguments) {
   const HeadlessOptions options = headless_options(arguments, render);
   Headless display(options);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
-  Experience experience(device, program.shaders, program.scene, {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
+  Experience experience(
+      device, program.shaders, program.scene,
+      {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
   Progress progress("replay: frame", std::size_t(count));

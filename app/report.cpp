@@ -61,7 +61,8 @@ std::string grouped(std::uint64_t value) {
 
 std::string summary_table(const std::vector<CaptureRun>& runs) {
   std::string text =
-      "<div class=\"wide\"><table>\n<thead><tr><th rowspan=\"2\">Run</th><th rowspan=\"2\">Frames</th><th colspan=\"5\">Frame time, ms</th><th colspan=\"2\">Median, ms</th>"
+      "<div class=\"wide\"><table>\n<thead><tr><th rowspan=\"2\">Run</th><th rowspan=\"2\">Frames</th><th "
+      "colspan=\"5\">Frame time, ms</th><th colspan=\"2\">Median, ms</th>"
       "<th colspan=\"4\">Frames missed at</th><th rowspan=\"2\">Memory<br>MiB</th><th rowspan=\"2\">Draws</th>"
       "<th rowspan=\"2\">Triangles</th></tr>\n<tr><th>median</th><th>p5</th><th>p95</th><th>p99</th><th>max</th>"
       "<th>CPU</th><th>GPU</th>";
@@ -76,15 +77,16 @@ std::string summary_table(const std::vector<CaptureRun>& runs) {
       gpu.push_back(frame.gpu_ms);
     }
     text += fmt::format("<tr><th>{}</th><td>{}</td>", html_escaped(run_label(run, runs)), run.frames.size());
-    for (const double value : {all.median, all.p5, all.p95, all.p99, all.max, summarise(cpu).median, summarise(gpu).median})
+    for (const double value :
+         {all.median, all.p5, all.p95, all.p99, all.max, summarise(cpu).median, summarise(gpu).median})
       text += fmt::format("<td>{:.2f}</td>", value);
     for (const int rate : display_rates_hz) {
       const std::size_t missed = count_missed(times, rate);
       const char* mark = missed == 0 ? "good" : missed * 100 <= times.size() ? "fair" : "bad";
       text += fmt::format("<td class=\"{}\">{}</td>", mark, percent_text(missed, times.size()));
     }
-    text += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", mebibytes(bytes_of(run)), median_of(run, &CaptureFrame::draws),
-                        grouped(median_of(run, &CaptureFrame::triangles)));
+    text += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", mebibytes(bytes_of(run)),
+                        median_of(run, &CaptureFrame::draws), grouped(median_of(run, &CaptureFrame::triangles)));
   }
   return text + "</tbody></table></div>\n";
 }
@@ -95,7 +97,9 @@ std::string memory_table(const std::vector<CaptureRun>& runs) {
     for (const MemoryUse& use : run.memory)
       if (std::find(tags.begin(), tags.end(), use.tag) == tags.end()) tags.push_back(use.tag);
   if (tags.empty()) return "";
-  std::string text = "<h2>Memory</h2>\n<p>MiB of device memory, by what it is for.</p>\n<div class=\"wide\"><table><thead><tr><th>For</th>";
+  std::string text =
+      "<h2>Memory</h2>\n<p>MiB of device memory, by what it is for.</p>\n<div "
+      "class=\"wide\"><table><thead><tr><th>For</th>";
   for (const CaptureRun& run : runs) text += "<th>" + html_escaped(run_label(run, runs)) + "</th>";
   text += "</tr></thead><tbody>\n";
   for (const std::string& tag : tags) {
@@ -146,19 +150,21 @@ std::vector<double> frame_times_ms(const CaptureRun& run) {
 
 std::string capture_csv(const std::vector<CaptureRun>& runs) {
   const std::vector<std::string> passes = all_passes(runs);
-  std::string text = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
+  std::string text =
+      "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
   for (const std::string& name : passes) text += "," + csv_cell("gpu_" + name + "_ms");
   text += "\n";
   for (const CaptureRun& run : runs) {
     std::vector<std::size_t> column(passes.size());  // of the run's own passes; past their end: none
     for (std::size_t i = 0; i < passes.size(); ++i)
-      column[i] = static_cast<std::size_t>(std::find(run.pass_names.begin(), run.pass_names.end(), passes[i]) - run.pass_names.begin());
+      column[i] = static_cast<std::size_t>(std::find(run.pass_names.begin(), run.pass_names.end(), passes[i]) -
+                                           run.pass_names.begin());
     const std::string start = csv_cell(run.scene) + "," + csv_cell(run.preset);
     for (const CaptureFrame& frame : run.frames) {
       const double ms = frame_ms(frame);
       fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.4f},{:.4f},{},{},{},{:d},{:d},{:d}", start, frame.frame,
-                     frame.time_s, frame.cpu_ms, frame.gpu_ms, frame.draws, frame.triangles, frame.dispatches, is_missed(ms, 72),
-                     is_missed(ms, 90), is_missed(ms, 120));
+                     frame.time_s, frame.cpu_ms, frame.gpu_ms, frame.draws, frame.triangles, frame.dispatches,
+                     is_missed(ms, 72), is_missed(ms, 90), is_missed(ms, 120));
       for (const std::size_t place : column)
         fmt::format_to(std::back_inserter(text), ",{:.4f}", place < frame.pass_ms.size() ? frame.pass_ms[place] : 0.0);
       text += "\n";
@@ -173,14 +179,22 @@ std::string conclusion(const CaptureRun& run) {
   const double median = summarise(times).median;
   int held = 0, missed = 0;  // the fastest rate held, the slowest missed
   for (const int rate : display_rates_hz) {
-    if (count_missed(times, rate) * 100 <= times.size()) held = rate;
-    else if (missed == 0) missed = rate;
+    if (count_missed(times, rate) * 100 <= times.size())
+      held = rate;
+    else if (missed == 0)
+      missed = rate;
   }
-  const auto against = [&](int rate) { return fmt::format("median {:.1f} ms against {:.1f} ms", median, budget_ms(rate)); };
+  const auto against = [&](int rate) {
+    return fmt::format("median {:.1f} ms against {:.1f} ms", median, budget_ms(rate));
+  };
   std::string text = run.preset;
-  if (held) text += fmt::format(" holds {} Hz ({} of frames missed)", held, percent_text(count_missed(times, held), times.size()));
+  if (held)
+    text +=
+        fmt::format(" holds {} Hz ({} of frames missed)", held, percent_text(count_missed(times, held), times.size()));
   if (held && missed) text += " and";
-  if (missed) text += fmt::format(" misses {} Hz in {} of frames", missed, percent_text(count_missed(times, missed), times.size()));
+  if (missed)
+    text +=
+        fmt::format(" misses {} Hz in {} of frames", missed, percent_text(count_missed(times, missed), times.size()));
   return text + ": " + against(missed ? missed : held) + ".";
 }
 
@@ -195,14 +209,18 @@ std::string report_html(const Machine& machine, const std::vector<CaptureRun>& r
   }
   if (runs.empty()) text += "<p class=\"verdict\">Nothing was captured.</p>\n";
   if (software(machine))
-    text += "<p class=\"note\">The device draws in software on the processor, so these times say nothing about a graphics card; "
-            "they compare one build with another on this machine.</p>\n";
+    text +=
+        "<p class=\"note\">The device draws in software on the processor, so these times say nothing about a graphics "
+        "card; "
+        "they compare one build with another on this machine.</p>\n";
   if (!runs.empty() && fewest < 100)
-    text += fmt::format("<p class=\"note\">With only {} frames in a run, p99 is little more than its slowest frame.</p>\n", fewest);
+    text += fmt::format(
+        "<p class=\"note\">With only {} frames in a run, p99 is little more than its slowest frame.</p>\n", fewest);
   text += machine_list(machine, runs);
   if (!runs.empty()) {
     text += "<h2>Summary</h2>\n" + summary_table(runs) +
-            "<p class=\"note\">A frame's time is the longer of its CPU and its GPU time, since the two work side by side. A frame is "
+            "<p class=\"note\">A frame's time is the longer of its CPU and its GPU time, since the two work side by "
+            "side. A frame is "
             "missed when that is over the display's interval. Draws and triangles are medians.</p>\n";
     text += "<h2>Frame time along the path</h2>\n" + frame_time_plot(runs);
     text += "<h2>Where the GPU's time goes</h2>\n" + pass_time_plot(runs);

@@ -27,19 +27,19 @@ struct CaptureRun {
   std::string scene, path, preset;
   int width = 0, height = 0;  // per view
   int views = 1, msaa = 1;
-  int warmup = 0;             // frames drawn before the first that counts
+  int warmup = 0;  // frames drawn before the first that counts
   std::vector<std::string> pass_names;
   std::vector<CaptureFrame> frames;
   std::vector<MemoryUse> memory;
 };
 
-// What a display waits for: the longer of CPU and GPU, which work on different frames at the same time. Milliseconds; NaN if
-// either is.
+// What a display waits for: the longer of CPU and GPU, which work on different frames at the same time. Milliseconds;
+// NaN if either is.
 double frame_ms(const CaptureFrame& frame);
 std::vector<double> frame_times_ms(const CaptureRun& run);
 
-// One row a frame; columns as DESIGN.md fixes them, then gpu_NAME_ms for each pass of any run, 0 where a run has no such pass.
-// Numbers are locale-independent; a NaN is written as nan.
+// One row a frame; columns as DESIGN.md fixes them, then gpu_NAME_ms for each pass of any run, 0 where a run has no
+// such pass. Numbers are locale-independent; a NaN is written as nan.
 std::string capture_csv(const std::vector<CaptureRun>& runs);
 
 // One sentence for a run: which display rates it holds (1 % of frames missed at most) and which it misses, in figures.

@@ -30,8 +30,10 @@ bool software(const Machine& machine) {
 std::string page_head(const std::string& title) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
-      "<style>{1}{2}</style>\n</head>\n<body>\n<h1>{0}</h1>\n", html_escaped(title), page_colours, style);
+      "content=\"width=device-width,initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
+      "dark\">\n<title>{0}</title>\n"
+      "<style>{1}{2}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
+      html_escaped(title), page_colours, style);
 }
 
 std::string list_row(const char* name, const std::string& value) {
@@ -40,8 +42,10 @@ std::string list_row(const char* name, const std::string& value) {
 
 std::string machine_rows(const Machine& machine) {
   return list_row("Device", machine.device) + list_row("Driver", machine.driver) +
-         list_row("Processor", fmt::format("{}, {} cores", machine.cpu.empty() ? "not known" : machine.cpu, machine.cores)) + list_row("Build", machine.build) +
-         list_row("Date", machine.date) + list_row("Seed", std::to_string(machine.seed));
+         list_row("Processor",
+                  fmt::format("{}, {} cores", machine.cpu.empty() ? "not known" : machine.cpu, machine.cores)) +
+         list_row("Build", machine.build) + list_row("Date", machine.date) +
+         list_row("Seed", std::to_string(machine.seed));
 }
 
 }  // namespace seascape

@@ -1,4 +1,5 @@
-// What every report of measurements has: the machine that measured, and the page around it. One self-contained page: no script, no network, light and dark.
+// What every report of measurements has: the machine that measured, and the page around it. One self-contained page: no
+// script, no network, light and dark.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -23,7 +23,8 @@ double top_ms(const std::vector<CaptureRun>& runs) {
   return top;
 }
 
-// Points of a line, at most two for each step across the picture: the least and the greatest there, so that no spike is lost.
+// Points of a line, at most two for each step across the picture: the least and the greatest there, so that no spike is
+// lost.
 std::vector<std::pair<double, double>> thinned(const std::vector<std::pair<double, double>>& points, std::size_t most) {
   if (points.size() <= 2 * most) return points;
   std::vector<std::pair<double, double>> kept;
@@ -40,7 +41,8 @@ std::vector<std::pair<double, double>> thinned(const std::vector<std::pair<doubl
 
 double mean_pass_ms(const CaptureRun& run, std::size_t pass) {
   std::vector<double> values;
-  for (const CaptureFrame& frame : run.frames) values.push_back(pass < frame.pass_ms.size() ? frame.pass_ms[pass] : 0.0);
+  for (const CaptureFrame& frame : run.frames)
+    values.push_back(pass < frame.pass_ms.size() ? frame.pass_ms[pass] : 0.0);
   return summarise(values).mean;
 }
 
@@ -67,12 +69,15 @@ std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
   if (!any) return "<p>No frames.</p>\n";
   if (last - first < 1e-9) last = first + 1.0;
   const double most = top_ms(runs);
-  const auto x_of = [&](double s) { return left_edge + (s - first) / (last - first) * (plot_width - left_edge - right_edge); };
+  const auto x_of = [&](double s) {
+    return left_edge + (s - first) / (last - first) * (plot_width - left_edge - right_edge);
+  };
   const auto y_of = [&](double ms) { return bottom - std::min(ms, most) / most * (bottom - top); };
 
   std::vector<Legend> entries;
   for (std::size_t i = 0; i < runs.size(); ++i) entries.push_back({run_label(runs[i], runs), colour(i)});
-  std::string text = "<figure>" + open_svg(bottom + 44.0 + legend_height(entries), "Frame time of each run along the path");
+  std::string text =
+      "<figure>" + open_svg(bottom + 44.0 + legend_height(entries), "Frame time of each run along the path");
   for (double ms = 0.0, step = round_step(most, 7); ms <= most; ms += step) {
     text += line(left_edge, y_of(ms), plot_width - right_edge, y_of(ms), "axis");
     text += text_at(left_edge - 8.0, y_of(ms) + 4.0, tick_text(ms, step), "end");
@@ -92,7 +97,8 @@ std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
   const bool crowded = y_of(budget_ms(80)) - y_of(budget_ms(72)) < apart;
   for (int i = 0; i < count; ++i) {
     const int rate = display_rates_hz[i];
-    const double y = crowded ? std::min(middle + apart * (i - 0.5 * (count - 1)), bottom - apart * (count - 1 - i)) : y_of(budget_ms(rate));
+    const double y = crowded ? std::min(middle + apart * (i - 0.5 * (count - 1)), bottom - apart * (count - 1 - i))
+                             : y_of(budget_ms(rate));
     text += text_at(plot_width - right_edge + 6.0, y + 4.0, fmt::format("{} Hz {:.1f} ms", rate, budget_ms(rate)));
   }
   std::size_t past = 0;
@@ -104,19 +110,25 @@ std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
       points.emplace_back(x_of(frame.time_s), y_of(ms));
       if (ms <= most) continue;
       if (++past <= 200)
-        text += fmt::format("<path d=\"M{:.1f} {:.1f}l5 -9h-10z\" style=\"fill:{}\" transform=\"rotate(180 {:.1f} {:.1f})\"><title>{:.1f} ms</title></path>\n",
-                            x_of(frame.time_s), top - 9.0, colour(i), x_of(frame.time_s), top - 9.0, ms);
+        text += fmt::format(
+            "<path d=\"M{:.1f} {:.1f}l5 -9h-10z\" style=\"fill:{}\" transform=\"rotate(180 {:.1f} "
+            "{:.1f})\"><title>{:.1f} ms</title></path>\n",
+            x_of(frame.time_s), top - 9.0, colour(i), x_of(frame.time_s), top - 9.0, ms);
     }
     if (points.size() == 1) {
-      text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" style=\"fill:{}\"/>\n", points[0].first, points[0].second, colour(i));
+      text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" style=\"fill:{}\"/>\n", points[0].first,
+                          points[0].second, colour(i));
       continue;
     }
-    text += "<polyline fill=\"none\" stroke-width=\"1.6\" stroke-linejoin=\"round\" style=\"stroke:" + colour(i) + "\" points=\"";
+    text += "<polyline fill=\"none\" stroke-width=\"1.6\" stroke-linejoin=\"round\" style=\"stroke:" + colour(i) +
+            "\" points=\"";
     for (const auto& [x, y] : thinned(points, 800)) fmt::format_to(std::back_inserter(text), "{:.1f},{:.1f} ", x, y);
     text += "\"/>\n";
   }
   text += legend(entries, bottom + 48.0) + "</svg>\n";
-  if (past) text += fmt::format("<figcaption>{} frames took longer than the scale shows; a mark at the top stands where.</figcaption>\n", past);
+  if (past)
+    text += fmt::format(
+        "<figcaption>{} frames took longer than the scale shows; a mark at the top stands where.</figcaption>\n", past);
   return text + "</figure>\n";
 }
 
@@ -141,7 +153,8 @@ std::string pass_time_plot(const std::vector<CaptureRun>& runs) {
   for (std::size_t i = 0; i < names.size(); ++i) entries.push_back({names[i], colour(i)});
   entries.push_back({"outside any pass", "var(--line)"});
   const double bottom = row * static_cast<double>(runs.size()) + 8.0;
-  std::string text = "<figure>" + open_svg(bottom + 34.0 + legend_height(entries), "Mean GPU time of each pass, stacked, for each run");
+  std::string text = "<figure>" + open_svg(bottom + 34.0 + legend_height(entries),
+                                           "Mean GPU time of each pass, stacked, for each run");
   const auto length = [&](double ms) { return ms / most * (plot_width - start - end); };
   for (double ms = 0.0, step = round_step(most, 8); ms <= most * (1.0 + 1e-9); ms += step) {
     text += line(start + length(ms), 4.0, start + length(ms), bottom, "axis");
@@ -153,19 +166,24 @@ std::string pass_time_plot(const std::vector<CaptureRun>& runs) {
     double x = start, left = totals[i];
     const auto piece = [&](const std::string& name, double ms, const std::string& fill) {
       if (!(ms > 0.0)) return;
-      text += fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" style=\"fill:{};stroke:var(--page);stroke-width:1\"><title>{}: {:.3f} ms, {:.1f} %</title></rect>\n",
-                          x, y, length(ms), bar, fill, html_escaped(name), ms, 100.0 * ms / totals[i]);
+      text += fmt::format(
+          "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" "
+          "style=\"fill:{};stroke:var(--page);stroke-width:1\"><title>{}: {:.3f} ms, {:.1f} %</title></rect>\n",
+          x, y, length(ms), bar, fill, html_escaped(name), ms, 100.0 * ms / totals[i]);
       x += length(ms);
       left -= ms;
     };
     for (std::size_t k = 0; k < runs[i].pass_names.size(); ++k) {
       const std::string& name = runs[i].pass_names[k];
-      piece(name, mean_pass_ms(runs[i], k), colour(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())));
+      piece(name, mean_pass_ms(runs[i], k),
+            colour(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())));
     }
     if (left > 1e-6 * totals[i]) piece("outside any pass", left, "var(--line)");
     text += text_at(start + length(totals[i]) + 6.0, y + 16.0, fmt::format("{:.2f} ms", totals[i]));
   }
-  return text + legend(entries, bottom + 40.0) + "</svg>\n<figcaption>Mean over the frames of each run; point at a piece for its figures.</figcaption></figure>\n";
+  return text + legend(entries, bottom + 40.0) +
+         "</svg>\n<figcaption>Mean over the frames of each run; point at a piece for its "
+         "figures.</figcaption></figure>\n";
 }
 
 std::string histogram_plot(const std::vector<CaptureRun>& runs) {
@@ -182,7 +200,10 @@ std::string histogram_plot(const std::vector<CaptureRun>& runs) {
   const bool roomy = x_of(budget_ms(80)) - x_of(budget_ms(90)) > 40.0;
   for (const int rate : display_rates_hz)
     if (roomy || rate == 72 || rate == 120)
-      text += text_at(x_of(budget_ms(rate)), top - 5.0, fmt::format("{} Hz", rate), roomy ? "middle" : rate == 72 ? "start" : "end");
+      text += text_at(x_of(budget_ms(rate)), top - 5.0, fmt::format("{} Hz", rate),
+                      roomy        ? "middle"
+                      : rate == 72 ? "start"
+                                   : "end");
   for (double ms = 0.0, step = round_step(most, 10); ms <= most; ms += step)
     text += text_at(x_of(ms), bottom + 18.0, tick_text(ms, step) + (ms == 0.0 ? " ms" : ""), "middle");
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -197,12 +218,16 @@ std::string histogram_plot(const std::vector<CaptureRun>& runs) {
       const std::size_t count = counts[static_cast<std::size_t>(bin)];
       if (count == 0) continue;
       const double height = std::max(1.5, tall * static_cast<double>(count) / static_cast<double>(highest));
-      text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" style=\"fill:{}\"><title>{:.1f} to {:.1f} ms{}: {} frames</title></rect>\n",
-                          start + bin * width, floor - height, width - 1.0, height, colour(i), bin * most / bins,
-                          (bin + 1) * most / bins, bin == bins - 1 ? " and more" : "", count);
+      text += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" style=\"fill:{}\"><title>{:.1f} to "
+          "{:.1f} ms{}: {} frames</title></rect>\n",
+          start + bin * width, floor - height, width - 1.0, height, colour(i), bin * most / bins,
+          (bin + 1) * most / bins, bin == bins - 1 ? " and more" : "", count);
     }
   }
-  return text + "</svg>\n<figcaption>Each row has a height of its own; the last bar also holds what is longer.</figcaption></figure>\n";
+  return text +
+         "</svg>\n<figcaption>Each row has a height of its own; the last bar also holds what is "
+         "longer.</figcaption></figure>\n";
 }
 
 }  // namespace seascape

@@ -19,7 +19,8 @@ ordered_json frame_json(const ReplayFrame& frame) {
   ordered_json eyes = ordered_json::array();
   for (const View& eye : frame.views.eyes) {
     ordered_json view = pose_json(eye.pose);
-    view["fov_tangents"] = {{"left", eye.fov.left}, {"right", eye.fov.right}, {"up", eye.fov.up}, {"down", eye.fov.down}};
+    view["fov_tangents"] = {
+        {"left", eye.fov.left}, {"right", eye.fov.right}, {"up", eye.fov.up}, {"down", eye.fov.down}};
     eyes.push_back(std::move(view));
   }
   return {{"frame", frame.frame},
@@ -29,7 +30,10 @@ ordered_json frame_json(const ReplayFrame& frame) {
           {"viewer", pose_json(frame.views.viewer)},
           {"views", std::move(eyes)},
           {"counts",
-           {{"draws", frame.draws}, {"triangles", frame.triangles}, {"dispatches", frame.dispatches}, {"patches", frame.patches}}},
+           {{"draws", frame.draws},
+            {"triangles", frame.triangles},
+            {"dispatches", frame.dispatches},
+            {"patches", frame.patches}}},
           {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
 }
 
@@ -58,7 +62,8 @@ std::string replay_json(const ReplayRecord& record) {
   std::string text = text_of(header, 2);
   text.resize(text.size() - 2);  // the line end and brace, for the frames follow
   text += ",\n  \"frames\": [";
-  for (std::size_t i = 0; i < record.frames.size(); ++i) text += (i ? ",\n    " : "\n    ") + text_of(frame_json(record.frames[i]), -1);
+  for (std::size_t i = 0; i < record.frames.size(); ++i)
+    text += (i ? ",\n    " : "\n    ") + text_of(frame_json(record.frames[i]), -1);
   return text + (record.frames.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 

@@ -10,11 +10,11 @@
 namespace seascape {
 
 struct ReplayFrame {
-  int frame = 0;                                // of the path
-  double time_s = 0.0, scene_time_s = 0.0;      // along the path; the sea's
-  Viewpoint views;                              // the head, then each eye drawn
-  std::vector<std::string> files;               // pictures, one an eye
-  double cpu_ms = 0.0, gpu_ms = 0.0;            // taken
+  int frame = 0;                            // of the path
+  double time_s = 0.0, scene_time_s = 0.0;  // along the path; the sea's
+  Viewpoint views;                          // the head, then each eye drawn
+  std::vector<std::string> files;           // pictures, one an eye
+  double cpu_ms = 0.0, gpu_ms = 0.0;        // taken
   std::uint64_t draws = 0, triangles = 0, dispatches = 0, patches = 0;
 };
 
@@ -29,8 +29,8 @@ struct ReplayRecord {
   std::vector<ReplayFrame> frames;
 };
 
-// One line a frame. All but `taken`, `device`, `driver` and `build` are the same in every replay of the same request. Numbers
-// read back as the same doubles; NaN and infinity are null.
+// One line a frame. All but `taken`, `device`, `driver` and `build` are the same in every replay of the same request.
+// Numbers read back as the same doubles; NaN and infinity are null.
 std::string replay_json(const ReplayRecord& record);
 void write_replay_record(const std::filesystem::path& file, const ReplayRecord& record);  // atomic; throws Error
 

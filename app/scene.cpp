@@ -30,9 +30,15 @@ std::string_view group_of(std::string_view key) {
 void set_from_json(Settings& settings, const Setting& setting, const LocatedJson& json, const std::string& place) {
   SettingValue value;
   switch (json.kind) {
-    case LocatedJson::Kind::flag: value = json.flag; break;
-    case LocatedJson::Kind::number: value = json.number; break;
-    case LocatedJson::Kind::text: value = json.text; break;
+    case LocatedJson::Kind::flag:
+      value = json.flag;
+      break;
+    case LocatedJson::Kind::number:
+      value = json.number;
+      break;
+    case LocatedJson::Kind::text:
+      value = json.text;
+      break;
     default:
       throw Error(place, std::string(setting.key) + ": " + described(json) + " is not a single value",
                   "give " + range_text(setting));
@@ -68,7 +74,8 @@ std::vector<std::string> read_effects(const LocatedJson& json, const ObjectReade
   std::vector<std::string> effects;
   faults.attempt([&] {
     if (!json.is(LocatedJson::Kind::array))
-      throw Error(reader.place(json), "effects: " + described(json) + " is not a list", "write \"effects\": [\"waves\"]");
+      throw Error(reader.place(json), "effects: " + described(json) + " is not a list",
+                  "write \"effects\": [\"waves\"]");
     for (const LocatedJson& entry : json.items)
       faults.attempt([&] { effects.push_back(effect_of(entry, effects, reader.place(entry))); });
   });
@@ -132,16 +139,24 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
   check("baked", [&] { Baked(read_loop(loop_folder(scene.settings.baked.loop, where)), scene.settings.baked); });
   check("gerstner", [&] {
     const GerstnerSettings& g = scene.settings.gerstner;
-    validate_together(Gerstner(g, sea.gravity_mps2, sea.depth_m), Gerstner(g, sea.gravity_mps2, sea.depth_m, 0.0, true), g.chop);
+    validate_together(Gerstner(g, sea.gravity_mps2, sea.depth_m), Gerstner(g, sea.gravity_mps2, sea.depth_m, 0.0, true),
+                      g.chop);
     const bool sets = (g.set1.shore && g.set1.height_m > 0.0) || (g.set2.shore && g.set2.height_m > 0.0);
-    const bool splines = std::any_of(scene.inputs.begin(), scene.inputs.end(), [](const InputSpec& spec) { return spec.to == InputTarget::gerstner; });
-    if (splines && !sets) scene.remarks.push_back(where + ": inputs to gerstner give nothing, for no set of waves is for them; set gerstner.set1_shore");
-    if (sets && !splines) scene.remarks.push_back(where + ": a set of gerstner is for splines and there are none, so that it is nowhere; add an input to gerstner");
+    const bool splines = std::any_of(scene.inputs.begin(), scene.inputs.end(),
+                                     [](const InputSpec& spec) { return spec.to == InputTarget::gerstner; });
+    if (splines && !sets)
+      scene.remarks.push_back(
+          where + ": inputs to gerstner give nothing, for no set of waves is for them; set gerstner.set1_shore");
+    if (sets && !splines)
+      scene.remarks.push_back(
+          where +
+          ": a set of gerstner is for splines and there are none, so that it is nowhere; add an input to gerstner");
   });
   check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
   check("foam", [&] { validate(scene.settings.foam); });
   check("spray", [&] { validate(scene.settings.spray); });
-  for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"}) check(effect, [&] { validate(scene.settings.place); });
+  for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"})
+    check(effect, [&] { validate(scene.settings.place); });
   check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;
 }

@@ -14,19 +14,19 @@
 namespace seascape {
 
 struct Scene {
-  std::string name;                   // the file's stem
+  std::string name;  // the file's stem
   std::filesystem::path file;
   std::string title;
   std::vector<std::string> effects{"waves"};
-  Settings settings;                  // defaults, then the preset, then the scene's own values
-  std::vector<InputSpec> inputs;      // in the file's order
-  std::vector<std::string> remarks;   // what gives nothing and why, a line each; no faults
-  Pose start;                         // where explore begins
+  Settings settings;                 // defaults, then the preset, then the scene's own values
+  std::vector<InputSpec> inputs;     // in the file's order
+  std::vector<std::string> remarks;  // what gives nothing and why, a line each; no faults
+  Pose start;                        // where explore begins
 };
 
 // Reads a scene. `name_or_file` is a path, or the name of one in content/scenes. The preset (a name of quality.h) is
-// applied before the scene's own values. Throws Error with file and line, key, value, range and remedy; unknown keys are
-// errors.
+// applied before the scene's own values. Throws Error with file and line, key, value, range and remedy; unknown keys
+// are errors.
 Scene load_scene(const std::string& name_or_file, std::string_view preset);
 
 // The same from text; `where` is what messages call the file. With `faults` it collects instead of throwing.

@@ -37,12 +37,15 @@ class Reader {
   // False where the rest cannot be understood.
   bool read(std::span<const EffectEntry> effects) {
     if (!json_.is(Kind::object)) return false;
-    const std::optional<std::size_t> to = required_choice("to", target_names), kind = required_choice("kind", input_kinds);
+    const std::optional<std::size_t> to = required_choice("to", target_names),
+                                     kind = required_choice("kind", input_kinds);
     if (!to || !kind) return false;
     spec.to = InputTarget(*to);
     faults_.attempt([&] {
-      if (std::none_of(effects.begin(), effects.end(), [&](const EffectEntry& effect) { return effect.name == target_names[*to]; }))
-        throw Error(reader_.place(*json_.member("to")), reader_.key_name("to") + ": the scene does not name the effect " + in_quotes(target_names[*to]),
+      if (std::none_of(effects.begin(), effects.end(),
+                       [&](const EffectEntry& effect) { return effect.name == target_names[*to]; }))
+        throw Error(reader_.place(*json_.member("to")),
+                    reader_.key_name("to") + ": the scene does not name the effect " + in_quotes(target_names[*to]),
                     "add \"" + std::string(target_names[*to]) + "\" to \"effects\"");
     });
     spec.weight = number("weight", input_share_range, 1.0, "");
@@ -50,17 +53,33 @@ class Reader {
     spec.order = whole("order", input_order_range);
     spec.follow_waves = flag("follow_waves");
     switch (*kind) {
-      case 0: spline(); break;
-      case 1: case 2: area(*kind == 1); break;
-      case 3: vortex(); break;
-      case 4: shape(); break;
-      case 5: texture(); break;
-      case 6: trail(); break;
-      default: volume(VolumeInput::Form(*kind - 7)); break;
+      case 0:
+        spline();
+        break;
+      case 1:
+      case 2:
+        area(*kind == 1);
+        break;
+      case 3:
+        vortex();
+        break;
+      case 4:
+        shape();
+        break;
+      case 5:
+        texture();
+        break;
+      case 6:
+        trail();
+        break;
+      default:
+        volume(VolumeInput::Form(*kind - 7));
+        break;
     }
     if (is_volume(spec) && json_.member("blend") == nullptr) spec.blend = InputBlend::replace;
     const VortexInput* whirlpool = std::get_if<VortexInput>(&spec.shape);
-    spec.feather_m = number("feather_m", input_feather_range, whirlpool != nullptr ? 0.5 * whirlpool->reach_m : 0.0, "m");
+    spec.feather_m =
+        number("feather_m", input_feather_range, whirlpool != nullptr ? 0.5 * whirlpool->reach_m : 0.0, "m");
     reader_.finish();
     return true;
   }
@@ -108,12 +127,14 @@ class Reader {
   void shape() {
     ShapeInput shape;
     shape.file = file(".glb");
-    shape.at_m = place(false), shape.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg"), shape.scale = number("scale", input_model_range, 1.0, "");
+    shape.at_m = place(false), shape.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg"),
+    shape.scale = number("scale", input_model_range, 1.0, "");
     shape.from = ShapeInput::From(choice("from", shape_values, 0));
     if (shape.from == ShapeInput::From::value) value();
     if (shape.from == ShapeInput::From::hull) {
       shape.at_height_m = number("at_height_m", input_height_range, 0.0, "m");
-      shape.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"), shape.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
+      shape.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"),
+      shape.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
       volume_value();
     }
     if (shape.from == ShapeInput::From::height)
@@ -124,10 +145,13 @@ class Reader {
   void texture() {
     TextureInput texture;
     texture.file = file(".exr");
-    texture.at_m = place(true), texture.size_m = size(), texture.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg");
-    texture.scale = number("scale", input_map_range, 1.0, ""), texture.offset = number("offset", input_map_range, 0.0, "");
+    texture.at_m = place(true), texture.size_m = size(),
+    texture.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg");
+    texture.scale = number("scale", input_map_range, 1.0, ""),
+    texture.offset = number("offset", input_map_range, 0.0, "");
     texture.channels = reader_.text("channels", "");
-    if (!texture.file.empty()) attempt_file([&] { texture.image = files_.image(texture.file, spec.to == InputTarget::albedo); });
+    if (!texture.file.empty())
+      attempt_file([&] { texture.image = files_.image(texture.file, spec.to == InputTarget::albedo); });
     spec.shape = std::move(texture);
   }
   void trail() {
@@ -141,7 +165,8 @@ class Reader {
       ObjectReader reader(json, name, where_, faults_);
       TrailKey key;
       key.time_s = reader.required_number("time_s", input_time_range.least, input_time_range.most, "s");
-      if (const LocatedJson* at = reader.required("at_m", "\"at_m\": [x, z]")) key.at_m = pair_of(*at, name + ".at_m", input_place_range, "m");
+      if (const LocatedJson* at = reader.required("at_m", "\"at_m\": [x, z]"))
+        key.at_m = pair_of(*at, name + ".at_m", input_place_range, "m");
       reader.finish();
       trail.keys.push_back(key);
     });
@@ -151,16 +176,22 @@ class Reader {
   void volume(VolumeInput::Form form) {
     using Form = VolumeInput::Form;
     VolumeInput volume{.form = form};
-    if (const LocatedJson* json = reader_.required("at_m", "\"at_m\": [x, height, z]")) volume.at_m = triple_of(*json, "at_m", {input_place_range, input_height_range, input_place_range}, "[x, height, z]");
+    if (const LocatedJson* json = reader_.required("at_m", "\"at_m\": [x, height, z]"))
+      volume.at_m =
+          triple_of(*json, "at_m", {input_place_range, input_height_range, input_place_range}, "[x, height, z]");
     volume.turn_deg = number("turn_deg", input_angle_range, 0.0, "deg");
-    volume.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"), volume.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
+    volume.pitch_deg = number("pitch_deg", input_angle_range, 0.0, "deg"),
+    volume.roll_deg = number("roll_deg", input_angle_range, 0.0, "deg");
     if (form == Form::box) {
-      if (const LocatedJson* json = reader_.required("size_m", "\"size_m\": [x, height, z]")) volume.size_m = triple_of(*json, "size_m", {input_size_range, input_size_range, input_size_range}, "[x, height, z]");
+      if (const LocatedJson* json = reader_.required("size_m", "\"size_m\": [x, height, z]"))
+        volume.size_m =
+            triple_of(*json, "size_m", {input_size_range, input_size_range, input_size_range}, "[x, height, z]");
       volume.round_m = number("round_m", input_feather_range, 0.0, "m");
     } else {
       volume.radius_m = reader_.required_number("radius_m", input_size_range.least, input_size_range.most, "m");
     }
-    if (form == Form::capsule || form == Form::cylinder) volume.length_m = reader_.required_number("length_m", input_size_range.least, 4.0 * input_size_range.most, "m");
+    if (form == Form::capsule || form == Form::cylinder)
+      volume.length_m = reader_.required_number("length_m", input_size_range.least, 4.0 * input_size_range.most, "m");
     volume_value();
     spec.shape = volume;
   }
@@ -170,12 +201,16 @@ class Reader {
     if (const LocatedJson* json = reader_.optional("value")) spec.value = value_of(*json, reader_.key_name("value"));
   }
 
-  // ---- values -----------------------------------------------------------------------------------------------------------------------------
-  double number(std::string_view key, InputRange range, double fallback, std::string_view unit) { return reader_.number(key, range.least, range.most, fallback, unit); }
+  // ---- values
+  double number(std::string_view key, InputRange range, double fallback, std::string_view unit) {
+    return reader_.number(key, range.least, range.most, fallback, unit);
+  }
   int whole(std::string_view key, InputRange range) {
     const double value = number(key, range, 0.0, "");
     faults_.attempt([&] {
-      if (value != std::floor(value)) throw Error(reader_.place(*json_.member(key)), reader_.key_name(key) + ": " + text_from(value) + " is not a whole number", "give a whole number");
+      if (value != std::floor(value))
+        throw Error(reader_.place(*json_.member(key)),
+                    reader_.key_name(key) + ": " + text_from(value) + " is not a whole number", "give a whole number");
     });
     return int(value);
   }
@@ -183,16 +218,22 @@ class Reader {
     const LocatedJson* found = reader_.optional(key);
     if (found == nullptr) return false;
     faults_.attempt([&] {
-      if (!found->is(Kind::flag)) throw Error(reader_.place(*found), reader_.key_name(key) + ": " + described(*found) + " is neither true nor false", "give true or false");
+      if (!found->is(Kind::flag))
+        throw Error(reader_.place(*found),
+                    reader_.key_name(key) + ": " + described(*found) + " is neither true nor false",
+                    "give true or false");
     });
     return found->flag;
   }
-  std::optional<std::size_t> chosen(const LocatedJson& json, std::string_view key, std::span<const std::string_view> names) {
+  std::optional<std::size_t> chosen(const LocatedJson& json, std::string_view key,
+                                    std::span<const std::string_view> names) {
     std::optional<std::size_t> number;
     faults_.attempt([&] {
       const auto found = json.is(Kind::text) ? std::find(names.begin(), names.end(), json.text) : names.end();
       if (found == names.end())
-        throw Error(reader_.place(json), reader_.key_name(key) + ": " + described(json) + " is not known" + did_you_mean(json.text, names), "take " + listed(names));
+        throw Error(reader_.place(json),
+                    reader_.key_name(key) + ": " + described(json) + " is not known" + did_you_mean(json.text, names),
+                    "take " + listed(names));
       number = std::size_t(found - names.begin());
     });
     return number;
@@ -210,16 +251,23 @@ class Reader {
     faults_.attempt([&] {
       if (!json.is(Kind::array) || json.items.size() != 2)
         throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of 2 numbers", "write [x, z]");
-      for (int i = 0; i < 2; ++i) result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]", range.least, range.most, unit, where_);
+      for (int i = 0; i < 2; ++i)
+        result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]", range.least, range.most,
+                              unit, where_);
     });
     return result;
   }
-  glm::dvec3 triple_of(const LocatedJson& json, std::string_view key, const std::array<InputRange, 3>& ranges, std::string_view as) {
+  glm::dvec3 triple_of(const LocatedJson& json, std::string_view key, const std::array<InputRange, 3>& ranges,
+                       std::string_view as) {
     const std::string name = reader_.key_name(key);
     glm::dvec3 result{1.0};
     faults_.attempt([&] {
-      if (!json.is(Kind::array) || json.items.size() != 3) throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of 3 numbers", "write " + std::string(as));
-      for (int i = 0; i < 3; ++i) result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]", ranges[std::size_t(i)].least, ranges[std::size_t(i)].most, "m", where_);
+      if (!json.is(Kind::array) || json.items.size() != 3)
+        throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of 3 numbers",
+                    "write " + std::string(as));
+      for (int i = 0; i < 3; ++i)
+        result[i] = number_of(json.items[std::size_t(i)], name + "[" + std::to_string(i) + "]",
+                              ranges[std::size_t(i)].least, ranges[std::size_t(i)].most, "m", where_);
     });
     return result;
   }
@@ -233,7 +281,10 @@ class Reader {
     const LocatedJson* json = reader_.required("size_m", "\"size_m\": [x, z]");
     if (json == nullptr) return result;
     if (!json->is(Kind::number)) return pair_of(*json, reader_.key_name("size_m"), input_size_range, "m");
-    faults_.attempt([&] { result = glm::dvec2(number_of(*json, reader_.key_name("size_m"), input_size_range.least, input_size_range.most, "m", where_)); });
+    faults_.attempt([&] {
+      result = glm::dvec2(
+          number_of(*json, reader_.key_name("size_m"), input_size_range.least, input_size_range.most, "m", where_));
+    });
     return result;
   }
   glm::vec4 value_of(const LocatedJson& json, const std::string& name) {
@@ -249,8 +300,12 @@ class Reader {
         return;
       }
       if (!json.is(Kind::array) || json.items.size() != channels)
-        throw Error(reader_.place(json), name + ": " + described(json) + " is not a list of " + std::to_string(channels) + " numbers", "give " + std::string(target.name) + " as many: " + std::string(target.means));
-      for (std::size_t c = 0; c < channels; ++c) result[int(c)] = float(number_of(json.items[c], name + "[" + std::to_string(c) + "]", range.least, range.most, unit, where_));
+        throw Error(reader_.place(json),
+                    name + ": " + described(json) + " is not a list of " + std::to_string(channels) + " numbers",
+                    "give " + std::string(target.name) + " as many: " + std::string(target.means));
+      for (std::size_t c = 0; c < channels; ++c)
+        result[int(c)] = float(
+            number_of(json.items[c], name + "[" + std::to_string(c) + "]", range.least, range.most, unit, where_));
     });
     return result;
   }
@@ -268,14 +323,16 @@ class Reader {
     }
   }
   [[noreturn]] void missing_value() const {
-    throw Error(reader_.place(json_), "the key " + in_quotes(reader_.key_name("value")) + " is missing", "add \"value\": " + std::string(traits(spec.to).means));
+    throw Error(reader_.place(json_), "the key " + in_quotes(reader_.key_name("value")) + " is missing",
+                "add \"value\": " + std::string(traits(spec.to).means));
   }
   std::string file(const char* kind) {
     const LocatedJson* json = reader_.required("file", std::string("\"file\": \"name") + kind + "\"");
     if (json == nullptr) return "";
     faults_.attempt([&] {
       if (!json->is(Kind::text) || json->text.empty() || json->text.find('\0') != std::string::npos)
-        throw Error(reader_.place(*json), reader_.key_name("file") + ": " + described(*json) + " is no file's name", std::string("write \"name") + kind + "\"");
+        throw Error(reader_.place(*json), reader_.key_name("file") + ": " + described(*json) + " is no file's name",
+                    std::string("write \"name") + kind + "\"");
     });
     return json->is(Kind::text) && json->text.find('\0') == std::string::npos ? json->text : "";
   }
@@ -286,7 +343,8 @@ class Reader {
       try {
         work();
       } catch (const Error& error) {
-        throw Error(reader_.place(*json_.member("file")), reader_.key_name("file") + ": " + error.where() + ": " + error.fault(), error.remedy());
+        throw Error(reader_.place(*json_.member("file")),
+                    reader_.key_name("file") + ": " + error.where() + ": " + error.fault(), error.remedy());
       }
     });
   }
@@ -297,9 +355,14 @@ class Reader {
     if (list == nullptr) return;
     const std::string name = reader_.key_name(key);
     faults_.attempt([&] {
-      if (!list->is(Kind::array)) throw Error(reader_.place(*list), name + ": " + described(*list) + " is not a list", "write \"" + std::string(key) + "\": " + std::string(example));
-      if (list->items.size() > most_input_points) throw Error(reader_.place(*list), name + ": " + described(*list), "give at most " + std::to_string(most_input_points));
-      for (std::size_t i = 0; i < list->items.size(); ++i) faults_.attempt([&] { work(list->items[i], name + "[" + std::to_string(i) + "]"); });
+      if (!list->is(Kind::array))
+        throw Error(reader_.place(*list), name + ": " + described(*list) + " is not a list",
+                    "write \"" + std::string(key) + "\": " + std::string(example));
+      if (list->items.size() > most_input_points)
+        throw Error(reader_.place(*list), name + ": " + described(*list),
+                    "give at most " + std::to_string(most_input_points));
+      for (std::size_t i = 0; i < list->items.size(); ++i)
+        faults_.attempt([&] { work(list->items[i], name + "[" + std::to_string(i) + "]"); });
     });
   }
 
@@ -312,12 +375,16 @@ class Reader {
 
 }  // namespace
 
-std::vector<InputSpec> read_inputs(const LocatedJson& list, const std::vector<std::string>& effects, const std::string& where, Faults& faults) {
+std::vector<InputSpec> read_inputs(const LocatedJson& list, const std::vector<std::string>& effects,
+                                   const std::string& where, Faults& faults) {
   std::vector<InputSpec> specs;
   faults.attempt([&] {
     const std::string place = where + ":" + std::to_string(list.line);
-    if (!list.is(Kind::array)) throw Error(place, "inputs: " + described(list) + " is not a list", "write \"inputs\": [{\"to\": \"level\", ...}]");
-    if (list.items.size() > most_inputs) throw Error(place, "inputs: " + described(list), "give at most " + std::to_string(most_inputs));
+    if (!list.is(Kind::array))
+      throw Error(place, "inputs: " + described(list) + " is not a list",
+                  "write \"inputs\": [{\"to\": \"level\", ...}]");
+    if (list.items.size() > most_inputs)
+      throw Error(place, "inputs: " + described(list), "give at most " + std::to_string(most_inputs));
     const std::vector<EffectEntry> called = closure(effects);
     InputFiles files(where);
     std::set<const Model*> closed;  // each is gone through once
@@ -328,7 +395,8 @@ std::vector<InputSpec> read_inputs(const LocatedJson& list, const std::vector<st
         if (!reader.read(called) || faults.list().size() > before) return;
         validate(reader.spec);  // what does not go together
         const ShapeInput* shape = std::get_if<ShapeInput>(&reader.spec.shape);
-        if (shape != nullptr && shape->from == ShapeInput::From::hull && closed.insert(shape->model.get()).second) validate_hull(reader.spec);
+        if (shape != nullptr && shape->from == ShapeInput::From::hull && closed.insert(shape->model.get()).second)
+          validate_hull(reader.spec);
         specs.push_back(std::move(reader.spec));
       });
     }

@@ -30,15 +30,17 @@ bool is_whole(const Setting& setting) {
 }
 
 std::string text_of(const SettingValue& value) {
-  return std::visit(Visitor{[](bool flag) { return std::string(flag ? "true" : "false"); },
-                            [](double number) { return std::isfinite(number) ? text_from(number) : "not a finite number"; },
-                            [](const std::string& name) { return in_quotes(name); }},
-                    value);
+  return std::visit(
+      Visitor{[](bool flag) { return std::string(flag ? "true" : "false"); },
+              [](double number) { return std::isfinite(number) ? text_from(number) : "not a finite number"; },
+              [](const std::string& name) { return in_quotes(name); }},
+      value);
 }
 
 std::string remedy_for(const Setting& setting) {
   if (is_flag(setting)) return "give true or false";
-  if (is_text(setting)) return "give a text of at most " + std::to_string(longest_text) + " bytes without control characters";
+  if (is_text(setting))
+    return "give a text of at most " + std::to_string(longest_text) + " bytes without control characters";
   if (!setting.choices.empty()) return "give " + range_text(setting);
   return std::string(is_whole(setting) ? "give a whole number from " : "give a number from ") + range_text(setting);
 }
@@ -93,14 +95,16 @@ void set_value(Settings& settings, const Setting& setting, const SettingValue& v
   if (is_text(setting)) {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) refuse("is no text");
-    if (text->size() > longest_text || std::any_of(text->begin(), text->end(), [](char c) { return static_cast<unsigned char>(c) < 32; })) refuse("is too long or has control characters");
+    if (text->size() > longest_text ||
+        std::any_of(text->begin(), text->end(), [](char c) { return static_cast<unsigned char>(c) < 32; }))
+      refuse("is too long or has control characters");
     std::get<TextMember>(setting.member)(settings) = *text;
     return;
   }
   if (is_choice(setting)) {
     const auto* name = std::get_if<std::string>(&value);
-    const auto found = name == nullptr ? setting.choices.end()
-                                       : std::find(setting.choices.begin(), setting.choices.end(), *name);
+    const auto found =
+        name == nullptr ? setting.choices.end() : std::find(setting.choices.begin(), setting.choices.end(), *name);
     if (found == setting.choices.end()) refuse("is none of its names");
     std::get<ChoiceMember>(setting.member).set(settings, static_cast<int>(found - setting.choices.begin()));
     return;

@@ -25,28 +25,29 @@
 namespace seascape {
 
 struct Settings {
-  SeaState sea;          // keys waves.*
-  WaveQuality waves;     // keys waves.resolution, waves.cascades, waves.half_storage
+  SeaState sea;                                 // keys waves.*
+  WaveQuality waves;                            // keys waves.resolution, waves.cascades, waves.half_storage
   WavePlace wave_place = WavePlace::automatic;  // key waves.where
-  BakedSettings baked;                  // keys baked.*
-  GerstnerSettings gerstner;            // keys gerstner.*
-  WaveParticleSettings wave_particles;  // keys wave_particles.*
-  DynamicSeaSettings dynamic_waves;     // keys dynamic_waves.*
-  FoamSettings foam;                    // keys foam.*
-  SpraySettings spray;                  // keys spray.*
-  PlaceSettings place;                  // keys place.*, level.*, flow.*, clip.*
-  LodSettings lod;       // keys lod.*, debug.freeze, debug.drop_patch
-  WaterSettings water;   // keys water.*
-  SkySettings sky;       // keys sky.*
-  RenderSettings render; // keys msaa, frame.*, stereo.*, camera.*, debug.view
-  double sea_change_s = 6.0;    // key waves.change_s
-  double time_scale = 1.0;   // key time.scale
-  double time_start_s = 0.0; // key time.start_s
-  double time_offset_s = 0.0;  // key time.offset_s
-  bool follow_clock = false;   // key time.follow_clock
+  BakedSettings baked;                          // keys baked.*
+  GerstnerSettings gerstner;                    // keys gerstner.*
+  WaveParticleSettings wave_particles;          // keys wave_particles.*
+  DynamicSeaSettings dynamic_waves;             // keys dynamic_waves.*
+  FoamSettings foam;                            // keys foam.*
+  SpraySettings spray;                          // keys spray.*
+  PlaceSettings place;                          // keys place.*, level.*, flow.*, clip.*
+  LodSettings lod;                              // keys lod.*, debug.freeze, debug.drop_patch
+  WaterSettings water;                          // keys water.*
+  SkySettings sky;                              // keys sky.*
+  RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
+  double sea_change_s = 6.0;                    // key waves.change_s
+  double time_scale = 1.0;                      // key time.scale
+  double time_start_s = 0.0;                    // key time.start_s
+  double time_offset_s = 0.0;                   // key time.offset_s
+  bool follow_clock = false;                    // key time.follow_clock
 };
 
-// Where a row's value lies inside a Settings. An enum is read and written by the number of its name in Setting::choices.
+// Where a row's value lies inside a Settings. An enum is read and written by the number of its name in
+// Setting::choices.
 using RealMember = double& (*)(Settings&);
 using IntegerMember = int& (*)(Settings&);
 using SeedMember = std::uint32_t& (*)(Settings&);
@@ -62,11 +63,11 @@ struct Setting {
   std::string_view unit;      // "m", "m/s", "deg", "" ...
   std::string_view sentence;  // what it does
   std::variant<RealMember, IntegerMember, SeedMember, FlagMember, ChoiceMember, TextMember> member;
-  double least = 0.0, most = 0.0;               // range of a number, both allowed
-  std::vector<std::string_view> choices{};      // names of an enum, or the only numbers allowed ("16", "32", "64")
-  bool quality = false;                         // set by presets
-  bool rebuild = false;                         // a change makes GPU objects anew
-  bool grows = false;                           // unless waves.change_s lets it grow out of the sea that is there
+  double least = 0.0, most = 0.0;           // range of a number, both allowed
+  std::vector<std::string_view> choices{};  // names of an enum, or the only numbers allowed ("16", "32", "64")
+  bool quality = false;                     // set by presets
+  bool rebuild = false;                     // a change makes GPU objects anew
+  bool grows = false;                       // unless waves.change_s lets it grow out of the sea that is there
 };
 
 std::span<const Setting> settings_table();

@@ -20,10 +20,14 @@ std::string code(std::string_view text) { return "`" + std::string(text) + "`"; 
 std::string settings_document() {
   std::string text =
       "# Settings\n\n"
-      "Written from the table in `app/settings_table.cpp` by `SEASCAPE_WRITE_DOCS=1 ctest --preset release -R SettingsDoc`;\n"
-      "a test compares the two. In a scene file the part before the point is an object: `\"waves\": {\"chop\": 0.8}`. On the\n"
-      "command line: `--set waves.chop=0.8`. Directions are degrees clockwise from -z seen from above and say where wind and\n"
-      "waves go to; the sun's says where it stands. Quality settings are set by the preset unless the scene or `--set` says\n"
+      "Written from the table in `app/settings_table.cpp` by `SEASCAPE_WRITE_DOCS=1 ctest --preset release -R "
+      "SettingsDoc`;\n"
+      "a test compares the two. In a scene file the part before the point is an object: `\"waves\": {\"chop\": 0.8}`. "
+      "On the\n"
+      "command line: `--set waves.chop=0.8`. Directions are degrees clockwise from -z seen from above and say where "
+      "wind and\n"
+      "waves go to; the sun's says where it stands. Quality settings are set by the preset unless the scene or `--set` "
+      "says\n"
       "otherwise.\n";
   const Settings defaults;
   std::string group;
@@ -32,8 +36,11 @@ std::string settings_document() {
       group = group_of(setting.key);
       text += "\n## " + group + "\n\n| Key | Default | Range | What it does |\n|---|---|---|---|\n";
     }
-    text += "| " + code(setting.key) + " | " + (setting.quality ? "preset" : value_text(defaults, setting).empty() ? "none" : value_text(defaults, setting)) + " | " +
-            range_text(setting) + " | " + std::string(setting.sentence) + " |\n";
+    text += "| " + code(setting.key) + " | " +
+            (setting.quality                         ? "preset"
+             : value_text(defaults, setting).empty() ? "none"
+                                                     : value_text(defaults, setting)) +
+            " | " + range_text(setting) + " | " + std::string(setting.sentence) + " |\n";
   }
   text += "\n## Presets\n\n| Key | low | medium | high | ultra |\n|---|---|---|---|---|\n";
   for (const PresetRow& row : preset_rows())
@@ -43,12 +50,14 @@ std::string settings_document() {
           code(resolve_preset("auto", DeviceClass::software)) + " on a software driver, " +
           code(resolve_preset("auto", DeviceClass::integrated)) + " on an integrated GPU, " +
           code(resolve_preset("auto", DeviceClass::discrete)) +
-          " on a discrete one, and `high` where there is no device (query). On a software driver every preset takes `msaa` 1, "
+          " on a discrete one, and `high` where there is no device (query). On a software driver every preset takes "
+          "`msaa` 1, "
           "unless the scene or `--set` asks for another number than the preset's.\n"
           "\n## Effects\n\nA scene names them in `\"effects\"`; without that key it has `[\"waves\"]`.\n\n";
   std::string built, planned;
   for (const std::string_view name : effect_names())
-    (effect_is_built(name) ? built : planned) += (effect_is_built(name) ? built : planned).empty() ? code(name) : ", " + code(name);
+    (effect_is_built(name) ? built : planned) +=
+        (effect_is_built(name) ? built : planned).empty() ? code(name) : ", " + code(name);
   return text + "Built: " + built + ".\nNames kept for later versions, an error today: " + planned + ".\n";
 }
 

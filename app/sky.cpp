@@ -22,19 +22,24 @@ Sky::Sky(Device& device, ShaderLibrary& shaders) {
   map.array = false;
   map_ = Image(device, "sky map", map);
   sampler_ = make_sampler(device, "sky", {true, true, 1.0f});
-  multiple_ = Buffer(device, "sky multiple scattering", gpu::sky_multiple_size * gpu::sky_multiple_size * 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  light_ = Buffer(device, "sky light", sizeof(gpu::SkyLight), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+  multiple_ = Buffer(device, "sky multiple scattering", gpu::sky_multiple_size * gpu::sky_multiple_size * 16,
+                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  light_ = Buffer(
+      device, "sky light", sizeof(gpu::SkyLight),
+      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   multiple_pipeline_ = make_compute_pipeline(device, shaders, "sky_multiple.comp");
   map_pipeline_ = make_compute_pipeline(device, shaders, "sky_map.comp");
   light_pipeline_ = make_compute_pipeline(device, shaders, "sky_light.comp");
   multiple_bindings_ = Bindings(device, multiple_pipeline_, {{.binding = 0, .buffer = &multiple_}}, "sky multiple");
-  map_bindings_ = Bindings(device, map_pipeline_, {{.binding = 0, .buffer = &multiple_}, {.binding = 1, .view = map_.view()}}, "sky map");
-  light_bindings_ = Bindings(device, light_pipeline_, {{.binding = 0, .buffer = &light_}, {.binding = 1, .view = map_.view()}}, "sky light");
+  map_bindings_ = Bindings(device, map_pipeline_,
+                           {{.binding = 0, .buffer = &multiple_}, {.binding = 1, .view = map_.view()}}, "sky map");
+  light_bindings_ = Bindings(device, light_pipeline_,
+                             {{.binding = 0, .buffer = &light_}, {.binding = 1, .view = map_.view()}}, "sky light");
 }
 
 void Sky::update(Frame& frame, const SkySettings& settings) {
-  if (made_ && settings.sun_elevation_deg == made_for_.sun_elevation_deg && settings.sun_to_deg == made_for_.sun_to_deg &&
-      settings.haze == made_for_.haze)
+  if (made_ && settings.sun_elevation_deg == made_for_.sun_elevation_deg &&
+      settings.sun_to_deg == made_for_.sun_to_deg && settings.haze == made_for_.haze)
     return;
   made_ = true;
   made_for_ = settings;
@@ -44,11 +49,12 @@ void Sky::update(Frame& frame, const SkySettings& settings) {
     c.push(push);
     c.dispatch(gpu::sky_multiple_size / 8, gpu::sky_multiple_size / 8, 1);
   });
-  frame.pass("sky map", {use(multiple_, Access::compute_read), use(map_, Access::compute_write, true)}, [&](Commands& c) {
-    c.bind(map_pipeline_, map_bindings_);
-    c.push(push);
-    c.dispatch(gpu::sky_map_width / 8, gpu::sky_map_height / 8, 1);
-  });
+  frame.pass("sky map", {use(multiple_, Access::compute_read), use(map_, Access::compute_write, true)},
+             [&](Commands& c) {
+               c.bind(map_pipeline_, map_bindings_);
+               c.push(push);
+               c.dispatch(gpu::sky_map_width / 8, gpu::sky_map_height / 8, 1);
+             });
   frame.pass("sky light", {use(map_, Access::compute_read), use(light_, Access::compute_write)}, [&](Commands& c) {
     c.bind(light_pipeline_, light_bindings_);
     c.push(push);

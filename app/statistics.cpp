@@ -35,7 +35,8 @@ Summary summarise(std::span<const double> samples) {
   if (sorted.empty()) return summary;
   std::sort(sorted.begin(), sorted.end());
   double mean = 0.0;
-  for (std::size_t i = 0; i < sorted.size(); ++i) mean += (sorted[i] - mean) / static_cast<double>(i + 1);  // no sum to overflow
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    mean += (sorted[i] - mean) / static_cast<double>(i + 1);  // no sum to overflow
   summary.mean = mean;
   summary.min = sorted.front();
   summary.max = sorted.back();
@@ -49,7 +50,8 @@ Summary summarise(std::span<const double> samples) {
 bool is_missed(double frame_ms, int rate_hz) { return !(frame_ms <= budget_ms(rate_hz)); }
 
 std::size_t count_missed(std::span<const double> frame_ms, int rate_hz) {
-  return static_cast<std::size_t>(std::count_if(frame_ms.begin(), frame_ms.end(), [&](double ms) { return is_missed(ms, rate_hz); }));
+  return static_cast<std::size_t>(
+      std::count_if(frame_ms.begin(), frame_ms.end(), [&](double ms) { return is_missed(ms, rate_hz); }));
 }
 
 }  // namespace seascape

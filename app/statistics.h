@@ -17,17 +17,18 @@ struct Summary {
   double p5 = 0.0, median = 0.0, p95 = 0.0, p99 = 0.0;
 };
 
-// `fraction` from 0 to 1 of samples sorted ascending; between two of them in a straight line (Hyndman and Fan 1996, "Sample
-// quantiles in statistical packages", definition 7). 0 of none.
+// `fraction` from 0 to 1 of samples sorted ascending; between two of them in a straight line (Hyndman and Fan 1996,
+// "Sample quantiles in statistical packages", definition 7). 0 of none.
 double percentile(std::span<const double> sorted, double fraction);
 
 struct Interval {
   double low = 0.0, middle = 0.0, high = 0.0;
 };
 
-// The median of what `samples` are drawn from, with bounds that hold it 95 times of 100 whatever their distribution: two of the samples, by the
-// binomial law of how many lie below the median (Conover 1999, "Practical nonparametric statistics", section 3.2, normal approximation; the least and
-// the greatest of fewer than 6). `samples` are finite; all 0 of none.
+// The median of what `samples` are drawn from, with bounds that hold it 95 times of 100 whatever their distribution:
+// two of the samples, by the binomial law of how many lie below the median (Conover 1999, "Practical nonparametric
+// statistics", section 3.2, normal approximation; the least and the greatest of fewer than 6). `samples` are finite;
+// all 0 of none.
 Interval median_interval(std::span<const double> samples);
 
 // All zero of no samples.

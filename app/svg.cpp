@@ -15,12 +15,23 @@ std::string html_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') ? '?' : c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') ? '?' : c;
     }
   }
   return escaped;
@@ -33,14 +44,16 @@ std::string open_svg(double height, const std::string& description) {
                      html_escaped(description));
 }
 
-std::string text_at(double x, double y, const std::string& text, const char* anchor, bool quiet, const std::string& fill) {
+std::string text_at(double x, double y, const std::string& text, const char* anchor, bool quiet,
+                    const std::string& fill) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}{}>{}</text>\n", x, y, anchor,
                      quiet ? " class=\"quiet\"" : "", fill.empty() ? "" : fmt::format(" style=\"fill:{}\"", fill),
                      html_escaped(text));
 }
 
 std::string line(double x0, double y0, double x1, double y1, const char* kind) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1, kind);
+  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1,
+                     kind);
 }
 
 double round_step(double span, int most) {
@@ -65,8 +78,8 @@ std::string legend(const std::vector<Legend>& entries, double y) {
       x = left_edge;
       y += 20.0;
     }
-    text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" rx=\"2\" style=\"fill:{}\"/>\n", x, y - 11.0,
-                        entry.fill);
+    text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" rx=\"2\" style=\"fill:{}\"/>\n", x,
+                        y - 11.0, entry.fill);
     text += text_at(x + 18.0, y, entry.name, "start", false);
     x += width + 8.0;
   }

@@ -6,7 +6,8 @@
 
 namespace seascape {
 
-inline constexpr double plot_width = 1000.0, left_edge = 64.0, right_edge = 112.0;  // of the whole picture; units are SVG's
+inline constexpr double plot_width = 1000.0, left_edge = 64.0,
+                        right_edge = 112.0;  // of the whole picture; units are SVG's
 
 // For text between tags and in attributes.
 std::string html_escaped(std::string_view text);
@@ -16,7 +17,8 @@ std::string colour(std::size_t index);
 
 std::string open_svg(double height, const std::string& description);
 // `quiet`: in the page's colour of side notes. `fill`: another colour; empty: the class's.
-std::string text_at(double x, double y, const std::string& text, const char* anchor = "start", bool quiet = true, const std::string& fill = "");
+std::string text_at(double x, double y, const std::string& text, const char* anchor = "start", bool quiet = true,
+                    const std::string& fill = "");
 // `kind`: a class of the page, "axis" or "budget".
 std::string line(double x0, double y0, double x1, double y1, const char* kind);
 

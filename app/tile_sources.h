@@ -6,8 +6,8 @@
 
 namespace seascape {
 
-// One source for each effect of the scene's closure that is one, in the order of their names in the design; made for its settings.
-// Throws Error where they do not go together.
+// One source for each effect of the scene's closure that is one, in the order of their names in the design; made for
+// its settings. Throws Error where they do not go together.
 TileSources tile_sources(const Scene& scene);
 
 // The tile of the sets that run along the scene's splines; null where there are no such sets or no splines.

@@ -38,7 +38,8 @@ std::string trace_json(const std::vector<TraceEvent>& events) {
     const int pid = process->second;
     if (new_process) {
       begin(names);
-      names += fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"tid":0,"args":{{"name":{}}}}})", pid, quoted(event.process));
+      names += fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"tid":0,"args":{{"name":{}}}}})", pid,
+                           quoted(event.process));
     }
     const bool slice = event.kind == TraceEvent::Kind::slice;
     int tid = 0;
@@ -47,14 +48,15 @@ std::string trace_json(const std::vector<TraceEvent>& events) {
       tid = track->second;
       if (new_track) {
         begin(names);
-        names += fmt::format(R"({{"ph":"M","name":"thread_name","pid":{0},"tid":{1},"args":{{"name":{2}}}}},)"
-                             R"({{"ph":"M","name":"thread_sort_index","pid":{0},"tid":{1},"args":{{"sort_index":{1}}}}})",
-                             pid, tid, quoted(event.track));
+        names +=
+            fmt::format(R"({{"ph":"M","name":"thread_name","pid":{0},"tid":{1},"args":{{"name":{2}}}}},)"
+                        R"({{"ph":"M","name":"thread_sort_index","pid":{0},"tid":{1},"args":{{"sort_index":{1}}}}})",
+                        pid, tid, quoted(event.track));
       }
     }
     begin(text);
-    fmt::format_to(std::back_inserter(text), R"({{"ph":"{}","pid":{},"tid":{},"ts":{:.3f})", slice ? 'X' : 'C', pid, tid,
-                   finite(event.start_us));
+    fmt::format_to(std::back_inserter(text), R"({{"ph":"{}","pid":{},"tid":{},"ts":{:.3f})", slice ? 'X' : 'C', pid,
+                   tid, finite(event.start_us));
     if (slice) fmt::format_to(std::back_inserter(text), R"(,"dur":{:.3f})", finite_length(event.duration_us));
     text += ",\"name\":" + quoted(event.name) + ",\"args\":{";
     for (std::size_t i = 0; i < event.values.size(); ++i) {

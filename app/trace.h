@@ -14,16 +14,18 @@ struct TraceEvent {
   Kind kind = Kind::slice;
   std::string process, track;  // a slice's row is the track of its process; a counter has a row of its own
   std::string name;
-  double start_us = 0.0, duration_us = 0.0;  // a counter has no duration
+  double start_us = 0.0, duration_us = 0.0;            // a counter has no duration
   std::vector<std::pair<std::string, double>> values;  // a slice's arguments, a counter's series
 };
 
-// Any names are allowed; a number that is not finite is written as 0 in times and null in values. Events keep their order.
-// Google, "Trace Event Format": complete events (X), counters (C) and metadata (M) that names processes and tracks.
+// Any names are allowed; a number that is not finite is written as 0 in times and null in values. Events keep their
+// order. Google, "Trace Event Format": complete events (X), counters (C) and metadata (M) that names processes and
+// tracks.
 std::string trace_json(const std::vector<TraceEvent>& events);
 
 // One process a run, frames end to end: tracks "CPU" and "GPU" with a slice a frame, "GPU passes" with one a pass, and
-// counters of draws, triangles, dispatches and memory. Only lengths were measured: passes follow one another without gaps.
+// counters of draws, triangles, dispatches and memory. Only lengths were measured: passes follow one another without
+// gaps.
 std::vector<TraceEvent> trace_of(const std::vector<CaptureRun>& runs);
 
 void write_trace(const std::filesystem::path& file, const std::vector<CaptureRun>& runs);  // atomic; throws Error

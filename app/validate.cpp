@@ -24,7 +24,8 @@ std::string picture_summary(const char* kind, int width, int height) {
   return std::string(kind) + " of " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
 }
 
-std::string json_summary(const std::string& text, const std::string& where, Faults& faults, std::vector<std::string>& remarks) {
+std::string json_summary(const std::string& text, const std::string& where, Faults& faults,
+                         std::vector<std::string>& remarks) {
   const LocatedJson json = parse_located_json(text, where);
   if (json.member("keys") != nullptr) {
     const CameraPath path = parse_camera_path(text, where, faults);
@@ -32,7 +33,8 @@ std::string json_summary(const std::string& text, const std::string& where, Faul
   }
   const Scene scene = parse_scene(text, where, "auto", faults);
   remarks = scene.remarks;
-  return "a scene with " + counted(scene.effects.size(), "effect") + (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
+  return "a scene with " + counted(scene.effects.size(), "effect") +
+         (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
 }
 
 std::string model_summary(const std::filesystem::path& file) {
@@ -46,7 +48,8 @@ std::string model_summary(const std::filesystem::path& file) {
 
 FileVerdict validate_file(const std::filesystem::path& file) {
   std::string kind = file.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
   FileVerdict verdict;
   Faults faults(true);
   faults.attempt([&] {

@@ -27,8 +27,10 @@ WaveBins longest(const WaveBins& drawn) {
 
 }  // namespace
 
-WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others, PlaceInputs place, ShallowsMix shallows)
-    : field_(sea, coarse(quality), longest(drawn), std::move(others)), place_(std::move(place), field_, std::move(shallows)) {}
+WaterHeight::WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others,
+                         PlaceInputs place, ShallowsMix shallows)
+    : field_(sea, coarse(quality), longest(drawn), std::move(others)),
+      place_(std::move(place), field_, std::move(shallows)) {}
 
 double WaterHeight::at(glm::dvec2 place_m, double time_s) {
   const std::int64_t ticks = ticks_from_seconds(time_s);

@@ -7,12 +7,13 @@
 
 namespace seascape {
 
-// Asks the wave field with the long cascades alone: they hold the same waves as the drawn sea down to a few metres, at a part
-// of its cost. Whoever rides does not feel the shorter ones.
+// Asks the wave field with the long cascades alone: they hold the same waves as the drawn sea down to a few metres, at
+// a part of its cost. Whoever rides does not feel the shorter ones.
 class WaterHeight {
  public:
   // The waves that the sea draws, and what its bed makes of them.
-  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {}, PlaceInputs place = {}, ShallowsMix shallows = {});
+  WaterHeight(const SeaState& sea, const WaveQuality& quality, const WaveBins& drawn, TileSources others = {},
+              PlaceInputs place = {}, ShallowsMix shallows = {});
   // Other amplitudes of the same waves, as the drawn sea has them while it changes.
   void follow(const WaveBins& drawn, double chop, ShallowsMix shallows) {
     place_.follow(std::move(shallows));

@@ -15,7 +15,8 @@ struct Meaning {
 
 Meaning meaning(Access access) {
   constexpr VkPipelineStageFlags shading = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
-  constexpr VkPipelineStageFlags depth = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
+  constexpr VkPipelineStageFlags depth =
+      VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
   switch (access) {
     case Access::compute_read:
       return {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
@@ -23,13 +24,16 @@ Meaning meaning(Access access) {
       return {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT,
               VK_IMAGE_LAYOUT_GENERAL, true};
     case Access::compute_sample:
-      return {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+      return {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+              false};
     case Access::surface_read:
-      return {shading, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+      return {shading, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_UNIFORM_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+              false};
     case Access::host_texels:
       return {shading, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
     case Access::fragment_sample:
-      return {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+      return {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
+              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
     case Access::vertex_store:
       return {VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
     case Access::colour_target:
@@ -72,7 +76,8 @@ Need advance(UseState& state, const Meaning& next, VkImageLayout layout, bool is
     state.visible_stages = next.writes ? 0 : next.stages;
     state.visible_access = next.writes ? 0 : next.access;
   } else {
-    const bool seen = (state.visible_stages & next.stages) == next.stages && (state.visible_access & next.access) == next.access;
+    const bool seen =
+        (state.visible_stages & next.stages) == next.stages && (state.visible_access & next.access) == next.access;
     need.barrier = state.write_stages && !seen;
     need.from = state.write_stages;
     need.from_access = state.write_access;
@@ -124,7 +129,8 @@ void BarrierBatch::add(const Buffer& buffer, Access access) {
 
 int BarrierBatch::record(VkCommandBuffer commands) {
   if (image_count_ + buffer_count_ == 0) return 0;
-  vkCmdPipelineBarrier(commands, from_, to_, 0, 0, nullptr, buffer_count_, buffers_.data(), image_count_, images_.data());
+  vkCmdPipelineBarrier(commands, from_, to_, 0, 0, nullptr, buffer_count_, buffers_.data(), image_count_,
+                       images_.data());
   image_count_ = buffer_count_ = 0;
   from_ = to_ = 0;
   return 1;

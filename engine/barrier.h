@@ -7,13 +7,14 @@
 namespace seascape {
 
 enum class Access {
-  compute_read,        // storage buffer or sampled image, general layout (a chain of compute passes)
-  compute_write,       // storage buffer or image, general layout
-  compute_sample,      // sampled image in its read-only layout
-  surface_read,        // sampled image or storage buffer in vertex and fragment shaders
-  host_texels,         // an image whose texels the host writes between frames, sampled in vertex and fragment shaders, general layout
-  fragment_sample,     // sampled image in the fragment shader
-  vertex_store,        // storage buffer written by a vertex shader (test probes)
+  compute_read,    // storage buffer or sampled image, general layout (a chain of compute passes)
+  compute_write,   // storage buffer or image, general layout
+  compute_sample,  // sampled image in its read-only layout
+  surface_read,    // sampled image or storage buffer in vertex and fragment shaders
+  host_texels,  // an image whose texels the host writes between frames, sampled in vertex and fragment shaders, general
+                // layout
+  fragment_sample,  // sampled image in the fragment shader
+  vertex_store,     // storage buffer written by a vertex shader (test probes)
   colour_target,
   depth_target,
   transfer_read,

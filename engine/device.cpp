@@ -17,33 +17,47 @@ namespace seascape {
 
 const char* result_name(VkResult result) {
   switch (result) {
-    case VK_SUCCESS: return "success";
-    case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of host memory";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "out of device memory";
-    case VK_ERROR_INITIALIZATION_FAILED: return "initialization failed";
-    case VK_ERROR_DEVICE_LOST: return "device lost";
-    case VK_ERROR_LAYER_NOT_PRESENT: return "layer not present";
-    case VK_ERROR_EXTENSION_NOT_PRESENT: return "extension not present";
-    case VK_ERROR_FEATURE_NOT_PRESENT: return "feature not present";
-    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no driver found";
-    case VK_ERROR_FORMAT_NOT_SUPPORTED: return "format not supported";
-    case VK_ERROR_SURFACE_LOST_KHR: return "surface lost";
-    case VK_ERROR_OUT_OF_DATE_KHR: return "swapchain out of date";
-    default: return "unknown result";
+    case VK_SUCCESS:
+      return "success";
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+      return "out of host memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+      return "out of device memory";
+    case VK_ERROR_INITIALIZATION_FAILED:
+      return "initialization failed";
+    case VK_ERROR_DEVICE_LOST:
+      return "device lost";
+    case VK_ERROR_LAYER_NOT_PRESENT:
+      return "layer not present";
+    case VK_ERROR_EXTENSION_NOT_PRESENT:
+      return "extension not present";
+    case VK_ERROR_FEATURE_NOT_PRESENT:
+      return "feature not present";
+    case VK_ERROR_INCOMPATIBLE_DRIVER:
+      return "no driver found";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED:
+      return "format not supported";
+    case VK_ERROR_SURFACE_LOST_KHR:
+      return "surface lost";
+    case VK_ERROR_OUT_OF_DATE_KHR:
+      return "swapchain out of date";
+    default:
+      return "unknown result";
   }
 }
 
 VkResult check(VkResult result, const char* call) {
   if (result >= 0) return result;
-  const char* remedy = result == VK_ERROR_DEVICE_LOST ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
+  const char* remedy = result == VK_ERROR_DEVICE_LOST
+                           ? "the driver gave up on this process: start again, and try --set msaa=1 or a lower --preset"
                        : result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY
                            ? "close other programs, or choose a smaller --size, fewer msaa samples or a lower --preset"
                            : "run `seascape doctor` to see devices and drivers";
   throw Error("Vulkan", fmt::format("{} failed: {} ({})", call, result_name(result), int(result)), remedy);
 }
 
-// A software driver allocates and frees some 12 MB a frame. What glibc gives back to the system in between costs a page fault, and a page to
-// clear, for every 4 KiB of the next frame: 3,000 a frame of open_sea (docs/performance.md).
+// A software driver allocates and frees some 12 MB a frame. What glibc gives back to the system in between costs a page
+// fault, and a page to clear, for every 4 KiB of the next frame: 3,000 a frame of open_sea (docs/performance.md).
 static void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest it takes
@@ -140,7 +154,8 @@ void Device::create_instance(const DeviceOptions& options) {
   info.ppEnabledExtensionNames = extensions.data();
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-    throw Error("Vulkan", "no driver answers", "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+    throw Error("Vulkan", "no driver answers",
+                "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
   if (result == VK_ERROR_LAYER_NOT_PRESENT)
     throw Error("Vulkan", "the validation layer is not installed", "apt-get install vulkan-validationlayers");
   check(result, "vkCreateInstance");
@@ -176,9 +191,12 @@ void Device::choose_physical(const DeviceOptions& options) {
   }
   if (!physical_) {
     if (count == 0)
-      throw Error("Vulkan", "no driver answers", "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
-    throw Error("Vulkan", fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),
-                wanted ? "unset SEASCAPE_DEVICE" : "install a newer driver");
+      throw Error("Vulkan", "no driver answers",
+                  "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+    throw Error(
+        "Vulkan",
+        fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),
+        wanted ? "unset SEASCAPE_DEVICE" : "install a newer driver");
   }
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 p2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
@@ -195,10 +213,10 @@ void Device::choose_physical(const DeviceOptions& options) {
                                    VK_API_VERSION_PATCH(p.apiVersion));
   facts_.software = p.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   if (facts_.software) keep_freed_memory();
-  facts_.kind = facts_.software                                              ? "software"
-                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU       ? "discrete"
-                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU     ? "integrated"
-                                                                             : "other";
+  facts_.kind = facts_.software                                          ? "software"
+                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU   ? "discrete"
+                : p.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ? "integrated"
+                                                                         : "other";
   facts_.timestamp_period_ns = double(p.limits.timestampPeriod);
   facts_.max_workgroup = options.core_only ? 128 : p.limits.maxComputeWorkGroupInvocations;
   facts_.shared_memory = options.core_only ? 16384 : p.limits.maxComputeSharedMemorySize;
@@ -209,7 +227,8 @@ void Device::choose_physical(const DeviceOptions& options) {
     if (samples & VkSampleCountFlags(s)) facts_.max_samples = s;
   VkFormatProperties format;
   vkGetPhysicalDeviceFormatProperties(physical_, VK_FORMAT_R32G32B32A32_SFLOAT, &format);
-  facts_.float32_linear = (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
+  facts_.float32_linear =
+      (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
 }
 
 void Device::create_device(const DeviceOptions& options) {
@@ -231,7 +250,8 @@ void Device::create_device(const DeviceOptions& options) {
   VkPhysicalDeviceFeatures2 has{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
   has.pNext = &multiview;
   vkGetPhysicalDeviceFeatures2(physical_, &has);
-  if (!multiview.multiview) throw Error(facts_.name, "the driver lacks multiview, which Vulkan 1.1 demands", "install a newer driver");
+  if (!multiview.multiview)
+    throw Error(facts_.name, "the driver lacks multiview, which Vulkan 1.1 demands", "install a newer driver");
   VkPhysicalDeviceFeatures2 use{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
   VkPhysicalDeviceMultiviewFeatures use_multiview{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES};
   use_multiview.multiview = VK_TRUE;
@@ -249,8 +269,8 @@ void Device::create_device(const DeviceOptions& options) {
     VkPhysicalDeviceProperties p;
     vkGetPhysicalDeviceProperties(physical_, &p);
     facts_.max_anisotropy = p.limits.maxSamplerAnisotropy;
-    // Mesa's software driver: 22.3 never returns from an anisotropic lookup in a multisampled pass, and 25.0.7 gives the same
-    // pictures, to the bit, whatever the anisotropy (both seen). Shaders must know what they get.
+    // Mesa's software driver: 22.3 never returns from an anisotropic lookup in a multisampled pass, and 25.0.7 gives
+    // the same pictures, to the bit, whatever the anisotropy (both seen). Shaders must know what they get.
     if (facts_.software && facts_.driver.find("Mesa ") != std::string::npos) facts_.max_anisotropy = 1.0f;
   }
   const float priority = 1.0f;
@@ -272,9 +292,12 @@ void Device::create_device(const DeviceOptions& options) {
   check(result, "vkCreateDevice");
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
   if (debug_utils_) {
-    set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
-    begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance_, "vkCmdBeginDebugUtilsLabelEXT"));
-    end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance_, "vkCmdEndDebugUtilsLabelEXT"));
+    set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+        vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
+    begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(instance_, "vkCmdBeginDebugUtilsLabelEXT"));
+    end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(instance_, "vkCmdEndDebugUtilsLabelEXT"));
   }
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool.queueFamilyIndex = queue_family_;
@@ -337,27 +360,62 @@ void Device::frames_finished_to(std::uint64_t number) {
 void Device::destroy(const Retired& object) {
   const std::uint64_t h = object.handle;
   switch (object.type) {
-    case VK_OBJECT_TYPE_DEVICE_MEMORY: memory_->free(VkDeviceMemory(h), object.offset); break;
-    case VK_OBJECT_TYPE_BUFFER: vkDestroyBuffer(device_, VkBuffer(h), nullptr); break;
-    case VK_OBJECT_TYPE_IMAGE: vkDestroyImage(device_, VkImage(h), nullptr); break;
-    case VK_OBJECT_TYPE_IMAGE_VIEW: vkDestroyImageView(device_, VkImageView(h), nullptr); break;
-    case VK_OBJECT_TYPE_SAMPLER: vkDestroySampler(device_, VkSampler(h), nullptr); break;
-    case VK_OBJECT_TYPE_SHADER_MODULE: vkDestroyShaderModule(device_, VkShaderModule(h), nullptr); break;
-    case VK_OBJECT_TYPE_PIPELINE: vkDestroyPipeline(device_, VkPipeline(h), nullptr); break;
-    case VK_OBJECT_TYPE_PIPELINE_LAYOUT: vkDestroyPipelineLayout(device_, VkPipelineLayout(h), nullptr); break;
+    case VK_OBJECT_TYPE_DEVICE_MEMORY:
+      memory_->free(VkDeviceMemory(h), object.offset);
+      break;
+    case VK_OBJECT_TYPE_BUFFER:
+      vkDestroyBuffer(device_, VkBuffer(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_IMAGE:
+      vkDestroyImage(device_, VkImage(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_IMAGE_VIEW:
+      vkDestroyImageView(device_, VkImageView(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_SAMPLER:
+      vkDestroySampler(device_, VkSampler(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_SHADER_MODULE:
+      vkDestroyShaderModule(device_, VkShaderModule(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_PIPELINE:
+      vkDestroyPipeline(device_, VkPipeline(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_PIPELINE_LAYOUT:
+      vkDestroyPipelineLayout(device_, VkPipelineLayout(h), nullptr);
+      break;
     case VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT:
       vkDestroyDescriptorSetLayout(device_, VkDescriptorSetLayout(h), nullptr);
       break;
-    case VK_OBJECT_TYPE_DESCRIPTOR_POOL: vkDestroyDescriptorPool(device_, VkDescriptorPool(h), nullptr); break;
-    case VK_OBJECT_TYPE_RENDER_PASS: vkDestroyRenderPass(device_, VkRenderPass(h), nullptr); break;
-    case VK_OBJECT_TYPE_FRAMEBUFFER: vkDestroyFramebuffer(device_, VkFramebuffer(h), nullptr); break;
-    case VK_OBJECT_TYPE_COMMAND_POOL: vkDestroyCommandPool(device_, VkCommandPool(h), nullptr); break;
-    case VK_OBJECT_TYPE_FENCE: vkDestroyFence(device_, VkFence(h), nullptr); break;
-    case VK_OBJECT_TYPE_SEMAPHORE: vkDestroySemaphore(device_, VkSemaphore(h), nullptr); break;
-    case VK_OBJECT_TYPE_QUERY_POOL: vkDestroyQueryPool(device_, VkQueryPool(h), nullptr); break;
-    case VK_OBJECT_TYPE_SWAPCHAIN_KHR: vkDestroySwapchainKHR(device_, VkSwapchainKHR(h), nullptr); break;
-    case VK_OBJECT_TYPE_SURFACE_KHR: vkDestroySurfaceKHR(instance_, VkSurfaceKHR(h), nullptr); break;
-    default: break;
+    case VK_OBJECT_TYPE_DESCRIPTOR_POOL:
+      vkDestroyDescriptorPool(device_, VkDescriptorPool(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_RENDER_PASS:
+      vkDestroyRenderPass(device_, VkRenderPass(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_FRAMEBUFFER:
+      vkDestroyFramebuffer(device_, VkFramebuffer(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_COMMAND_POOL:
+      vkDestroyCommandPool(device_, VkCommandPool(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_FENCE:
+      vkDestroyFence(device_, VkFence(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_SEMAPHORE:
+      vkDestroySemaphore(device_, VkSemaphore(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_QUERY_POOL:
+      vkDestroyQueryPool(device_, VkQueryPool(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_SWAPCHAIN_KHR:
+      vkDestroySwapchainKHR(device_, VkSwapchainKHR(h), nullptr);
+      break;
+    case VK_OBJECT_TYPE_SURFACE_KHR:
+      vkDestroySurfaceKHR(instance_, VkSurfaceKHR(h), nullptr);
+      break;
+    default:
+      break;
   }
 }
 

@@ -29,7 +29,7 @@ struct DeviceFacts {
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
   bool sample_shading = false;  // pixels may ask for what lies at their samples
   float max_anisotropy = 1.0f;
-  int max_samples = 1;          // of a colour and depth target
+  int max_samples = 1;              // of a colour and depth target
   std::uint32_t sample_counts = 1;  // those that it has: a bit each, 2 | 8 say
   bool timestamps = false;
   double timestamp_period_ns = 1.0;
@@ -40,8 +40,8 @@ struct DeviceFacts {
 
 class Device {
  public:
-  // Picks a discrete GPU, then an integrated one, then any; SEASCAPE_DEVICE names another by part of its name. Throws Error
-  // when there is no loader, no driver or no device with Vulkan 1.1 and multiview.
+  // Picks a discrete GPU, then an integrated one, then any; SEASCAPE_DEVICE names another by part of its name. Throws
+  // Error when there is no loader, no driver or no device with Vulkan 1.1 and multiview.
   explicit Device(const DeviceOptions& options);
   ~Device();
   Device(const Device&) = delete;
@@ -99,7 +99,8 @@ class Device {
   void destroy(const Retired& object);
   VkCommandBuffer begin_now();
   void end_now(VkCommandBuffer commands);
-  static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+  static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                   VkDebugUtilsMessageTypeFlagsEXT,
                                                    const VkDebugUtilsMessengerCallbackDataEXT*, void*);
 
   VkInstance instance_ = VK_NULL_HANDLE;

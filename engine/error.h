@@ -5,8 +5,8 @@
 
 namespace seascape {
 
-// What main prints as `seascape: WHERE: WHAT; REMEDY` and turns into an exit status. `where` names the file (with a line
-// where one is known, "scene.json:12"), the device or the argument; it may be empty.
+// What main prints as `seascape: WHERE: WHAT; REMEDY` and turns into an exit status. `where` names the file (with a
+// line where one is known, "scene.json:12"), the device or the argument; it may be empty.
 class Error : public std::runtime_error {
  public:
   Error(std::string where, std::string what, std::string remedy, int exit_code = 1);

@@ -12,8 +12,8 @@ namespace seascape {
 
 namespace {
 
-// OpenEXR, "OpenEXR File Layout": magic number, version and flags, then headers of (name, type, size, value), each text ended
-// by a zero byte, each header by an empty name, a multi-part file's list of headers by one empty name more.
+// OpenEXR, "OpenEXR File Layout": magic number, version and flags, then headers of (name, type, size, value), each text
+// ended by a zero byte, each header by an empty name, a multi-part file's list of headers by one empty name more.
 constexpr std::uint32_t magic = 20000630;
 constexpr std::uint32_t multi_part_flag = 0x1000;
 constexpr std::size_t longest_name = 255;
@@ -93,19 +93,23 @@ class Walk {
     for (const Size& window : {sizes.shown, sizes.data}) {
       if (window.width < 1 || window.height < 1) broken("a window is missing or empty");
       if (window.width > largest_image_side || window.height > largest_image_side)
-        throw Error(where_, fmt::format("is {} x {} pixels, over {} a side", window.width, window.height, largest_image_side),
+        throw Error(where_,
+                    fmt::format("is {} x {} pixels, over {} a side", window.width, window.height, largest_image_side),
                     "scale it down");
     }
-    // OpenEXR takes 8 bytes for each tile or block of lines, as the file itself must hold; 256 lines is the largest block.
+    // OpenEXR takes 8 bytes for each tile or block of lines, as the file itself must hold; 256 lines is the largest
+    // block.
     std::int64_t chunks = (sizes.data.height + 255) / 256;
     if (sizes.tile.width > 0 && sizes.tile.height > 0)
       chunks = ((sizes.data.width - 1) / sizes.tile.width + 1) * ((sizes.data.height - 1) / sizes.tile.height + 1);
-    if (static_cast<std::uint64_t>(chunks) > bytes_.size() / 8) broken("it is cut off: its header promises more than it holds");
+    if (static_cast<std::uint64_t>(chunks) > bytes_.size() / 8)
+      broken("it is cut off: its header promises more than it holds");
   }
 
   static std::string printable(std::string_view name) {
     std::string shown(name);
-    std::replace_if(shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return shown;
   }
 
@@ -121,7 +125,8 @@ std::vector<std::uint8_t> checked_exr(std::span<const std::uint8_t> bytes, const
   Walk walk(copy, where);
   if (bytes.size() < 8 || walk.word() != magic) throw Error(where, "is not an EXR file", "give an OpenEXR picture");
   const std::uint32_t version = walk.word();
-  if ((version & 0xff) != 2) throw Error(where, fmt::format("is an EXR of version {}", version & 0xff), "save it as version 2");
+  if ((version & 0xff) != 2)
+    throw Error(where, fmt::format("is an EXR of version {}", version & 0xff), "save it as version 2");
   if (!(version & multi_part_flag)) {
     walk.header();
     return copy;

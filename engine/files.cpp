@@ -40,22 +40,31 @@ Advice advice_for(int code, bool writing) {
     case ENOENT:
       return writing ? Advice{"its folder does not exist", "make the folder first, or name another file"}
                      : Advice{"there is no such file", "check the name and the folder"};
-    case ENOTDIR: return {"a part of its path is a file, not a folder", "check the path"};
-    case EISDIR: return {"is a folder, not a file", "name a file"};
+    case ENOTDIR:
+      return {"a part of its path is a file, not a folder", "check the path"};
+    case EISDIR:
+      return {"is a folder, not a file", "name a file"};
     case EACCES:
     case EPERM:
       return {writing ? "no permission to write" : "no permission to read",
               writing ? "choose a folder that you may write to, or change its permissions" : "change its permissions"};
-    case EROFS: return {"its file system is read-only", "choose another folder"};
-    case ENOSPC: return {"the disk is full", "free some space or choose another disk"};
+    case EROFS:
+      return {"its file system is read-only", "choose another folder"};
+    case ENOSPC:
+      return {"the disk is full", "free some space or choose another disk"};
 #ifdef EDQUOT
-    case EDQUOT: return {"your disk quota is used up", "free some space or choose another disk"};
+    case EDQUOT:
+      return {"your disk quota is used up", "free some space or choose another disk"};
 #endif
-    case EFBIG: return {"the file would be larger than this system allows", "raise the limit (ulimit -f) or write less"};
+    case EFBIG:
+      return {"the file would be larger than this system allows", "raise the limit (ulimit -f) or write less"};
     case EMFILE:
-    case ENFILE: return {"too many files are open", "close some programs, or raise the limit (ulimit -n)"};
-    case ENAMETOOLONG: return {"its name is too long", "choose a shorter name"};
-    case ELOOP: return {"its symbolic links go round in a circle", "name the file itself"};
+    case ENFILE:
+      return {"too many files are open", "close some programs, or raise the limit (ulimit -n)"};
+    case ENAMETOOLONG:
+      return {"its name is too long", "choose a shorter name"};
+    case ELOOP:
+      return {"its symbolic links go round in a circle", "name the file itself"};
     default:
       return {fmt::format("{} failed: {}", writing ? "writing" : "reading", std::generic_category().message(code)),
               "check the disk and the path"};
@@ -67,7 +76,8 @@ Advice advice_for(int code, bool writing) {
   throw Error(file.string(), std::move(advice.what), std::move(advice.remedy));
 }
 
-// `Bytes` is a string or a vector of bytes. Reads in steps, so that a size that lies (/proc, a growing file) harms nothing.
+// `Bytes` is a string or a vector of bytes. Reads in steps, so that a size that lies (/proc, a growing file) harms
+// nothing.
 template <class Bytes>
 Bytes read_whole(const fs::path& file, std::size_t most_bytes) {
   std::error_code ignored;
@@ -122,7 +132,9 @@ int write_whole(std::FILE* out, std::string_view bytes) {
 
 }  // namespace
 
-std::string read_text(const fs::path& file, std::size_t most_bytes) { return read_whole<std::string>(file, most_bytes); }
+std::string read_text(const fs::path& file, std::size_t most_bytes) {
+  return read_whole<std::string>(file, most_bytes);
+}
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file, std::size_t most_bytes) {
   return read_whole<std::vector<std::uint8_t>>(file, most_bytes);

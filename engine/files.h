@@ -17,9 +17,10 @@ std::string read_text(const std::filesystem::path& file, std::size_t most_bytes 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file, std::size_t most_bytes = largest_file_bytes);
 // A SPIR-V module in this machine's byte order, magic number and size checked. Throws Error.
 std::vector<std::uint32_t> read_spirv(const std::filesystem::path& file);
-// Writes `FILE.tmp-PID-N` and renames it over `file`; on any fault (full disk, no permission) the temporary file is removed
-// and Error thrown, and what `file` held before is untouched. Parent folders must exist. A symbolic link keeps pointing at its
-// target, which is replaced; a device or pipe (/dev/stdout) is written to as it is. Safe from several threads.
+// Writes `FILE.tmp-PID-N` and renames it over `file`; on any fault (full disk, no permission) the temporary file is
+// removed and Error thrown, and what `file` held before is untouched. Parent folders must exist. A symbolic link keeps
+// pointing at its target, which is replaced; a device or pipe (/dev/stdout) is written to as it is. Safe from several
+// threads.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 void write_atomically(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 // Makes the folder and its parents, and proves that it can be written to. Throws Error.

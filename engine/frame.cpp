@@ -14,18 +14,21 @@ void Commands::note(std::uint64_t what) {
   counts_->hash = (counts_->hash ^ what) * 1099511628211ull;
 }
 
-void Commands::bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets, bool facing) {
+void Commands::bind(const Pipeline& pipeline, const Bindings& bindings,
+                    std::initializer_list<std::uint32_t> uniform_offsets, bool facing) {
   pipeline_ = &pipeline;
   const VkPipeline variant = facing ? pipeline.facing() : pipeline.get();
   vkCmdBindPipeline(commands_, pipeline.bind_point(), variant);
   note(pipeline.hash() + (facing ? 1u : 0u));
   PipelineWork& last = work_->back();
-  if (!last.pipeline) last.pipeline = variant;
-  else if (last.pipeline != variant) work_->push_back({last.pass, last.pass_number, variant});
+  if (!last.pipeline)
+    last.pipeline = variant;
+  else if (last.pipeline != variant)
+    work_->push_back({last.pass, last.pass_number, variant});
   if (VkDescriptorSet set = bindings.get()) {
     assert(uniform_offsets.size() >= pipeline.dynamic_uniforms());
-    vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, pipeline.dynamic_uniforms(),
-                            uniform_offsets.begin());
+    vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), 0, 1, &set,
+                            pipeline.dynamic_uniforms(), uniform_offsets.begin());
     note(2);
   }
 }
@@ -69,10 +72,11 @@ void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances, std:
 }
 
 void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions) {
-  vkCmdCopyBufferToImage(commands_, from.get(), to.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(regions.size()),
-                         regions.data());
+  vkCmdCopyBufferToImage(commands_, from.get(), to.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                         std::uint32_t(regions.size()), regions.data());
   for (const VkBufferImageCopy& region : regions)
-    note(11 + (region.bufferOffset << 8) + (std::uint64_t(region.imageExtent.width) << 40) + (std::uint64_t(region.imageExtent.height) << 52));
+    note(11 + (region.bufferOffset << 8) + (std::uint64_t(region.imageExtent.width) << 40) +
+         (std::uint64_t(region.imageExtent.height) << 52));
   work_->back().copied_to = to.get();
   ++work_->back().copies;
 }
@@ -103,7 +107,8 @@ Buffer make_vertices(Device& device, VkDeviceSize bytes) {
 
 Frame::Frame(Device& device, VkDeviceSize vertex_bytes)
     : device_(device),
-      ring_(device, "frame ring", VkDeviceSize(ring_bytes) * slots, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, HostAccess::write) {
+      ring_(device, "frame ring", VkDeviceSize(ring_bytes) * slots,
+            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, HostAccess::write) {
   times_.reserve(max_passes);
   work_.reserve(4 * max_passes);
   for (Slot& slot : slots_) {
@@ -129,7 +134,8 @@ Frame::Frame(Device& device, VkDeviceSize vertex_bytes)
       VkQueryPool query_handle = VK_NULL_HANDLE;
       check(vkCreateQueryPool(device.handle(), &queries, nullptr, &query_handle), "vkCreateQueryPool");
       slot.queries = Owned<VkQueryPool>(device, query_handle, "frame");
-      slot.stamps = Buffer(device, "frame times", 2 * max_passes * sizeof(std::uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
+      slot.stamps = Buffer(device, "frame times", 2 * max_passes * sizeof(std::uint64_t),
+                           VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
     }
   }
 }
@@ -180,7 +186,8 @@ std::uint32_t Frame::upload_bytes(const void* data, std::uint32_t bytes) {
   const std::uint32_t alignment = device_.facts().uniform_alignment;
   ring_used_ = (ring_used_ + alignment - 1) / alignment * alignment;
   if (ring_used_ + bytes > ring_bytes)
-    throw Error("frame", fmt::format("uniforms exceed {} bytes", ring_bytes), "this is a fault of seascape; fewer views avoid it");
+    throw Error("frame", fmt::format("uniforms exceed {} bytes", ring_bytes),
+                "this is a fault of seascape; fewer views avoid it");
   const std::uint32_t offset = std::uint32_t(slot()) * ring_bytes + ring_used_;
   std::memcpy(ring_.mapped<char>() + offset, data, bytes);
   ring_used_ += bytes;
@@ -189,7 +196,8 @@ std::uint32_t Frame::upload_bytes(const void* data, std::uint32_t bytes) {
 
 VertexList Frame::vertices(VkDeviceSize bytes) {
   Buffer& buffer = slots_[number_ % slots].vertices;
-  if (vertices_used_ + bytes > buffer.bytes()) {  // the smaller one lives until the frame that draws from it has finished
+  if (vertices_used_ + bytes >
+      buffer.bytes()) {  // the smaller one lives until the frame that draws from it has finished
     buffer = make_vertices(device_, std::max(2 * buffer.bytes(), bytes));
     vertices_used_ = 0;
   }
@@ -268,8 +276,8 @@ void Frame::end_eye(const RenderTarget& target, std::size_t pass) {
   region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(pass), 1};
   region.extent = {target.spec().width, target.spec().height, 1};
-  vkCmdCopyImage(commands_.commands_, target.resolved_eye()->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.colour().get(),
-                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  vkCmdCopyImage(commands_.commands_, target.resolved_eye()->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                 target.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   commands_.note(10);
 }
 
@@ -284,13 +292,13 @@ void Frame::end_pass() {
 void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
   Slot& slot = slots_[number_ % slots];
   if (slot.queries && slot.passes > 0) {
-    // By the frame and not by vkGetQueryPoolResults, for which lavapipe waits until the device is idle: the frames in flight
-    // would be one.
+    // By the frame and not by vkGetQueryPoolResults, for which lavapipe waits until the device is idle: the frames in
+    // flight would be one.
     BarrierBatch before, after;
     before.add(slot.stamps, Access::transfer_write);
     before.record(slot.commands);
-    vkCmdCopyQueryPoolResults(slot.commands, slot.queries.get(), 0, 2 * slot.passes, slot.stamps.get(), 0, sizeof(std::uint64_t),
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    vkCmdCopyQueryPoolResults(slot.commands, slot.queries.get(), 0, 2 * slot.passes, slot.stamps.get(), 0,
+                              sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
     after.add(slot.stamps, Access::host_read);
     after.record(slot.commands);
   }

@@ -1,5 +1,5 @@
-// One frame's commands as a list of passes: each runs at once, in program order; barriers, GPU timers and debug labels come
-// from its declaration.
+// One frame's commands as a list of passes: each runs at once, in program order; barriers, GPU timers and debug labels
+// come from its declaration.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -46,7 +46,7 @@ struct FrameCounts {
 // What one pass recorded with one pipeline.
 struct PipelineWork {
   const char* pass;
-  std::uint32_t pass_number = 0;       // in program order: passes may share a name
+  std::uint32_t pass_number = 0;         // in program order: passes may share a name
   VkPipeline pipeline = VK_NULL_HANDLE;  // null: the pass has bound none yet
   VkImage copied_to = VK_NULL_HANDLE;    // the image that a pass without pipelines copied into last
   std::uint64_t draws = 0, triangles = 0, dispatches = 0, copies = 0;
@@ -68,7 +68,8 @@ struct VertexList {
 class Commands {
  public:
   // `facing`: the variant that draws only what faces the eye, where the pipeline has it.
-  void bind(const Pipeline& pipeline, const Bindings& bindings, std::initializer_list<std::uint32_t> uniform_offsets = {}, bool facing = false);
+  void bind(const Pipeline& pipeline, const Bindings& bindings,
+            std::initializer_list<std::uint32_t> uniform_offsets = {}, bool facing = false);
   template <typename T>
   void push(const T& constants) {
     static_assert(sizeof(T) <= 128);

@@ -42,7 +42,8 @@ class Builder {
 
   float factor(double value, double least, double most, const char* name) const {
     if (!(value >= least && value <= most))
-      fail(fmt::format("material {} has a {} of {}; {} to {} is allowed", model_.materials.size(), name, value, least, most));
+      fail(fmt::format("material {} has a {} of {}; {} to {} is allowed", model_.materials.size(), name, value, least,
+                       most));
     return static_cast<float>(value);
   }
 
@@ -71,9 +72,11 @@ class Builder {
   // glTF 2.0, section 3.5.3: a matrix by columns, or translation * rotation * scale.
   glm::dmat4 local_transform(const tinygltf::Node& node, int index) const {
     const auto finite = [&](const std::vector<double>& values, std::size_t size, const char* name) {
-      if (!values.empty() && values.size() != size) fail(fmt::format("node {} has a {} of {} numbers", index, name, values.size()));
+      if (!values.empty() && values.size() != size)
+        fail(fmt::format("node {} has a {} of {} numbers", index, name, values.size()));
       for (const double value : values)
-        if (!std::isfinite(value) || std::abs(value) > 1e15) fail(fmt::format("node {} has a {} out of range", index, name));
+        if (!std::isfinite(value) || std::abs(value) > 1e15)
+          fail(fmt::format("node {} has a {} out of range", index, name));
       return !values.empty();
     };
     if (finite(node.matrix, 16, "matrix")) {
@@ -98,7 +101,8 @@ class Builder {
   std::vector<int> roots() const {
     if (!document_.scenes.empty()) {
       const int scene = document_.defaultScene < 0 ? 0 : document_.defaultScene;
-      if (static_cast<std::size_t>(scene) >= document_.scenes.size()) fail(fmt::format("scene {} does not exist", scene));
+      if (static_cast<std::size_t>(scene) >= document_.scenes.size())
+        fail(fmt::format("scene {} does not exist", scene));
       return document_.scenes[static_cast<std::size_t>(scene)].nodes;
     }
     std::vector<bool> child(document_.nodes.size(), false);
@@ -111,7 +115,8 @@ class Builder {
     return found;
   }
 
-  // Without recursion: a chain of nodes may be long. A node met twice is a cycle or has two parents; glTF allows neither.
+  // Without recursion: a chain of nodes may be long. A node met twice is a cycle or has two parents; glTF allows
+  // neither.
   void visit_nodes() {
     struct Step {
       int node;
@@ -171,7 +176,8 @@ class Builder {
     for (const std::uint32_t corner : corners)
       if (corner >= vertices) fail(fmt::format("mesh {} has index {}, past its {} vertices", mesh, corner, vertices));
     if (mode == TINYGLTF_MODE_TRIANGLES) {
-      if (corners.size() % 3 != 0) fail(fmt::format("mesh {} has {} corners, not a multiple of 3", mesh, corners.size()));
+      if (corners.size() % 3 != 0)
+        fail(fmt::format("mesh {} has {} corners, not a multiple of 3", mesh, corners.size()));
       return corners;
     }
     if (corners.size() < 3) fail(fmt::format("mesh {} has a strip or fan of {} corners", mesh, corners.size()));
@@ -195,7 +201,8 @@ class Builder {
     count_vertices(vertices);
     for (const int other : {normals, uvs})
       if (other >= 0 && accessors_.count(other) != vertices)
-        fail(fmt::format("mesh {} has {} positions and {} normals or texture places", mesh, vertices, accessors_.count(other)));
+        fail(fmt::format("mesh {} has {} positions and {} normals or texture places", mesh, vertices,
+                         accessors_.count(other)));
 
     MeshPart part;
     part.material = primitive.material;
@@ -207,7 +214,8 @@ class Builder {
     for (std::size_t i = 0; i < vertices; ++i) {
       part.positions[i] = glm::vec3(world * glm::dvec4(place[3 * i], place[3 * i + 1], place[3 * i + 2], 1.0));
       for (int c = 0; c < 3; ++c)
-        if (!std::isfinite(part.positions[i][c])) fail(fmt::format("mesh {} has position {} that is not finite", mesh, i));
+        if (!std::isfinite(part.positions[i][c]))
+          fail(fmt::format("mesh {} has position {} that is not finite", mesh, i));
     }
     if (uvs >= 0) {
       const std::vector<float> texture = accessors_.floats(uvs, 2);
@@ -248,11 +256,13 @@ class Builder {
     part = std::move(flat);
   }
 
-  // By the inverse transpose; where that has no direction (a zero normal, a flattened node) the face's normal stands in.
+  // By the inverse transpose; where that has no direction (a zero normal, a flattened node) the face's normal stands
+  // in.
   static void place_normals(MeshPart& part, const std::vector<float>& source, const glm::dmat4& world) {
     const glm::dmat3 axes(world);
     // The cofactor matrix: the inverse transpose times the determinant, which exists even where the inverse does not.
-    const glm::dmat3 cofactors(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]), glm::cross(axes[0], axes[1]));
+    const glm::dmat3 cofactors(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]),
+                               glm::cross(axes[0], axes[1]));
     const double side = glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
     part.normals.resize(part.positions.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < part.normals.size(); ++i) {
@@ -261,7 +271,8 @@ class Builder {
       if (length > 0.0 && std::isfinite(length)) part.normals[i] = glm::vec3(normal / length);
     }
     for (std::size_t i = 0; i < part.indices.size(); ++i)
-      if (part.normals[part.indices[i]] == glm::vec3(0.0f)) part.normals[part.indices[i]] = face_normal(part, i - i % 3);
+      if (part.normals[part.indices[i]] == glm::vec3(0.0f))
+        part.normals[part.indices[i]] = face_normal(part, i - i % 3);
     for (glm::vec3& normal : part.normals)
       if (normal == glm::vec3(0.0f)) normal = glm::vec3(0.0f, 1.0f, 0.0f);
   }

@@ -23,7 +23,7 @@ struct MeshPart {
   std::vector<glm::vec3> normals;  // unit length, one a position; flat ones made from the faces where the file has none
   std::vector<glm::vec2> uvs;      // one a position; empty where the file has none
   std::vector<std::uint32_t> indices;
-  int material = -1;               // of Model::materials, -1: default
+  int material = -1;  // of Model::materials, -1: default
 };
 
 struct Model {
@@ -33,10 +33,11 @@ struct Model {
   glm::vec3 least{0.0f}, most{0.0f};
 };
 
-// Throws Error for whatever is wrong: missing file or buffer, bad JSON (with its line), accessor out of its buffer, unsupported
-// extension that the file requires, index past the vertices, non-finite position, node cycle, over 16 M vertices, points or
-// lines. Buffers are read only from regular files in the model's folder or below. Triangle strips and fans become triangles,
-// a mirrored node has its triangles turned round. Textures, skins, animations, morph targets, cameras and lights are not read.
+// Throws Error for whatever is wrong: missing file or buffer, bad JSON (with its line), accessor out of its buffer,
+// unsupported extension that the file requires, index past the vertices, non-finite position, node cycle, over 16 M
+// vertices, points or lines. Buffers are read only from regular files in the model's folder or below. Triangle strips
+// and fans become triangles, a mirrored node has its triangles turned round. Textures, skins, animations, morph
+// targets, cameras and lights are not read.
 Model load_gltf(const std::filesystem::path& file);
 // The same on bytes of a .gltf or .glb; buffers in files of their own are refused. `where` names the bytes in errors.
 Model load_gltf_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);

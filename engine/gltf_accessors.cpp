@@ -42,35 +42,47 @@ float component(const std::uint8_t* at, int type, bool normalized) {
       const float value = static_cast<float>(load<std::uint16_t>(at));
       return normalized ? value / 65535.0f : value;
     }
-    default: return load<float>(at);
+    default:
+      return load<float>(at);
   }
 }
 
 std::size_t index_bytes(int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return 4;
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return 4;
+    default:
+      return 0;
   }
 }
 
 std::uint32_t index_at(const std::uint8_t* at, int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(at);
-    default: return load<std::uint32_t>(at);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load<std::uint8_t>(at);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<std::uint16_t>(at);
+    default:
+      return load<std::uint32_t>(at);
   }
 }
 
 std::size_t float_component_bytes(int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return 4;
+    default:
+      return 0;
   }
 }
 
@@ -84,7 +96,8 @@ const tinygltf::Accessor& GltfAccessors::checked(int accessor) const {
   const tinygltf::Accessor& found = document_.accessors[static_cast<std::size_t>(accessor)];
   // A triangle soup has three indices a vertex, and strips fewer.
   if (found.count < 1 || found.count > 3 * most_model_vertices)
-    fail(fmt::format("accessor {} has {} elements; 1 to {} are allowed", accessor, found.count, 3 * most_model_vertices));
+    fail(fmt::format("accessor {} has {} elements; 1 to {} are allowed", accessor, found.count,
+                     3 * most_model_vertices));
   return found;
 }
 
@@ -118,10 +131,10 @@ void GltfAccessors::each_sparse(const tinygltf::Accessor& accessor, std::size_t 
       sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
     fail(what + " has broken sparse values");
   const std::size_t number = static_cast<std::size_t>(sparse.count);
-  const Block places = block(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), number, number_bytes,
-                             "the sparse indices of " + what);
-  const Block values = block(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), number, element_bytes,
-                             "the sparse values of " + what);
+  const Block places = block(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), number,
+                             number_bytes, "the sparse indices of " + what);
+  const Block values = block(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), number,
+                             element_bytes, "the sparse values of " + what);
   for (std::size_t i = 0; i < number; ++i) {
     const std::size_t place = index_at(places.data + i * places.stride, sparse.indices.componentType);
     if (place >= accessor.count) fail(what + " has a sparse index past its end");
@@ -160,7 +173,9 @@ std::vector<std::uint32_t> GltfAccessors::indices(int accessor) const {
   if (found.type != TINYGLTF_TYPE_SCALAR || bytes == 0) fail(what + " is not of whole numbers, as indices must be");
   const Block source = block(found.bufferView, found.byteOffset, found.count, bytes, what);
   std::vector<std::uint32_t> values(found.count);
-  const auto take = [&](std::size_t place, const std::uint8_t* at) { values[place] = index_at(at, found.componentType); };
+  const auto take = [&](std::size_t place, const std::uint8_t* at) {
+    values[place] = index_at(at, found.componentType);
+  };
   for (std::size_t i = 0; i < found.count; ++i) take(i, source.data + i * source.stride);
   if (found.sparse.isSparse) each_sparse(found, bytes, what, take);
   return values;

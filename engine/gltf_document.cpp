@@ -20,12 +20,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int deepest_json = 64;                             // nesting; tinygltf recurses
+constexpr int deepest_json = 64;  // nesting; tinygltf recurses
 constexpr std::size_t most_json_values = std::size_t{1} << 20;
 constexpr std::size_t most_buffer_bytes = std::size_t{512} << 20;  // all buffers together
 constexpr std::string_view supported_extensions[] = {"KHR_mesh_quantization", "KHR_materials_emissive_strength"};
 
-[[noreturn]] void fail(const std::string& where, const std::string& what, const char* remedy = "export the model again") {
+[[noreturn]] void fail(const std::string& where, const std::string& what,
+                       const char* remedy = "export the model again") {
   throw Error(where, what, remedy);
 }
 
@@ -69,8 +70,8 @@ Chunks split(std::span<const std::uint8_t> bytes, const std::string& where) {
   return chunks;
 }
 
-// Counts while the text is read, before any tree is made, so that a small file cannot become a huge one. (nlohmann's parser
-// with a callback would do, but takes quadratic time on a long list of objects.)
+// Counts while the text is read, before any tree is made, so that a small file cannot become a huge one. (nlohmann's
+// parser with a callback would do, but takes quadratic time on a long list of objects.)
 class Limits : public nlohmann::json_sax<json> {
  public:
   explicit Limits(const std::string& where) : where_(where) {}
@@ -112,7 +113,8 @@ json parse_json(std::string_view text, const std::string& where) {
   if (!json::sax_parse(text.begin(), text.end(), &limits)) {
     const std::size_t at = std::min(limits.fault_at(), text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw Error(fmt::format("{}:{}", where, line), "is not valid JSON", "a .gltf file starts with {; mend it or export it again");
+    throw Error(fmt::format("{}:{}", where, line), "is not valid JSON",
+                "a .gltf file starts with {; mend it or export it again");
   }
   return json::parse(text.begin(), text.end());
 }
@@ -123,7 +125,8 @@ void check_asset(const json& root, const std::string& where) {
   if (asset == root.end() || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string())
     fail(where, "is not a glTF file (it has no asset.version)", "give a glTF 2.0 model");
   const std::string version = (*asset)["version"].get<std::string>();
-  if (!version.starts_with("2.")) fail(where, fmt::format("is glTF version {}, not 2", version), "convert it to glTF 2.0");
+  if (!version.starts_with("2."))
+    fail(where, fmt::format("is glTF version {}, not 2", version), "convert it to glTF 2.0");
   const auto least = asset->find("minVersion");
   if (least != asset->end() && *least != "2.0") fail(where, "needs a newer glTF than 2.0", "export it as glTF 2.0");
   const auto required = root.find("extensionsRequired");
@@ -132,8 +135,10 @@ void check_asset(const json& root, const std::string& where) {
   for (const json& name : *required) {
     if (!name.is_string()) fail(where, "extensionsRequired holds something that is not a name");
     const std::string text = name.get<std::string>();
-    if (std::find(std::begin(supported_extensions), std::end(supported_extensions), text) == std::end(supported_extensions))
-      fail(where, fmt::format("requires the extension {}, which is not supported", text), "export it without that extension");
+    if (std::find(std::begin(supported_extensions), std::end(supported_extensions), text) ==
+        std::end(supported_extensions))
+      fail(where, fmt::format("requires the extension {}, which is not supported", text),
+           "export it without that extension");
   }
 }
 
@@ -202,7 +207,8 @@ tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& 
   check_asset(root, where);
   check_buffers(root, chunks.packed, where);
   // What is not used is not parsed a second time.
-  for (const char* unused : {"images", "textures", "samplers", "skins", "animations", "cameras", "extras", "extensions"})
+  for (const char* unused :
+       {"images", "textures", "samplers", "skins", "animations", "cameras", "extras", "extensions"})
     root.erase(unused);
   const std::string text = root.dump(-1, ' ', true, json::error_handler_t::replace);
   root = nullptr;
@@ -216,7 +222,8 @@ tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& 
   std::string errors, warnings;
   bool good = false;
   try {
-    if (chunks.packed) {  // put together again, exact to the byte: tinygltf 2.7 checks its second chunk 8 bytes too late
+    if (chunks
+            .packed) {  // put together again, exact to the byte: tinygltf 2.7 checks its second chunk 8 bytes too late
       const std::size_t text_bytes = (text.size() + 3) / 4 * 4, binary_bytes = (chunks.binary.size() + 3) / 4 * 4;
       std::vector<std::uint8_t> packed{'g', 'l', 'T', 'F', 2, 0, 0, 0};
       packed.reserve(28 + text_bytes + binary_bytes);
@@ -231,8 +238,8 @@ tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& 
         packed.insert(packed.end(), chunks.binary.begin(), chunks.binary.end());
         packed.resize(28 + text_bytes + binary_bytes, 0);
       }
-      good = parser.LoadBinaryFromMemory(&document, &errors, &warnings, packed.data(), static_cast<unsigned>(packed.size()),
-                                         reach.folder.string());
+      good = parser.LoadBinaryFromMemory(&document, &errors, &warnings, packed.data(),
+                                         static_cast<unsigned>(packed.size()), reach.folder.string());
     } else {
       good = parser.LoadASCIIFromString(&document, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()),
                                         reach.folder.string());

@@ -1,4 +1,5 @@
-// Parses the bytes of a glTF file into tinygltf's structures, with every limit checked first; gltf.cpp makes meshes of them.
+// Parses the bytes of a glTF file into tinygltf's structures, with every limit checked first; gltf.cpp makes meshes of
+// them.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -17,7 +18,8 @@ namespace seascape {
 inline constexpr std::size_t most_model_vertices = std::size_t{1} << 24;
 
 // `folder`: where buffers may lie; empty: nowhere. Throws Error.
-tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& folder, const std::string& where);
+tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& folder,
+                           const std::string& where);
 
 // Reads accessors out of their buffers; every one throws Error when a reference, a size or a type is wrong.
 class GltfAccessors {
@@ -34,9 +36,11 @@ class GltfAccessors {
     std::size_t stride = 0;
   };
   const tinygltf::Accessor& checked(int accessor) const;
-  Block block(int view, std::size_t offset, std::size_t count, std::size_t element_bytes, const std::string& what) const;
+  Block block(int view, std::size_t offset, std::size_t count, std::size_t element_bytes,
+              const std::string& what) const;
   template <class Read>
-  void each_sparse(const tinygltf::Accessor& accessor, std::size_t element_bytes, const std::string& what, Read&& read) const;
+  void each_sparse(const tinygltf::Accessor& accessor, std::size_t element_bytes, const std::string& what,
+                   Read&& read) const;
   [[noreturn]] void fail(const std::string& what) const;
 
   const tinygltf::Model& document_;

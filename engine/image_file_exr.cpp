@@ -25,14 +25,16 @@ namespace seascape {
 
 namespace {
 
-constexpr int slab_lines = 64;                                     // read at a time
+constexpr int slab_lines = 64;                                        // read at a time
 constexpr std::uint64_t most_chunk_bytes = std::uint64_t{256} << 20;  // of one tile or block of lines, all channels
-// Pixels outside the data window cost the file nothing: so many are always allowed, and so many for each byte of the file.
+// Pixels outside the data window cost the file nothing: so many are always allowed, and so many for each byte of the
+// file.
 constexpr std::uint64_t padding_pixels = std::uint64_t{1} << 22, padding_pixels_a_byte = 256;
 
 class ReadMemory : public Imf::IStream {
  public:
-  ReadMemory(std::span<const std::uint8_t> bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
+  ReadMemory(std::span<const std::uint8_t> bytes, const std::string& name)
+      : Imf::IStream(name.c_str()), bytes_(bytes) {}
   bool read(char out[], int count) override {
     if (count < 0 || at_ > bytes_.size() || static_cast<std::uint64_t>(count) > bytes_.size() - at_)
       throw std::runtime_error("it is cut off");
@@ -67,7 +69,8 @@ class WriteMemory : public Imf::OStream {
 
 std::uint64_t sample_bytes(const Imf::ChannelList& channels) {
   std::uint64_t bytes = 0;
-  for (auto channel = channels.begin(); channel != channels.end(); ++channel) bytes += channel.channel().type == Imf::HALF ? 2 : 4;
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
+    bytes += channel.channel().type == Imf::HALF ? 2 : 4;
   return bytes;
 }
 
@@ -80,7 +83,8 @@ std::string names_of(const Imf::ChannelList& channels) {
 }
 
 bool has_colour(const Imf::ChannelList& channels) {
-  return channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B") || channels.findChannel("Y");
+  return channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B") ||
+         channels.findChannel("Y");
 }
 
 // The first part that is a flat picture with colour, or an Error that says what the file has instead.
@@ -96,7 +100,8 @@ int colour_part(const Imf::MultiPartInputFile& file, const std::string& where) {
     seen += (seen.empty() ? "" : ", ") + ("channels " + names_of(header.channels()));
     if (seen.size() > 200) break;
   }
-  throw Error(where, fmt::format("has no flat picture with R, G, B or Y (it has: {})", seen), "save it as flat RGB or RGBA");
+  throw Error(where, fmt::format("has no flat picture with R, G, B or Y (it has: {})", seen),
+              "save it as flat RGB or RGBA");
 }
 
 struct Window {
@@ -108,12 +113,17 @@ Window window_of(const Imath::Box2i& box) {
 }
 
 // Refuses what would need more memory than the picture is worth.
-void check_sizes(const Imf::Header& header, const Window& shown, const Window& data, std::size_t file_bytes, const std::string& where) {
-  const std::int64_t common_width = std::min(shown.left + shown.width, data.left + data.width) - std::max(shown.left, data.left);
-  const std::int64_t common_height = std::min(shown.top + shown.height, data.top + data.height) - std::max(shown.top, data.top);
+void check_sizes(const Imf::Header& header, const Window& shown, const Window& data, std::size_t file_bytes,
+                 const std::string& where) {
+  const std::int64_t common_width =
+      std::min(shown.left + shown.width, data.left + data.width) - std::max(shown.left, data.left);
+  const std::int64_t common_height =
+      std::min(shown.top + shown.height, data.top + data.height) - std::max(shown.top, data.top);
   const std::int64_t held = std::max<std::int64_t>(common_width, 0) * std::max<std::int64_t>(common_height, 0);
-  if (static_cast<std::uint64_t>(shown.width * shown.height - held) > std::max(padding_pixels, padding_pixels_a_byte * file_bytes))
-    throw Error(where, "is almost all empty: its data window covers too little of its display window", "crop it to what it shows");
+  if (static_cast<std::uint64_t>(shown.width * shown.height - held) >
+      std::max(padding_pixels, padding_pixels_a_byte * file_bytes))
+    throw Error(where, "is almost all empty: its data window covers too little of its display window",
+                "crop it to what it shows");
   // DWAB packs the most lines into a block: 256.
   std::uint64_t block = static_cast<std::uint64_t>(data.width) * 256;
   if (header.hasTileDescription()) {
@@ -168,8 +178,9 @@ ImageF read_part(Imf::MultiPartInputFile& file, int part, std::size_t file_bytes
     Imf::FrameBuffer target;
     const auto insert = [&](const char* name, std::size_t component, double fill) {
       target.insert(name, Imf::Slice::Make(Imf::FLOAT, slab.data() + component,
-                                           Imath::V2i(static_cast<int>(data.left), static_cast<int>(from)), data.width, to - from,
-                                           4 * sizeof(float), static_cast<std::size_t>(data.width) * 4 * sizeof(float), 1, 1, fill));
+                                           Imath::V2i(static_cast<int>(data.left), static_cast<int>(from)), data.width,
+                                           to - from, 4 * sizeof(float),
+                                           static_cast<std::size_t>(data.width) * 4 * sizeof(float), 1, 1, fill));
     };
     insert(grey ? "Y" : "R", 0, 0.0);
     if (!grey) {
@@ -202,8 +213,10 @@ void refuse_not_finite(const ImageF& image, const std::string& where) {
     }
   if (count == 0) return;
   const std::size_t width = static_cast<std::size_t>(image.width);
-  throw Error(where, fmt::format("{} of its values are NaN or infinite, the first at column {}, row {}", count, first % width,
-                                 first / width), "repair the picture");
+  throw Error(where,
+              fmt::format("{} of its values are NaN or infinite, the first at column {}, row {}", count, first % width,
+                          first / width),
+              "repair the picture");
 }
 
 }  // namespace
@@ -212,7 +225,8 @@ std::string exr_bytes(const ImageF& image, const std::string& where) {
   if (image.width < 1 || image.height < 1 || image.width > largest_image_side || image.height > largest_image_side)
     throw Error(where, fmt::format("a picture of {} x {} pixels cannot be written", image.width, image.height),
                 fmt::format("choose 1 to {} a side", largest_image_side));
-  const std::size_t width = static_cast<std::size_t>(image.width), needed = width * static_cast<std::size_t>(image.height) * 4;
+  const std::size_t width = static_cast<std::size_t>(image.width),
+                    needed = width * static_cast<std::size_t>(image.height) * 4;
   if (image.pixels.size() != needed)
     throw Error(where, fmt::format("the picture has {} values where its size needs {}", image.pixels.size(), needed),
                 "this is a fault of the program: report it");
@@ -224,12 +238,14 @@ std::string exr_bytes(const ImageF& image, const std::string& where) {
   }
   std::string bytes;
   try {
-    Imf::Header header(image.width, image.height, 1.0f, Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    Imf::Header header(image.width, image.height, 1.0f, Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y,
+                       Imf::ZIP_COMPRESSION);
     Imf::FrameBuffer source;
     const char* names[] = {"R", "G", "B", "A"};
     for (std::size_t c = 0; c < 4; ++c) {
       header.channels().insert(names[c], Imf::Channel(Imf::HALF));
-      source.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(halves.data() + c), 4 * sizeof(half), width * 4 * sizeof(half)));
+      source.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(halves.data() + c), 4 * sizeof(half),
+                                         width * 4 * sizeof(half)));
     }
     WriteMemory stream(where, bytes);
     Imf::OutputFile file(stream, header);
@@ -241,7 +257,9 @@ std::string exr_bytes(const ImageF& image, const std::string& where) {
   return bytes;
 }
 
-void write_exr(const std::filesystem::path& file, const ImageF& image) { write_atomically(file, exr_bytes(image, file.string())); }
+void write_exr(const std::filesystem::path& file, const ImageF& image) {
+  write_atomically(file, exr_bytes(image, file.string()));
+}
 
 ImageF read_exr_from_memory(std::span<const std::uint8_t> bytes, const std::string& where, Values values) {
   const std::vector<std::uint8_t> checked = checked_exr(bytes, where);

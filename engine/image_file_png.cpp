@@ -16,8 +16,8 @@ namespace seascape {
 namespace {
 
 constexpr std::size_t signature_bytes = 8;
-// Deflate cannot expand a byte into more than 1032 (zlib's technical notes, "maximum compression factor"); a header that
-// promises more than the file can hold is refused before any memory is taken.
+// Deflate cannot expand a byte into more than 1032 (zlib's technical notes, "maximum compression factor"); a header
+// that promises more than the file can hold is refused before any memory is taken.
 constexpr std::uint64_t largest_expansion = 1040;
 
 [[noreturn]] void broken(const std::string& where, std::string_view how) {
@@ -44,10 +44,12 @@ void check_chunks(std::span<const std::uint8_t> bytes, const std::string& where)
       const std::uint64_t depth = bytes[at + 16], colour = bytes[at + 17];
       if (width == 0 || height == 0 || depth == 0 || depth > 16) broken(where, "its header is damaged");
       if (width > largest_image_side || height > largest_image_side)
-        throw Error(where, fmt::format("is {} x {} pixels, over {} a side", width, height, largest_image_side), "scale it down");
+        throw Error(where, fmt::format("is {} x {} pixels, over {} a side", width, height, largest_image_side),
+                    "scale it down");
       const std::uint64_t samples = colour == 2 ? 3 : colour == 4 ? 2 : colour == 6 ? 4 : 1;
       const std::uint64_t row_bytes = (width * samples * depth + 7) / 8 + 1;
-      if (row_bytes * height > largest_expansion * bytes.size()) broken(where, "it is cut off: its header promises more pixels than it holds");
+      if (row_bytes * height > largest_expansion * bytes.size())
+        broken(where, "it is cut off: its header promises more pixels than it holds");
     }
     at += 12 + static_cast<std::size_t>(length);
     if (type == "IEND") return;
@@ -92,7 +94,8 @@ bool encode(png_structp png, png_infop info, const Image8& image) {
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
   png_write_info(png, info);
   const std::size_t row_bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-  for (int y = 0; y < image.height; ++y) png_write_row(png, image.pixels.data() + static_cast<std::size_t>(y) * row_bytes);
+  for (int y = 0; y < image.height; ++y)
+    png_write_row(png, image.pixels.data() + static_cast<std::size_t>(y) * row_bytes);
   png_write_end(png, nullptr);
   return true;
 }
@@ -108,7 +111,8 @@ std::vector<std::uint8_t> png_bytes(const Image8& image, const std::string& wher
   const std::size_t needed = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                              static_cast<std::size_t>(image.channels);
   if (image.pixels.size() != needed)
-    throw Error(where, fmt::format("the picture has {} bytes of pixels where its size needs {}", image.pixels.size(), needed),
+    throw Error(where,
+                fmt::format("the picture has {} bytes of pixels where its size needs {}", image.pixels.size(), needed),
                 "this is a fault of the program: report it");
   Writing writing;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writing, on_error, on_warning);

@@ -8,8 +8,8 @@
 
 namespace seascape {
 
-// An allocator for containers. A page's address is looked up in a table of some thousand entries at most: tiles of 30 MiB on pages of
-// 4 KiB pass it by far. What the system does not grant costs speed alone.
+// An allocator for containers. A page's address is looked up in a table of some thousand entries at most: tiles of 30
+// MiB on pages of 4 KiB pass it by far. What the system does not grant costs speed alone.
 template <typename T>
 struct LargePages {
   using value_type = T;

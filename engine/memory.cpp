@@ -13,7 +13,9 @@ namespace seascape {
 namespace {
 constexpr VkDeviceSize block_size = 64u << 20;
 
-VkDeviceSize align(VkDeviceSize value, VkDeviceSize alignment) { return (value + alignment - 1) / alignment * alignment; }
+VkDeviceSize align(VkDeviceSize value, VkDeviceSize alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
 }  // namespace
 
 Allocation::Allocation(Allocation&& other) noexcept { *this = std::move(other); }
@@ -73,7 +75,8 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyF
   for (int pass = 0; pass < 2 && best < 0; ++pass) {
     const VkMemoryPropertyFlags flags = pass == 0 ? wanted | preferred : wanted;
     for (std::uint32_t t = 0; t < properties_.memoryTypeCount && best < 0; ++t)
-      if ((needs.memoryTypeBits >> t & 1u) && (properties_.memoryTypes[t].propertyFlags & flags) == flags) best = int(t);
+      if ((needs.memoryTypeBits >> t & 1u) && (properties_.memoryTypes[t].propertyFlags & flags) == flags)
+        best = int(t);
   }
   if (best < 0) throw Error(device_.facts().name, "the device has no memory of the kind needed", "use another device");
   const auto type = std::uint32_t(best);
@@ -87,7 +90,8 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyF
       if (start + needs.size < range.offset + range.size)
         block.free.insert(block.free.begin() + std::ptrdiff_t(i),
                           {start + needs.size, range.offset + range.size - start - needs.size});
-      if (start > range.offset) block.free.insert(block.free.begin() + std::ptrdiff_t(i), {range.offset, start - range.offset});
+      if (start > range.offset)
+        block.free.insert(block.free.begin() + std::ptrdiff_t(i), {range.offset, start - range.offset});
       block.used.push_back({start, needs.size});
       return {true, start};
     }

@@ -1,5 +1,5 @@
-// Ownership of Vulkan objects: every object is listed by the device while it lives, tagged with the effect it serves, and
-// destroyed only after the frames in flight that may use it.
+// Ownership of Vulkan objects: every object is listed by the device while it lives, tagged with the effect it serves,
+// and destroyed only after the frames in flight that may use it.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -20,24 +20,42 @@ struct ObjectRecord {
   std::string effect;  // the EffectScope it was made in, "frame" outside any
 };
 
-template <typename T> inline constexpr VkObjectType object_type = VK_OBJECT_TYPE_UNKNOWN;
-template <> inline constexpr VkObjectType object_type<VkBuffer> = VK_OBJECT_TYPE_BUFFER;
-template <> inline constexpr VkObjectType object_type<VkImage> = VK_OBJECT_TYPE_IMAGE;
-template <> inline constexpr VkObjectType object_type<VkImageView> = VK_OBJECT_TYPE_IMAGE_VIEW;
-template <> inline constexpr VkObjectType object_type<VkSampler> = VK_OBJECT_TYPE_SAMPLER;
-template <> inline constexpr VkObjectType object_type<VkShaderModule> = VK_OBJECT_TYPE_SHADER_MODULE;
-template <> inline constexpr VkObjectType object_type<VkPipeline> = VK_OBJECT_TYPE_PIPELINE;
-template <> inline constexpr VkObjectType object_type<VkPipelineLayout> = VK_OBJECT_TYPE_PIPELINE_LAYOUT;
-template <> inline constexpr VkObjectType object_type<VkDescriptorSetLayout> = VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT;
-template <> inline constexpr VkObjectType object_type<VkDescriptorPool> = VK_OBJECT_TYPE_DESCRIPTOR_POOL;
-template <> inline constexpr VkObjectType object_type<VkRenderPass> = VK_OBJECT_TYPE_RENDER_PASS;
-template <> inline constexpr VkObjectType object_type<VkFramebuffer> = VK_OBJECT_TYPE_FRAMEBUFFER;
-template <> inline constexpr VkObjectType object_type<VkCommandPool> = VK_OBJECT_TYPE_COMMAND_POOL;
-template <> inline constexpr VkObjectType object_type<VkFence> = VK_OBJECT_TYPE_FENCE;
-template <> inline constexpr VkObjectType object_type<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE;
-template <> inline constexpr VkObjectType object_type<VkQueryPool> = VK_OBJECT_TYPE_QUERY_POOL;
-template <> inline constexpr VkObjectType object_type<VkSwapchainKHR> = VK_OBJECT_TYPE_SWAPCHAIN_KHR;
-template <> inline constexpr VkObjectType object_type<VkSurfaceKHR> = VK_OBJECT_TYPE_SURFACE_KHR;
+template <typename T>
+inline constexpr VkObjectType object_type = VK_OBJECT_TYPE_UNKNOWN;
+template <>
+inline constexpr VkObjectType object_type<VkBuffer> = VK_OBJECT_TYPE_BUFFER;
+template <>
+inline constexpr VkObjectType object_type<VkImage> = VK_OBJECT_TYPE_IMAGE;
+template <>
+inline constexpr VkObjectType object_type<VkImageView> = VK_OBJECT_TYPE_IMAGE_VIEW;
+template <>
+inline constexpr VkObjectType object_type<VkSampler> = VK_OBJECT_TYPE_SAMPLER;
+template <>
+inline constexpr VkObjectType object_type<VkShaderModule> = VK_OBJECT_TYPE_SHADER_MODULE;
+template <>
+inline constexpr VkObjectType object_type<VkPipeline> = VK_OBJECT_TYPE_PIPELINE;
+template <>
+inline constexpr VkObjectType object_type<VkPipelineLayout> = VK_OBJECT_TYPE_PIPELINE_LAYOUT;
+template <>
+inline constexpr VkObjectType object_type<VkDescriptorSetLayout> = VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT;
+template <>
+inline constexpr VkObjectType object_type<VkDescriptorPool> = VK_OBJECT_TYPE_DESCRIPTOR_POOL;
+template <>
+inline constexpr VkObjectType object_type<VkRenderPass> = VK_OBJECT_TYPE_RENDER_PASS;
+template <>
+inline constexpr VkObjectType object_type<VkFramebuffer> = VK_OBJECT_TYPE_FRAMEBUFFER;
+template <>
+inline constexpr VkObjectType object_type<VkCommandPool> = VK_OBJECT_TYPE_COMMAND_POOL;
+template <>
+inline constexpr VkObjectType object_type<VkFence> = VK_OBJECT_TYPE_FENCE;
+template <>
+inline constexpr VkObjectType object_type<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE;
+template <>
+inline constexpr VkObjectType object_type<VkQueryPool> = VK_OBJECT_TYPE_QUERY_POOL;
+template <>
+inline constexpr VkObjectType object_type<VkSwapchainKHR> = VK_OBJECT_TYPE_SWAPCHAIN_KHR;
+template <>
+inline constexpr VkObjectType object_type<VkSurfaceKHR> = VK_OBJECT_TYPE_SURFACE_KHR;
 
 namespace detail {
 void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes);

@@ -74,7 +74,8 @@ Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std
   info.stage.pName = "main";
   info.layout = p.layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateComputePipelines");
+  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        "vkCreateComputePipelines");
   p.pipeline_ = Owned<VkPipeline>(device, pipeline, name);
   return p;
 }
@@ -144,18 +145,21 @@ class GraphicsBuilder {
     info.layout = p.layout_.get();
     info.renderPass = target.render_pass();
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
+    check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+          "vkCreateGraphicsPipelines");
     p.pipeline_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment);
     if (spec.facing) {
       raster.cullMode = VK_CULL_MODE_BACK_BIT;
-      check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
+      check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+            "vkCreateGraphicsPipelines");
       p.facing_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment + ", facing");
     }
     return p;
   }
 };
 
-Pipeline make_graphics_pipeline(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const GraphicsSpec& spec) {
+Pipeline make_graphics_pipeline(Device& device, ShaderLibrary& shaders, const RenderTarget& target,
+                                const GraphicsSpec& spec) {
   return GraphicsBuilder::make(device, shaders, target, spec);
 }
 
@@ -183,7 +187,8 @@ Bindings::Bindings(Device& device, const Pipeline& pipeline, const std::vector<B
     const ShaderBinding& b = pipeline.bindings()[i];
     auto entry = std::find_if(entries.begin(), entries.end(), [&](const Bound& e) { return e.binding == b.binding; });
     if (entry == entries.end())
-      throw Error(std::string(name), fmt::format("binding {} ({}) of a shader has nothing bound", b.binding, b.name), "this is a fault of seascape");
+      throw Error(std::string(name), fmt::format("binding {} ({}) of a shader has nothing bound", b.binding, b.name),
+                  "this is a fault of seascape");
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set_;
     write.dstBinding = b.binding;

@@ -50,8 +50,8 @@ Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std
                                const std::vector<SpecValue>& values = {});
 
 struct GraphicsSpec {
-  std::string vertex, fragment;          // shader names, "surface.vert"
-  std::vector<SpecValue> values;         // for both stages; a stage ignores what it does not have
+  std::string vertex, fragment;   // shader names, "surface.vert"
+  std::vector<SpecValue> values;  // for both stages; a stage ignores what it does not have
   std::vector<VkVertexInputBindingDescription> buffers;
   std::vector<VkVertexInputAttributeDescription> attributes;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
@@ -61,7 +61,8 @@ struct GraphicsSpec {
   bool wireframe = false;
   bool blend = false;  // alpha over
 };
-Pipeline make_graphics_pipeline(Device& device, ShaderLibrary& shaders, const RenderTarget& target, const GraphicsSpec& spec);
+Pipeline make_graphics_pipeline(Device& device, ShaderLibrary& shaders, const RenderTarget& target,
+                                const GraphicsSpec& spec);
 
 // What a binding is bound to.
 struct Bound {
@@ -73,8 +74,8 @@ struct Bound {
   VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;  // of a sampled image
 };
 
-// A descriptor set with everything a pipeline's shaders use. Entries that the stripped shaders do not have are passed over;
-// a binding without an entry is a programmer's mistake (Error).
+// A descriptor set with everything a pipeline's shaders use. Entries that the stripped shaders do not have are passed
+// over; a binding without an entry is a programmer's mistake (Error).
 class Bindings {
  public:
   Bindings() = default;

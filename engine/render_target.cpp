@@ -14,7 +14,8 @@ namespace {
 VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   const auto samples = VkSampleCountFlagBits(spec.samples);
   std::vector<VkAttachmentDescription> attachments;
-  auto add = [&](VkFormat format, VkSampleCountFlagBits count, VkAttachmentLoadOp load, VkAttachmentStoreOp store, VkImageLayout layout) {
+  auto add = [&](VkFormat format, VkSampleCountFlagBits count, VkAttachmentLoadOp load, VkAttachmentStoreOp store,
+                 VkImageLayout layout) {
     VkAttachmentDescription a{};
     a.format = format;
     a.samples = count;
@@ -31,8 +32,8 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   // With several samples only the resolved picture is stored; the samples never leave the tile.
   VkAttachmentReference colours[2];
   const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-  colours[0] = add(spec.colour, samples, begin,
-                   multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
+  colours[0] = add(spec.colour, samples, begin, multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE,
+                   colour_layout);
   VkAttachmentReference depth{}, resolve{};
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
@@ -50,7 +51,8 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
     subpass.colorAttachmentCount = 2;
   }
   if (multi) {
-    resolve = add(spec.colour, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
+    resolve = add(spec.colour, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE,
+                  colour_layout);
     subpass.pResolveAttachments = &resolve;
   }
   const std::uint32_t view_mask = (1u << spec.views) - 1u;
@@ -65,8 +67,10 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   info.pAttachments = attachments.data();
   info.subpassCount = 1;
   info.pSubpasses = &subpass;
-  const std::string key = fmt::format("pass colour {} {} cleared {} samples {} depth {} {} views {} {}", int(spec.colour), int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.keep_depth,
-                                      spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
+  const std::string key =
+      fmt::format("pass colour {} {} cleared {} samples {} depth {} {} views {} {}", int(spec.colour), int(spec.second),
+                  spec.clear_colour, spec.samples, spec.depth, spec.keep_depth, spec.per_eye ? 1 : spec.views,
+                  spec.per_eye ? "per eye" : "multiview");
   return device.cached_render_pass(key, info);
 }
 
@@ -110,11 +114,14 @@ RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSp
   const std::uint32_t passes = spec.per_eye ? std::uint32_t(spec.views) : 1u;
   for (std::uint32_t pass = 0; pass < passes; ++pass) {
     auto view_of = [&](Image& i) {
-      return spec.per_eye ? i.subview(0, 1, std::min(pass, i.spec().layers - 1), 1, false) : i.subview(0, 1, 0, std::uint32_t(spec.views));
+      return spec.per_eye ? i.subview(0, 1, std::min(pass, i.spec().layers - 1), 1, false)
+                          : i.subview(0, 1, 0, std::uint32_t(spec.views));
     };
     std::vector<VkImageView> views;
-    if (spec.samples > 1) views.push_back(view_of(multisampled_));
-    else views.push_back(view_of(colour_));
+    if (spec.samples > 1)
+      views.push_back(view_of(multisampled_));
+    else
+      views.push_back(view_of(colour_));
     if (spec.depth) views.push_back(view_of(depth_));
     if (second_) views.push_back(view_of(second_));
     if (spec.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour_));

@@ -10,14 +10,14 @@ namespace seascape {
 
 struct TargetSpec {
   std::uint32_t width = 1, height = 1;
-  int views = 1;                 // layers of every image: the eyes
-  bool per_eye = false;          // a pass per eye instead of one multiview pass (drivers whose multiview is at fault)
+  int views = 1;         // layers of every image: the eyes
+  bool per_eye = false;  // a pass per eye instead of one multiview pass (drivers whose multiview is at fault)
   VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;
   VkFormat second = VK_FORMAT_UNDEFINED;  // of a second colour image that is drawn at once, with one sample
   int samples = 1;
   bool depth = true;
-  bool keep_depth = false;       // a pass after may read it: stored, a layer a view
-  bool clear_colour = true;      // or else whoever reads it knows from the depth where nothing was drawn
+  bool keep_depth = false;   // a pass after may read it: stored, a layer a view
+  bool clear_colour = true;  // or else whoever reads it knows from the depth where nothing was drawn
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 1.0f};
 };
 
@@ -36,8 +36,8 @@ class RenderTarget {
   // The picture: one layer a view, single-sampled.
   const Image& colour() const { return colour_; }
   const Image* second() const { return second_ ? &second_ : nullptr; }
-  // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one that
-  // needs a pass per eye, resolves into layer 0 whatever the view says.
+  // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one
+  // that needs a pass per eye, resolves into layer 0 whatever the view says.
   const Image* resolved_eye() const { return resolved_eye_ ? &resolved_eye_ : nullptr; }
   const Image* multisampled() const { return multisampled_ ? &multisampled_ : nullptr; }
   const Image* depth() const { return depth_ ? &depth_ : nullptr; }

@@ -22,7 +22,9 @@ Buffer::Buffer(Device& device, std::string_view name, VkDeviceSize bytes, VkBuff
   vkGetBufferMemoryRequirements(device.handle(), buffer, &needs);
   const VkMemoryPropertyFlags visible = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   switch (host) {
-    case HostAccess::none: allocation_ = device.memory().allocate(needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false); break;
+    case HostAccess::none:
+      allocation_ = device.memory().allocate(needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
+      break;
     case HostAccess::write:
       allocation_ = device.memory().allocate(needs, visible, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
       break;
@@ -33,7 +35,8 @@ Buffer::Buffer(Device& device, std::string_view name, VkDeviceSize bytes, VkBuff
   check(vkBindBufferMemory(device.handle(), buffer, allocation_.memory(), allocation_.offset()), "vkBindBufferMemory");
 }
 
-Buffer make_filled_buffer(Device& device, std::string_view name, const void* data, VkDeviceSize bytes, VkBufferUsageFlags usage) {
+Buffer make_filled_buffer(Device& device, std::string_view name, const void* data, VkDeviceSize bytes,
+                          VkBufferUsageFlags usage) {
   Buffer staging(device, "staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   std::memcpy(staging.mapped<void>(), data, bytes);
   Buffer buffer(device, name, bytes, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
@@ -44,7 +47,8 @@ Buffer make_filled_buffer(Device& device, std::string_view name, const void* dat
   return buffer;
 }
 
-Image::Image(Device& device, std::string_view name, const ImageSpec& spec) : device_(&device), name_(name), spec_(spec) {
+Image::Image(Device& device, std::string_view name, const ImageSpec& spec)
+    : device_(&device), name_(name), spec_(spec) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = spec.format;
@@ -62,11 +66,12 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec) : dev
   VkMemoryRequirements needs;
   vkGetImageMemoryRequirements(device.handle(), image, &needs);
   image_ = Owned<VkImage>(device, image, name, needs.size);
-  allocation_ = device.memory().allocate(needs, spec.host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
-                                         spec.host ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                                         : spec.transient ? VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                                                        : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
-                                         true);
+  allocation_ = device.memory().allocate(
+      needs, spec.host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
+      spec.host        ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+      : spec.transient ? VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                       : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
+      true);
   check(vkBindImageMemory(device.handle(), image, allocation_.memory(), allocation_.offset()), "vkBindImageMemory");
   const VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
@@ -78,11 +83,11 @@ bool host_may_write(const Device& device, const ImageSpec& spec) {
   vkGetPhysicalDeviceFormatProperties(device.physical(), spec.format, &features);
   if (!(features.linearTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT)) return false;
   VkImageFormatProperties most;
-  if (vkGetPhysicalDeviceImageFormatProperties(device.physical(), spec.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_LINEAR, spec.usage, 0, &most) !=
-      VK_SUCCESS)
+  if (vkGetPhysicalDeviceImageFormatProperties(device.physical(), spec.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_LINEAR,
+                                               spec.usage, 0, &most) != VK_SUCCESS)
     return false;
-  return most.maxExtent.width >= spec.width && most.maxExtent.height >= spec.height && most.maxMipLevels >= spec.levels &&
-         most.maxArrayLayers >= spec.layers;
+  return most.maxExtent.width >= spec.width && most.maxExtent.height >= spec.height &&
+         most.maxMipLevels >= spec.levels && most.maxArrayLayers >= spec.layers;
 }
 
 Image::HostTexels Image::host_texels(std::uint32_t level, std::uint32_t layer) const {
@@ -100,11 +105,11 @@ Image::Image(Device& device, std::string_view name, VkImage borrowed, const Imag
 
 VkImageAspectFlags Image::aspect() const {
   return spec_.format == VK_FORMAT_D32_SFLOAT || spec_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                                                    : VK_IMAGE_ASPECT_COLOR_BIT;
+                                                                                     : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
-                                    bool array) {
+Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer,
+                                    std::uint32_t layers, bool array) {
   VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   info.image = get();
   info.viewType = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
@@ -115,7 +120,8 @@ Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, s
   return Owned<VkImageView>(*device_, view, name_);
 }
 
-VkImageView Image::subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array) {
+VkImageView Image::subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
+                           bool array) {
   subviews_.push_back(make_view(level, levels, layer, layers, array));
   return subviews_.back().get();
 }
@@ -138,19 +144,25 @@ Owned<VkSampler> make_sampler(Device& device, std::string_view name, const Sampl
 std::uint32_t bytes_per_texel(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R32G32B32A32_SFLOAT:
-    case VK_FORMAT_R32G32B32A32_UINT: return 16;
+    case VK_FORMAT_R32G32B32A32_UINT:
+      return 16;
     case VK_FORMAT_R16G16B16A16_SFLOAT:
     case VK_FORMAT_R32G32_SFLOAT:
-    case VK_FORMAT_R32G32_UINT: return 8;
-    case VK_FORMAT_R16_SFLOAT: return 2;
-    case VK_FORMAT_R8_UNORM: return 1;
-    default: return 4;  // all others that are used here
+    case VK_FORMAT_R32G32_UINT:
+      return 8;
+    case VK_FORMAT_R16_SFLOAT:
+      return 2;
+    case VK_FORMAT_R8_UNORM:
+      return 1;
+    default:
+      return 4;  // all others that are used here
   }
 }
 
 std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level) {
   device.wait_idle();
-  const std::uint32_t width = std::max(1u, image.spec().width >> level), height = std::max(1u, image.spec().height >> level);
+  const std::uint32_t width = std::max(1u, image.spec().width >> level),
+                      height = std::max(1u, image.spec().height >> level);
   const VkDeviceSize bytes = VkDeviceSize(width) * height * bytes_per_texel(image.spec().format);
   Buffer staging(device, "readback", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
   device.run_now([&](VkCommandBuffer commands) {
@@ -162,7 +174,8 @@ std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::ui
     region.imageExtent = {width, height, 1};
     vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.get(), 1, &region);
     BarrierBatch after;
-    staging.state() = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, 0, 0, 0};
+    staging.state() = {
+        VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, 0, 0, 0};
     after.add(staging, Access::host_read);
     after.record(commands);
   });
@@ -180,7 +193,8 @@ std::vector<std::uint8_t> read_buffer(Device& device, const Buffer& buffer) {
     const VkBufferCopy region{0, 0, buffer.bytes()};
     vkCmdCopyBuffer(commands, buffer.get(), staging.get(), 1, &region);
     BarrierBatch after;
-    staging.state() = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, 0, 0, 0};
+    staging.state() = {
+        VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, 0, 0, 0};
     after.add(staging, Access::host_read);
     after.record(commands);
   });

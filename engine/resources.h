@@ -13,14 +13,18 @@ namespace seascape {
 // What the last passes did to a buffer or image; the frame derives barriers from it.
 struct UseState {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-  VkPipelineStageFlags write_stages = 0;    // of the last write
+  VkPipelineStageFlags write_stages = 0;  // of the last write
   VkAccessFlags write_access = 0;
   VkPipelineStageFlags read_stages = 0;     // of reads since
   VkPipelineStageFlags visible_stages = 0;  // where the last write has been made visible
   VkAccessFlags visible_access = 0;
 };
 
-enum class HostAccess { none, write, read };  // device-local; mapped for upload; mapped and cached, to read what lies there
+enum class HostAccess {
+  none,
+  write,
+  read
+};  // device-local; mapped for upload; mapped and cached, to read what lies there
 
 class Buffer {
  public:
@@ -29,7 +33,10 @@ class Buffer {
          HostAccess host = HostAccess::none);
   VkBuffer get() const { return buffer_.get(); }
   VkDeviceSize bytes() const { return bytes_; }
-  template <typename T> T* mapped() const { return static_cast<T*>(allocation_.mapped()); }
+  template <typename T>
+  T* mapped() const {
+    return static_cast<T*>(allocation_.mapped());
+  }
   UseState& state() const { return state_; }
   explicit operator bool() const { return bool(buffer_); }
 
@@ -41,7 +48,8 @@ class Buffer {
 };
 
 // A device-local buffer filled at once: set-up work.
-Buffer make_filled_buffer(Device& device, std::string_view name, const void* data, VkDeviceSize bytes, VkBufferUsageFlags usage);
+Buffer make_filled_buffer(Device& device, std::string_view name, const void* data, VkDeviceSize bytes,
+                          VkBufferUsageFlags usage);
 
 struct ImageSpec {
   std::uint32_t width = 1, height = 1, layers = 1, levels = 1;
@@ -51,11 +59,11 @@ struct ImageSpec {
   bool transient = false;  // lives inside one render pass: lazily allocated where the device has such memory
   bool array = true;       // views are 2-D arrays even with one layer
   VkFormat mutable_as = VK_FORMAT_UNDEFINED;  // another format that views may take
-  bool host = false;       // its texels lie row after row in memory that the host sees and writes
+  bool host = false;                          // its texels lie row after row in memory that the host sees and writes
 };
 
-// Whether the device samples such an image, with linear filters, where the host has written it: software drivers do, most others
-// not with levels and layers.
+// Whether the device samples such an image, with linear filters, where the host has written it: software drivers do,
+// most others not with levels and layers.
 bool host_may_write(const Device& device, const ImageSpec& spec);
 
 class Image {
@@ -68,19 +76,22 @@ class Image {
   VkImageView view() const { return view_.get(); }
   const ImageSpec& spec() const { return spec_; }
   VkImageAspectFlags aspect() const;
-  // Of an image that the host writes: a level of a layer, and the bytes from row to row. Sees what the next submission sees.
+  // Of an image that the host writes: a level of a layer, and the bytes from row to row. Sees what the next submission
+  // sees.
   struct HostTexels {
     std::byte* first;
     std::size_t row_bytes;
   };
   HostTexels host_texels(std::uint32_t level, std::uint32_t layer) const;
   // A further view of `levels` levels from `level` and `layers` layers from `layer`, owned by the image.
-  VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array = true);
+  VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
+                      bool array = true);
   UseState& state() const { return state_; }
   explicit operator bool() const { return get() != VK_NULL_HANDLE; }
 
  private:
-  Owned<VkImageView> make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers, bool array);
+  Owned<VkImageView> make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
+                               bool array);
   Device* device_ = nullptr;
   std::string name_;
   ImageSpec spec_;

@@ -1,8 +1,8 @@
 #include "engine/shader.h"
 
 #include <fmt/format.h>
-#include <spirv_cross/spirv_cross_c.h>
 #include <spdlog/spdlog.h>
+#include <spirv_cross/spirv_cross_c.h>
 
 #include <algorithm>
 #include <spirv-tools/optimizer.hpp>
@@ -39,7 +39,8 @@ void reflect(Shader& shader) {
     ~Release() { spvc_context_destroy(context); }
   } release{context};
   if (spvc_context_parse_spirv(context, shader.words.data(), shader.words.size(), &ir) != SPVC_SUCCESS ||
-      spvc_context_create_compiler(context, SPVC_BACKEND_NONE, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler) != SPVC_SUCCESS)
+      spvc_context_create_compiler(context, SPVC_BACKEND_NONE, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler) !=
+          SPVC_SUCCESS)
     throw Error(shader.name, "cannot be read as SPIR-V", "build again: cmake --build --preset release");
   spvc_set active = nullptr;
   spvc_compiler_get_active_interface_variables(compiler, &active);
@@ -57,7 +58,8 @@ void reflect(Shader& shader) {
     std::size_t count = 0;
     spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
     for (std::size_t i = 0; i < count; ++i)
-      shader.bindings.push_back({spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationBinding), type, list[i].name});
+      shader.bindings.push_back(
+          {spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationBinding), type, list[i].name});
   }
   std::sort(shader.bindings.begin(), shader.bindings.end(),
             [](const ShaderBinding& a, const ShaderBinding& b) { return a.binding < b.binding; });
@@ -66,26 +68,34 @@ void reflect(Shader& shader) {
   spvc_resources_get_resource_list_for_type(resources, SPVC_RESOURCE_TYPE_PUSH_CONSTANT, &push, &pushes);
   if (pushes) {
     std::size_t bytes = 0;
-    spvc_compiler_get_declared_struct_size(compiler, spvc_compiler_get_type_handle(compiler, push[0].base_type_id), &bytes);
+    spvc_compiler_get_declared_struct_size(compiler, spvc_compiler_get_type_handle(compiler, push[0].base_type_id),
+                                           &bytes);
     shader.push_bytes = std::uint32_t(bytes);
   }
 }
 
-// The size of a workgroup given by specialisation constants (local_size_x_id) is a built-in constant, which the passes below take
-// for dead; its values go where a literal size stands instead.
-void settle_workgroup(std::vector<std::uint32_t>& words, const std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>& bits) {
-  constexpr std::uint32_t execution_mode = 16, constant = 43, spec_constant = 50, spec_composite = 51, decorate = 71;  // SPIR-V 1.3, section 3.32
+// The size of a workgroup given by specialisation constants (local_size_x_id) is a built-in constant, which the passes
+// below take for dead; its values go where a literal size stands instead.
+void settle_workgroup(std::vector<std::uint32_t>& words,
+                      const std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>& bits) {
+  constexpr std::uint32_t execution_mode = 16, constant = 43, spec_constant = 50, spec_composite = 51,
+                          decorate = 71;  // SPIR-V 1.3, section 3.32
   constexpr std::uint32_t local_size = 17, decoration_spec_id = 1, decoration_built_in = 11, workgroup_size = 25;
   std::unordered_map<std::uint32_t, std::uint32_t> spec_ids, values;  // of a result's id
   std::uint32_t size_id = 0, size_at = 0, mode_at = 0;
   for (std::size_t at = 5; at < words.size(); at += std::max(1u, words[at] >> 16)) {
     const std::uint32_t* w = &words[at];
     const std::uint32_t what = w[0] & 0xffffu;
-    if (what == execution_mode && w[2] == local_size) mode_at = std::uint32_t(at);
-    else if (what == decorate && w[2] == decoration_spec_id) spec_ids[w[1]] = w[3];
-    else if (what == decorate && w[2] == decoration_built_in && w[3] == workgroup_size) size_id = w[1];
-    else if (what == constant || what == spec_constant) values[w[2]] = w[3];
-    else if (what == spec_composite && w[2] == size_id) size_at = std::uint32_t(at);
+    if (what == execution_mode && w[2] == local_size)
+      mode_at = std::uint32_t(at);
+    else if (what == decorate && w[2] == decoration_spec_id)
+      spec_ids[w[1]] = w[3];
+    else if (what == decorate && w[2] == decoration_built_in && w[3] == workgroup_size)
+      size_id = w[1];
+    else if (what == constant || what == spec_constant)
+      values[w[2]] = w[3];
+    else if (what == spec_composite && w[2] == size_id)
+      size_at = std::uint32_t(at);
   }
   if (size_at == 0 || mode_at == 0) return;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -96,7 +106,8 @@ void settle_workgroup(std::vector<std::uint32_t>& words, const std::unordered_ma
   }
 }
 
-// The interface variables that are left come out in the order of a hash set; in that of their declaration the same code has the same words.
+// The interface variables that are left come out in the order of a hash set; in that of their declaration the same code
+// has the same words.
 void sort_interface(std::vector<std::uint32_t>& words) {
   constexpr std::uint32_t entry_point = 15;  // [model, function, name, interface ids]
   for (std::size_t at = 5; at < words.size(); at += std::max(1u, words[at] >> 16)) {

@@ -1,5 +1,5 @@
-// tinygltf as this program uses it: without pictures and without any file access of its own. Only this header includes it,
-// because its class looks different under other macros.
+// tinygltf as this program uses it: without pictures and without any file access of its own. Only this header includes
+// it, because its class looks different under other macros.
 #pragma once
 #include <cstdio>
 #include <fstream>

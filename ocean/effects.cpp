@@ -15,13 +15,13 @@ struct Effect {
 };
 
 constexpr Effect effects[] = {
-    {"waves", true, ""},           {"gerstner", true, "waves"},  {"wave_particles", true, "waves"},
-    {"baked", true, "waves"},     {"dynamic_waves", true, ""}, {"foam", true, "waves"},
-    {"spray", true, "waves"},     {"flow", true, ""},          {"sea_depth", true, ""},
-    {"level", true, ""},          {"clip", true, ""},          {"shadow", true, ""},
-    {"albedo", true, ""},         {"reflections", false, ""},   {"refraction", false, ""},
-    {"caustics", false, ""},       {"underwater", false, ""},    {"portals", false, ""},
-    {"boats", false, ""},          {"clouds", false, ""},        {"sound", false, ""},
+    {"waves", true, ""},      {"gerstner", true, "waves"}, {"wave_particles", true, "waves"},
+    {"baked", true, "waves"}, {"dynamic_waves", true, ""}, {"foam", true, "waves"},
+    {"spray", true, "waves"}, {"flow", true, ""},          {"sea_depth", true, ""},
+    {"level", true, ""},      {"clip", true, ""},          {"shadow", true, ""},
+    {"albedo", true, ""},     {"reflections", false, ""},  {"refraction", false, ""},
+    {"caustics", false, ""},  {"underwater", false, ""},   {"portals", false, ""},
+    {"boats", false, ""},     {"clouds", false, ""},       {"sound", false, ""},
     {"planet", false, ""},
 };
 
@@ -32,7 +32,8 @@ constexpr auto names = [] {
 }();
 
 const Effect* find(std::string_view name) {
-  const auto found = std::find_if(std::begin(effects), std::end(effects), [&](const Effect& e) { return e.name == name; });
+  const auto found =
+      std::find_if(std::begin(effects), std::end(effects), [&](const Effect& e) { return e.name == name; });
   return found == std::end(effects) ? nullptr : found;
 }
 

@@ -17,8 +17,8 @@ struct EffectEntry {
   std::string because;  // "the scene names it" or "foam needs it"
 };
 
-// What the named effects call for: each effect once, what is needed before what needs it. Unknown names are a programmer's
-// mistake here: scenes are checked when they are read.
+// What the named effects call for: each effect once, what is needed before what needs it. Unknown names are a
+// programmer's mistake here: scenes are checked when they are read.
 std::vector<EffectEntry> closure(const std::vector<std::string>& named);
 // Whether it holds `effect`.
 bool calls_for(const std::vector<std::string>& named, std::string_view effect);

@@ -21,7 +21,8 @@ FoamSea::Water still_water(std::shared_ptr<const Shallows> shallows) {
     const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
     const PlaceWaves waves = shallows->waves(place, depth);
     const Shallows::Placed placed = shallows->placed(place, depth);
-    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth), placed.share, placed.surf};
+    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth), placed.share,
+                      placed.surf};
   };
 }
 }  // namespace
@@ -47,21 +48,31 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
   for (const auto& source : settings.sources) {
     if (source->still()) continue;
     sources_.push_back(std::make_unique<DrawnSource>(device, source, waves_.half_storage()));
-    const SourceStatistics s = source->along_curves() && settings.place.shore ? settings.place.shore->bent(source->statistics()) : source->statistics();
+    const SourceStatistics s = source->along_curves() && settings.place.shore
+                                   ? settings.place.shore->bent(source->statistics())
+                                   : source->statistics();
     of_sources_.height_variance += s.height_variance;
     of_sources_.largest_height_m += s.largest_height_m;
     of_sources_.largest_shift_m += s.largest_shift_m;
-    if (source->along_curves()) source_error_.add_along_curves(s);
-    else source_error_.add(*source);
+    if (source->along_curves())
+      source_error_.add_along_curves(s);
+    else
+      source_error_.add(*source);
   }
   const bool pressed = settings.pressure && !settings.pressure->empty();
-  if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed)) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
-  if (!settings.place.empty()) place_ = std::make_unique<DrawnPlace>(device, settings.place, make_shallows(settings.sea, bins_, settings.sources, settings.place), settings.sea.depth_m);
+  if (settings.dynamic_waves && !still(*settings.dynamic_waves, pressed))
+    dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *settings.dynamic_waves, settings.pressure);
+  if (!settings.place.empty())
+    place_ = std::make_unique<DrawnPlace>(device, settings.place,
+                                          make_shallows(settings.sea, bins_, settings.sources, settings.place),
+                                          settings.sea.depth_m);
   if (settings.foam && keeps_foam(*settings.foam, bool(shallows()), dynamic_waves_ != nullptr)) {
     TileSources moving = settings.sources;
-    const bool along_curves = settings.place.shore != nullptr && device.facts().float32_linear;  // or else they are not drawn (DrawnShore)
+    const bool along_curves =
+        settings.place.shore != nullptr && device.facts().float32_linear;  // or else they are not drawn (DrawnShore)
     if (!along_curves) std::erase_if(moving, [](const auto& source) { return source->along_curves(); });
-    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(moving), along_curves ? settings.place.shore : nullptr);
+    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, settings.sea, settings.waves, std::move(moving),
+                                        along_curves ? settings.place.shore : nullptr);
     if (shallows()) foam_->sea().set_water(still_water(shallows().from));
   }
   if (settings.spray && settings.spray->amount > 0.0) make_spray();
@@ -70,22 +81,26 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, const OceanSettings& settin
 void Ocean::make_spray() {
   const double foam_life_s = settings_.foam ? settings_.foam->settings.life_s : FoamSettings{}.life_s;
   spray_ = std::make_unique<Spray>(*settings_.spray, settings_.sea, settings_.waves, settings_.sources, foam_life_s);
-  const std::shared_ptr<const Inputs> level = settings_.place.of(InputTarget::level), clip = settings_.place.of(InputTarget::clip);
+  const std::shared_ptr<const Inputs> level = settings_.place.of(InputTarget::level),
+                                      clip = settings_.place.of(InputTarget::clip);
   const std::shared_ptr<const ClipVolumes> volumes = settings_.place.volumes;
   if (!level && !clip && !volumes && !shallows()) return;
-  spray_->set_water([level, clip, volumes, bed = place_.get(), place = settings_.place.settings](glm::dvec2 at, double time_s) {
-    constexpr double footprint_m = 1.0;
-    const auto value = [&](const std::shared_ptr<const Inputs>& inputs, InputTarget kind) { return double(inputs->value(at, footprint_m, time_s, place_outside(place, kind)).x); };
-    Spray::Water water;
-    if (level) water.still_m = value(level, InputTarget::level);
-    if (const ShallowsMix& mix = bed->shallows()) {
-      water.depth_m = mix.from->still_m(at, footprint_m, time_s) - mix.bed_m(at, footprint_m, time_s);
-      water.waves = double(mix.waves(at, water.depth_m).share[0]);
-    }
-    const bool dry = clip && value(clip, InputTarget::clip) > 0.5;
-    if (volumes ? volumes->clipped({at.x, water.still_m, at.y}, dry) : dry) water.depth_m = 0.0;
-    return water;
-  });
+  spray_->set_water(
+      [level, clip, volumes, bed = place_.get(), place = settings_.place.settings](glm::dvec2 at, double time_s) {
+        constexpr double footprint_m = 1.0;
+        const auto value = [&](const std::shared_ptr<const Inputs>& inputs, InputTarget kind) {
+          return double(inputs->value(at, footprint_m, time_s, place_outside(place, kind)).x);
+        };
+        Spray::Water water;
+        if (level) water.still_m = value(level, InputTarget::level);
+        if (const ShallowsMix& mix = bed->shallows()) {
+          water.depth_m = mix.from->still_m(at, footprint_m, time_s) - mix.bed_m(at, footprint_m, time_s);
+          water.waves = double(mix.waves(at, water.depth_m).share[0]);
+        }
+        const bool dry = clip && value(clip, InputTarget::clip) > 0.5;
+        if (volumes ? volumes->clipped({at.x, water.still_m, at.y}, dry) : dry) water.depth_m = 0.0;
+        return water;
+      });
 }
 
 ShallowsMix Ocean::shallows() const { return place_ ? place_->shallows() : ShallowsMix{}; }
@@ -107,10 +122,15 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   time_s_ = time_s;
 }
 
-double Ocean::others_height_m() const { return most_share() * of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) + (place_ ? place_->level_m() : 0.0); }
+double Ocean::others_height_m() const {
+  return most_share() * of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) +
+         (place_ ? place_->level_m() : 0.0);
+}
 double Ocean::most_share() const { return place_ && place_->shallows() ? place_->shallows().most_share() : 1.0; }
 double Ocean::land_m() const { return place_ ? place_->land_m() : 0.0; }
-double Ocean::others_shift_m() const { return most_share() * of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0); }
+double Ocean::others_shift_m() const {
+  return most_share() * of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0);
+}
 
 void Ocean::add_uses(Uses& uses) const {
   waves_.add_reads(uses);
@@ -134,7 +154,8 @@ void Ocean::change(const SeaState& sea, double over_s) {
 }
 
 void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
-  // What a bed makes of the waves passes from one sea to one other: over a bed a further sea waits for the change that runs.
+  // What a bed makes of the waves passes from one sea to one other: over a bed a further sea waits for the change that
+  // runs.
   const bool waits = blend_ && shallows();
   if (std::optional<MadeSea> made = waits ? std::nullopt : maker_->take()) {
     const bool same_waves = drawn_seed_ == made->state.seed;
@@ -142,7 +163,8 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
     MadeSea now{made->state, bins_, statistics_};
     const std::shared_ptr<MadePlace> bed = std::move(made->place);
     now.state.chop = chop_;
-    blend_.emplace(std::move(now), std::move(*made), ticks, ticks + std::max<std::int64_t>(1, ticks_from_seconds(change_s_)), same_waves);
+    blend_.emplace(std::move(now), std::move(*made), ticks,
+                   ticks + std::max<std::int64_t>(1, ticks_from_seconds(change_s_)), same_waves);
     asked_for_ = false;
     if (bed != nullptr) place_->begin_change(std::move(*bed));
   }
@@ -169,22 +191,27 @@ void Ocean::follow_change(Frame& frame, std::int64_t ticks) {
 
 DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   DisplacementBounds result;
-  result.vertical_m = settings_.lod.max_height_m > 0.0 ? settings_.lod.max_height_m : most_share() * statistics_.largest_height_m + others_height_m() + land_m();
+  result.vertical_m = settings_.lod.max_height_m > 0.0
+                          ? settings_.lod.max_height_m
+                          : most_share() * statistics_.largest_height_m + others_height_m() + land_m();
   result.horizontal_m = most_share() * statistics_.largest_shift_m + others_shift_m();
   result.mesh_error = statistics_.mesh_error;
   const WaveField* field = upload_ ? &upload_->field() : long_waves_.get();
   const WaveTiles* tiles = upload_ ? upload_->tiles() : long_ticks_ ? &long_tiles_ : nullptr;
-  if (tiles != nullptr) result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
+  if (tiles != nullptr)
+    result.below = water_below(*field, *tiles, viewpoint.viewer.position_m, statistics_.near_motion);
   if (sources_.empty() && !dynamic_waves_ && !place_) return result;
   result.mesh_error = source_error_.with(result.mesh_error);
   if (dynamic_waves_) result.near = dynamic_waves_->mesh_errors();
   if (!result.below) return result;
-  // Water anywhere may be off by all that the others do, and shallow water stands anywhere between none of its waves and the most that a bed makes of them.
+  // Water anywhere may be off by all that the others do, and shallow water stands anywhere between none of its waves
+  // and the most that a bed makes of them.
   const double most_m = place_ && place_->shallows() ? most_share() * statistics_.largest_height_m : 0.0;
   const double furthest_m = place_ && place_->shallows() ? most_share() * statistics_.largest_shift_m : 0.0;
   constexpr double largest_deviations = 5.0;
   for (std::size_t n = 0; n < result.below->off.vertical_m.size(); ++n) {
-    const double land_m = place_ && place_->shallows() ? place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n))) : 0.0;
+    const double land_m =
+        place_ && place_->shallows() ? place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n))) : 0.0;
     result.below->off.vertical_m[n] = others_height_m() + most_m + land_m;
     result.below->off.horizontal_m[n] = others_shift_m() + furthest_m;
     double& moved = result.below->motion.horizontal_m[n];
@@ -202,8 +229,11 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patc
   patches.apply(settings_.lod);
   const bool all_here = upload_ && upload_->tiles() != nullptr && sources_.empty() && !dynamic_waves_ && !place_;
   const DisplacementBounds bounds = this->bounds(viewpoint);
-  const SurfaceSelection& selection = patches.select(viewpoint, bounds, all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
-  if (place_ && place_->clips()) patches.leave_out(bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most, bounds.vertical_m); });
+  const SurfaceSelection& selection =
+      patches.select(viewpoint, bounds, all_here ? &upload_->field() : nullptr, all_here ? upload_->tiles() : nullptr);
+  if (place_ && place_->clips())
+    patches.leave_out(
+        bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most, bounds.vertical_m); });
   return selection;
 }
 
@@ -231,7 +261,10 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   for (const auto& source : sources_) {
     const std::string_view name = source->source().name();
     const auto one = [](gpu::CascadeData& laid) { return std::span(&laid, 1); };
-    source->describe(name == "baked" ? one(data.sea.baked) : name == "gerstner" ? one(source->source().along_curves() ? data.sea.shore : data.sea.gerstner) : std::span(data.sea.particles), s.grid_origin_m);
+    source->describe(name == "baked"      ? one(data.sea.baked)
+                     : name == "gerstner" ? one(source->source().along_curves() ? data.sea.shore : data.sea.gerstner)
+                                          : std::span(data.sea.particles),
+                     s.grid_origin_m);
   }
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
   if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
@@ -240,7 +273,8 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   data.sea.footprint.z += float(others_height_m() + land_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x = float(std::max(2.0 * (most_share() * statistics_.largest_shift_m + others_shift_m()), 0.01));
-  data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
+  data.viewer =
+      glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;
   data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);
   data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),

@@ -9,9 +9,9 @@ namespace seascape {
 
 // What a display says before a frame is drawn.
 struct DisplayFrame {
-  double time_s = 0.0;        // when the frame will be seen, seconds since the display was made
-  bool should_render = true;  // false: minimised, or the headset is off; the frame is still ended
-  bool closed = false;        // the user has gone
+  double time_s = 0.0;                  // when the frame will be seen, seconds since the display was made
+  bool should_render = true;            // false: minimised, or the headset is off; the frame is still ended
+  bool closed = false;                  // the user has gone
   std::uint32_t width = 0, height = 0;  // pixels an eye
 };
 
@@ -24,8 +24,8 @@ class Display {
   virtual DisplayFrame begin() = 0;
   // Where the eyes are when the head (a headset's own tracking included) rides on `carrier`, for this frame.
   virtual Viewpoint viewpoint(const Pose& carrier) const = 0;
-  // Ends the frame: submits what `frame` has recorded and shows `picture` (one layer a view). Without a picture nothing was
-  // recorded and nothing is shown.
+  // Ends the frame: submits what `frame` has recorded and shows `picture` (one layer a view). Without a picture nothing
+  // was recorded and nothing is shown.
   virtual void end(Frame& frame, const RenderTarget* picture) = 0;
 };
 

@@ -98,8 +98,10 @@ Overlay::~Overlay() {
 
 void Overlay::begin(bool mouse_is_free) {
   ImGuiIO& io = ImGui::GetIO();
-  if (mouse_is_free) io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
-  else io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
+  if (mouse_is_free)
+    io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
+  else
+    io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

@@ -12,8 +12,8 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  // Between these two the caller builds the frame's widgets with ImGui's own calls; what was built last is drawn over every
-  // picture the window shows. `mouse_is_free`: the pointer is visible, widgets may have it.
+  // Between these two the caller builds the frame's widgets with ImGui's own calls; what was built last is drawn over
+  // every picture the window shows. `mouse_is_free`: the pointer is visible, widgets may have it.
   void begin(bool mouse_is_free);
   void end();
 

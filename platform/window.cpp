@@ -21,32 +21,56 @@ std::string desktop_fault() {
 
 std::optional<Key> key_from(int code) {
   switch (code) {
-    case GLFW_KEY_W: return Key::w;
-    case GLFW_KEY_A: return Key::a;
-    case GLFW_KEY_S: return Key::s;
-    case GLFW_KEY_D: return Key::d;
-    case GLFW_KEY_Q: return Key::q;
-    case GLFW_KEY_E: return Key::e;
-    case GLFW_KEY_P: return Key::p;
-    case GLFW_KEY_R: return Key::r;
-    case GLFW_KEY_V: return Key::v;
-    case GLFW_KEY_1: return Key::one;
-    case GLFW_KEY_2: return Key::two;
-    case GLFW_KEY_3: return Key::three;
-    case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
-    case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
-    case GLFW_KEY_COMMA: return Key::comma;
-    case GLFW_KEY_PERIOD: return Key::period;
-    case GLFW_KEY_SPACE: return Key::space;
-    case GLFW_KEY_TAB: return Key::tab;
-    case GLFW_KEY_ESCAPE: return Key::escape;
+    case GLFW_KEY_W:
+      return Key::w;
+    case GLFW_KEY_A:
+      return Key::a;
+    case GLFW_KEY_S:
+      return Key::s;
+    case GLFW_KEY_D:
+      return Key::d;
+    case GLFW_KEY_Q:
+      return Key::q;
+    case GLFW_KEY_E:
+      return Key::e;
+    case GLFW_KEY_P:
+      return Key::p;
+    case GLFW_KEY_R:
+      return Key::r;
+    case GLFW_KEY_V:
+      return Key::v;
+    case GLFW_KEY_1:
+      return Key::one;
+    case GLFW_KEY_2:
+      return Key::two;
+    case GLFW_KEY_3:
+      return Key::three;
+    case GLFW_KEY_LEFT_BRACKET:
+      return Key::left_bracket;
+    case GLFW_KEY_RIGHT_BRACKET:
+      return Key::right_bracket;
+    case GLFW_KEY_COMMA:
+      return Key::comma;
+    case GLFW_KEY_PERIOD:
+      return Key::period;
+    case GLFW_KEY_SPACE:
+      return Key::space;
+    case GLFW_KEY_TAB:
+      return Key::tab;
+    case GLFW_KEY_ESCAPE:
+      return Key::escape;
     case GLFW_KEY_LEFT_SHIFT:
-    case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
+    case GLFW_KEY_RIGHT_SHIFT:
+      return Key::shift;
     case GLFW_KEY_LEFT_CONTROL:
-    case GLFW_KEY_RIGHT_CONTROL: return Key::control;
-    case GLFW_KEY_F1: return Key::f1;
-    case GLFW_KEY_F2: return Key::f2;
-    default: return std::nullopt;
+    case GLFW_KEY_RIGHT_CONTROL:
+      return Key::control;
+    case GLFW_KEY_F1:
+      return Key::f1;
+    case GLFW_KEY_F2:
+      return Key::f2;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -94,7 +118,8 @@ WindowSystem::WindowSystem() {
   if (!glfwVulkanSupported()) {
     const std::string fault = desktop_fault();
     glfwTerminate();
-    throw Error("display", "Vulkan cannot draw to this desktop: " + fault, "run `seascape doctor`, or use --display headless");
+    throw Error("display", "Vulkan cannot draw to this desktop: " + fault,
+                "run `seascape doctor`, or use --display headless");
   }
 }
 
@@ -116,7 +141,8 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
   const int width = int(options.width) * options.views;
   window_ = glfwCreateWindow(width, int(options.height), options.title.c_str(), nullptr, nullptr);
   if (!window_)
-    throw Error("display", fmt::format("a window of {}x{} cannot be opened: {}", width, options.height, desktop_fault()),
+    throw Error("display",
+                fmt::format("a window of {}x{} cannot be opened: {}", width, options.height, desktop_fault()),
                 "check the display, or use --display headless");
   try {
     glfwSetWindowUserPointer(window_, this);
@@ -159,21 +185,25 @@ void Window::make_surface() {
     throw Error(device_.facts().name, "this device cannot show pictures in a window of this desktop",
                 "name another with SEASCAPE_DEVICE (see `seascape doctor`), or use --display headless");
   std::uint32_t count = 0;
-  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface, &count, nullptr), "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface, &count, nullptr),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
   std::vector<VkSurfaceFormatKHR> formats(count);
   check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface, &count, formats.data()),
         "vkGetPhysicalDeviceSurfaceFormatsKHR");
   // The picture is sRGB; blitted to a format that is sRGB too, it keeps its values.
   for (const VkSurfaceFormatKHR& f : formats)
     if (f.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR &&
-        (f.format == VK_FORMAT_B8G8R8A8_SRGB || f.format == VK_FORMAT_R8G8B8A8_SRGB || f.format == VK_FORMAT_A8B8G8R8_SRGB_PACK32)) {
+        (f.format == VK_FORMAT_B8G8R8A8_SRGB || f.format == VK_FORMAT_R8G8B8A8_SRGB ||
+         f.format == VK_FORMAT_A8B8G8R8_SRGB_PACK32)) {
       format_ = f;
       break;
     }
   VkSurfaceCapabilitiesKHR can{};
-  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface, &can), "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface, &can),
+        "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   if (format_.format == VK_FORMAT_UNDEFINED || !(can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
-    throw Error(device_.facts().name, "the window takes no sRGB pictures that can be copied into", "use --display headless");
+    throw Error(device_.facts().name, "the window takes no sRGB pictures that can be copied into",
+                "use --display headless");
 }
 
 // The panel is drawn over what the copy of the picture left.
@@ -209,8 +239,8 @@ bool Window::make_swapchain() {
     extent = {std::clamp(std::uint32_t(width_), can.minImageExtent.width, can.maxImageExtent.width),
               std::clamp(std::uint32_t(height_), can.minImageExtent.height, can.maxImageExtent.height)};
   if (extent.width == 0 || extent.height == 0) return false;
-  // Neither frames nor presenting use the old images after this. What is given up here lives until the frame that is being
-  // recorded has finished, as everything does.
+  // Neither frames nor presenting use the old images after this. What is given up here lives until the frame that is
+  // being recorded has finished, as everything does.
   check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle");
   images_.clear();
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
@@ -224,8 +254,9 @@ bool Window::make_swapchain() {
   info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
   info.preTransform = can.currentTransform;
-  info.compositeAlpha = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                                                                                       : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+  info.compositeAlpha = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                            ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                            : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
   info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_.get();
@@ -291,7 +322,8 @@ DisplayFrame Window::begin() {
 }
 
 Viewpoint Window::viewpoint(const Pose& carrier) const {
-  const Fov fov = symmetric_fov(vertical_fov_deg_, std::max(1.0, double(width_) / options_.views) / std::max(1, height_));
+  const Fov fov =
+      symmetric_fov(vertical_fov_deg_, std::max(1.0, double(width_) / options_.views) / std::max(1, height_));
   const std::vector<View> eyes = stereo_views(carrier, fov, eye_distance_m_);
   const double pixels = pixels_per_radian(eyes, std::max(1, height_));
   if (options_.views == 2) return {carrier, eyes, pixels};
@@ -303,8 +335,8 @@ Window::SwapImage* Window::acquire(std::size_t slot) {
   constexpr std::uint64_t patience_ns = 1'000'000'000;  // a desktop may withhold images of a hidden window for ever
   for (int attempt = 0; attempt < 3; ++attempt) {
     if (stale_ && !make_swapchain()) return nullptr;
-    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_.get(), patience_ns, acquired_[slot].get(),
-                                                  VK_NULL_HANDLE, &image_index_);
+    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_.get(), patience_ns,
+                                                  acquired_[slot].get(), VK_NULL_HANDLE, &image_index_);
     if (result == VK_ERROR_OUT_OF_DATE_KHR) {
       stale_ = true;
       continue;
@@ -334,8 +366,9 @@ void Window::show(Frame& frame, SwapImage& target, const RenderTarget& picture) 
                  blit.dstOffsets[1] = {int(extent_.width * (view + 1) / views), int(extent_.height), 1};
                  const bool same = blit.dstOffsets[1].x - blit.dstOffsets[0].x == blit.srcOffsets[1].x &&
                                    blit.dstOffsets[1].y == blit.srcOffsets[1].y;
-                 vkCmdBlitImage(c.raw(), picture.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image.get(),
-                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+                 vkCmdBlitImage(c.raw(), picture.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                target.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
+                                same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
                }
              });
   if (overlay_)
@@ -370,8 +403,10 @@ void Window::end(Frame& frame, const RenderTarget* picture) {
   present.pSwapchains = &swapchain;
   present.pImageIndices = &image_index_;
   const VkResult result = vkQueuePresentKHR(device_.queue(), &present);
-  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) stale_ = true;
-  else check(result, "vkQueuePresentKHR");
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
+    stale_ = true;
+  else
+    check(result, "vkQueuePresentKHR");
 }
 
 void Window::set_lens(double vertical_fov_deg, double eye_distance_m) {

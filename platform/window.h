@@ -13,7 +13,8 @@ struct GLFWwindow;
 
 namespace seascape {
 
-// The connection to the desktop; made before the device, which needs its extensions. Throws Error when no display answers.
+// The connection to the desktop; made before the device, which needs its extensions. Throws Error when no display
+// answers.
 class WindowSystem {
  public:
   WindowSystem();
@@ -44,8 +45,8 @@ class Window final : public Display {
 
   const char* name() const override { return "window"; }
   int views() const override { return options_.views; }
-  // Takes in events. While nothing of the window can be seen it waits for an event, a quarter of a second at most, and says
-  // so with should_render.
+  // Takes in events. While nothing of the window can be seen it waits for an event, a quarter of a second at most, and
+  // says so with should_render.
   DisplayFrame begin() override;
   Viewpoint viewpoint(const Pose& carrier) const override;
   void end(Frame& frame, const RenderTarget* picture) override;

@@ -1,5 +1,6 @@
 #version 460
-// A triangle that every side of the picture clips; its edge cuts the upper left corner off from (8, 0) to (0, 8) of 16 pixels.
+// A triangle that every side of the picture clips; its edge cuts the upper left corner off from (8, 0) to (0, 8) of 16
+// pixels.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_multiview : require
 layout(location = 0) flat out int eye;

@@ -12,7 +12,8 @@ layout(push_constant) uniform Push { SkyPush push; };
 
 vec3 multiple_at(float sine, float height) {
   const float n = float(sky_multiple_size);
-  const vec2 at = clamp(vec2((sine * 0.5 + 0.5) * n, sqrt(height / (air_top - air_ground)) * n) - 0.5, vec2(0.0), vec2(n - 1.001));
+  const vec2 at =
+      clamp(vec2((sine * 0.5 + 0.5) * n, sqrt(height / (air_top - air_ground)) * n) - 0.5, vec2(0.0), vec2(n - 1.001));
   const ivec2 i = ivec2(at);
   const vec2 f = at - vec2(i);
   const int row = i.y * sky_multiple_size + i.x;
@@ -35,7 +36,8 @@ void main() {
     const vec3 p = origin + ray * (before + 0.5 * step_m);
     const float radius = length(p), height = max(radius - air_ground, 0.0);
     const Air a = air_at(height, haze);
-    const vec3 direct = sunlight(p, sun, haze) * (a.rayleigh * rayleigh_phase(cosine) + a.aerosol * aerosol_phase(cosine));
+    const vec3 direct =
+        sunlight(p, sun, haze) * (a.rayleigh * rayleigh_phase(cosine) + a.aerosol * aerosol_phase(cosine));
     const vec3 bounced = multiple_at(dot(p, sun) / radius, height) * (a.rayleigh + a.aerosol);
     const vec3 kept = exp(-a.extinction * step_m);
     radiance += through * (direct + bounced) * (1.0 - kept) / a.extinction;

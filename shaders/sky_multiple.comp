@@ -19,7 +19,8 @@ void main() {
   const int directions = 8;
   for (int i = 0; i < directions; ++i)
     for (int j = 0; j < directions; ++j) {
-      const float y = 1.0 - 2.0 * (float(i) + 0.5) / float(directions), azimuth = 6.2831853 * (float(j) + 0.5) / float(directions);
+      const float y = 1.0 - 2.0 * (float(i) + 0.5) / float(directions),
+                  azimuth = 6.2831853 * (float(j) + 0.5) / float(directions);
       const vec3 ray = vec3(sqrt(1.0 - y * y) * vec2(cos(azimuth), sin(azimuth)), y).xzy;
       const bool ground = meets_ground(origin, ray);
       const float b = dot(origin, ray);

@@ -26,7 +26,8 @@ float chance(ivec2 p) {
 float noise(vec2 p) {
   const ivec2 i = ivec2(floor(p));
   const vec2 f = p - vec2(i), s = f * f * (3.0 - 2.0 * f);
-  return mix(mix(chance(i), chance(i + ivec2(1, 0)), s.x), mix(chance(i + ivec2(0, 1)), chance(i + ivec2(1, 1)), s.x), s.y);
+  return mix(mix(chance(i), chance(i + ivec2(1, 0)), s.x), mix(chance(i + ivec2(0, 1)), chance(i + ivec2(1, 1)), s.x),
+             s.y);
 }
 
 void main() {
@@ -36,6 +37,7 @@ void main() {
   if (within <= 0.0) discard;
   const vec2 place = vec2(at.x / (1.0 + shape.x), at.y) + 300.0 * vec2(shape.z, fract(shape.z * 77.0));
   const float cloud = 0.6 * noise(2.7 * place) + 0.4 * noise(6.9 * place);
-  const float mist = within * within * smoothstep(0.1, 1.0, within + 1.8 * (cloud - 0.55)), drops = smoothstep(0.66, 0.8, noise(6.0 * place) + 0.25 * (within - 0.5)) * sqrt(within);
+  const float mist = within * within * smoothstep(0.1, 1.0, within + 1.8 * (cloud - 0.55)),
+              drops = smoothstep(0.66, 0.8, noise(6.0 * place) + 0.25 * (within - 0.5)) * sqrt(within);
   shown = vec4(colour, shape.y * mix(mist, drops, shape.w));
 }

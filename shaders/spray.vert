@@ -1,5 +1,6 @@
 #version 460
-// A puff of spray as a quad that stands across the line from the viewer's head, so that both eyes see the same one, drawn out along its way; and its light.
+// A puff of spray as a quad that stands across the line from the viewer's head, so that both eyes see the same one,
+// drawn out along its way; and its light.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/earth_curve.h"
 #include "shared/frame_data.h"
@@ -16,7 +17,7 @@ layout(location = 0) in vec4 puff_place;  // SprayPuff
 layout(location = 1) in vec4 puff_streak;
 layout(location = 2) in vec2 puff_look;
 
-layout(location = 0) out vec2 at;          // across the quad, in radii
+layout(location = 0) out vec2 at;  // across the quad, in radii
 layout(location = 1) flat out vec3 colour;
 layout(location = 2) flat out vec4 shape;  // half of its way in radii; how much it hides; SprayPuff::look
 
@@ -27,12 +28,14 @@ void main() {
   const vec3 drawn_out = puff_streak.xyz - ahead * dot(ahead, puff_streak.xyz);
   const float way = length(drawn_out), radius = puff_place.w;
   // Without a way any direction across will do.
-  const vec3 along = way > 1e-5 ? drawn_out / way : normalize(abs(ahead.y) < 0.9 ? vec3(-ahead.z, 0.0, ahead.x) : vec3(ahead.y, -ahead.x, 0.0));
+  const vec3 along = way > 1e-5
+                         ? drawn_out / way
+                         : normalize(abs(ahead.y) < 0.9 ? vec3(-ahead.z, 0.0, ahead.x) : vec3(ahead.y, -ahead.x, 0.0));
   const int corner = gl_VertexIndex < 3 ? gl_VertexIndex : gl_VertexIndex - 2;  // 0 1 2, 1 2 3
   at = vec2((corner & 1) == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0) * vec2(1.0 + way / radius, 1.0);
 
-  // Single scattering by droplets much longer than the light's waves: half of it is bent forward by little, the rest goes anywhere. A cloud of them that hides
-  // what lies behind shines like a white one.
+  // Single scattering by droplets much longer than the light's waves: half of it is bent forward by little, the rest
+  // goes anywhere. A cloud of them that hides what lies behind shines like a white one.
   const ViewData view = frame.view[eye_index()];
   const vec3 to_eye = view.eye.xyz - relative;
   const float range = max(length(to_eye), 1e-3);

@@ -14,16 +14,19 @@ layout(binding = 0) uniform Frame { FrameData frame; };
 layout(constant_id = 1) const bool probe = false;
 layout(constant_id = 4) const bool debug = false;
 layout(constant_id = 10) const bool deferred = false;  // pixels have their place from their depth
-layout(std430, binding = 8) buffer Probe { vec4 probed[]; };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
+layout(std430, binding = 8) buffer Probe {
+  vec4 probed[];
+};  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 
 layout(location = 0) in ivec4 patch_data[patches_an_instance];  // PatchInstance: corner, stride, flags
 
-layout(location = 0) out vec3 place;       // metres from the viewer, world axes
-layout(location = 1) out vec2 rest;        // rest position, metres from the grid origin
-layout(location = 2) out vec2 height_shear;      // x: above the curved still sea, metres; y: dDx/dz
-layout(location = 3) out vec4 derivatives;       // of the cascades that vertices carry
+layout(location = 0) out vec3 place;         // metres from the viewer, world axes
+layout(location = 1) out vec2 rest;          // rest position, metres from the grid origin
+layout(location = 2) out vec2 height_shear;  // x: above the curved still sea, metres; y: dDx/dz
+layout(location = 3) out vec4 derivatives;   // of the cascades that vertices carry
 layout(location = 4) flat out uint flags;
-layout(location = 5) out vec3 shift_shear;       // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz
+layout(location = 5) out vec3
+    shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz
 
 void main() {
   const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);

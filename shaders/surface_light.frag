@@ -1,5 +1,6 @@
 #version 460
-// Lights each pixel of a picture once: the sea from what surface_points.frag has kept of it, and the sky where it kept nothing.
+// Lights each pixel of a picture once: the sea from what surface_points.frag has kept of it, and the sky where it kept
+// nothing.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/earth_curve.h"
 #include "shared/frame_data.h"
@@ -29,7 +30,8 @@ void main() {
   } else {
     const uvec4 kept = texelFetch(points, at, 0);
     SurfacePoint p;
-    // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own measure.
+    // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own
+    // measure.
     p.relative = view.eye.xyz + pixel_ray * (frame.air.z / depth);
     const vec3 flat_place = flattened(p.relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w);
     p.place = frame.viewer.xy + flat_place.xz;
@@ -37,7 +39,8 @@ void main() {
     p.derivatives = vec4(unpackHalf2x16(kept.y), unpackHalf2x16(kept.z));
     const vec2 shear_footprint = unpackHalf2x16(kept.w);
     p.height_shear = vec2(flat_place.y, shear_footprint.x);
-    p.along = vec2(shear_footprint.y, 0.0);  // a sampler of one texel in all directions asks only how long the longer is
+    p.along =
+        vec2(shear_footprint.y, 0.0);  // a sampler of one texel in all directions asks only how long the longer is
     p.across = p.along.yx;
     if (anisotropy > 1.0) {
       const uvec2 footprint = texelFetch(footprints, at, 0).xy;
@@ -50,5 +53,6 @@ void main() {
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.grid.w == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view)) colour = hole_colour(tile_shape);
+  if (debug && frame.grid.w == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view))
+    colour = hole_colour(tile_shape);
 }

@@ -1,5 +1,6 @@
 #version 460
-// What the drawn surface says of each pixel, kept for surface_light.frag to light once, however many triangles met there.
+// What the drawn surface says of each pixel, kept for surface_light.frag to light once, however many triangles met
+// there.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 
@@ -12,17 +13,22 @@ layout(location = 5) in vec3 shift_shear;
 layout(location = 2) in vec2 water_clip_height;  // x: above the curved still sea, metres
 
 // Bits: a float may not pass through a picture unchanged, an integer does. What is not drawn is known by its depth.
-layout(location = 0) out uvec4 kept_point; // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
-layout(location = 1) out uvec2 footprint;  // as half floats the rest position's change along x and along y, where samplers make use of both
+layout(location = 0) out uvec4
+    kept_point;  // the shift; then as half floats the vertices' derivatives (two words); shear and footprint
+layout(location = 1) out uvec2
+    footprint;  // as half floats the rest position's change along x and along y, where samplers make use of both
 
 void main() {
   bool dry = false;
-  if (water_clip) dry = water_clipped(rest + shift_shear.xy, vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
+  if (water_clip)
+    dry =
+        water_clipped(rest + shift_shear.xy, vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
   if (sea_bed && water_clip) dry = false;
   const vec2 along = dFdx(rest), across = dFdy(rest);
   if (dry) discard;
   const float longest = sqrt(max(dot(along, along), dot(across, across)));
-  kept_point = uvec4(packSnorm2x16(shift_shear.xy / frame.sea.footprint.x), packHalf2x16(derivatives.xy), packHalf2x16(derivatives.zw),
-               packHalf2x16(vec2(shift_shear.z, min(longest, 6e4))));
-  if (anisotropy > 1.0) footprint = uvec2(packHalf2x16(clamp(along, -6e4, 6e4)), packHalf2x16(clamp(across, -6e4, 6e4)));
+  kept_point = uvec4(packSnorm2x16(shift_shear.xy / frame.sea.footprint.x), packHalf2x16(derivatives.xy),
+                     packHalf2x16(derivatives.zw), packHalf2x16(vec2(shift_shear.z, min(longest, 6e4))));
+  if (anisotropy > 1.0)
+    footprint = uvec2(packHalf2x16(clamp(along, -6e4, 6e4)), packHalf2x16(clamp(across, -6e4, 6e4)));
 }

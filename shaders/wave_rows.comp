@@ -1,6 +1,6 @@
 #version 460
-// The spectrum at the time asked for, and the first half of its inverse transforms: along x, for the rows that are not zero, of tiles that
-// carry at most 128 bins a side.
+// The spectrum at the time asked for, and the first half of its inverse transforms: along x, for the rows that are not
+// zero, of tiles that carry at most 128 bins a side.
 #extension GL_GOOGLE_include_directive : require
 #define FFT_RADIX 8
 // Eight transforms of length 64 a workgroup. Transform g of a cascade is row g / P, phase g mod P.
@@ -19,7 +19,8 @@ void main() {
   const uint first = gl_WorkGroupID.x * 8u;
   const uint first_row = first / phases;
   const uint row_count = max(1u, 8u / phases);
-  for (uint i = gl_LocalInvocationIndex; i < row_count * band; i += 64u) heights[i] = wave_height(cascade, first_row + i / band, i % band);
+  for (uint i = gl_LocalInvocationIndex; i < row_count * band; i += 64u)
+    heights[i] = wave_height(cascade, first_row + i / band, i % band);
   barrier();
 
   const uint lane = gl_LocalInvocationIndex >> 3, slot = gl_LocalInvocationIndex & 7u;

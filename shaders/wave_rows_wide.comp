@@ -1,6 +1,6 @@
 #version 460
-// The spectrum at the time asked for, and the first half of its inverse transforms: along x, for tiles that carry 256 bins a side in 256
-// samples or a multiple. Each invocation keeps the heights of its bins for all phases and fields.
+// The spectrum at the time asked for, and the first half of its inverse transforms: along x, for tiles that carry 256
+// bins a side in 256 samples or a multiple. Each invocation keeps the heights of its bins for all phases and fields.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #define FFT_RADIX 16

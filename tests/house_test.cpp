@@ -1,6 +1,6 @@
-// The house's include rule: shaders/shared includes nothing else, engine only shared, platform and ocean only engine and
-// shared, app and tests anything; so ocean and platform never meet. Quoted includes count; system headers do not, except
-// FFTW, whose licence must not reach the program.
+// The house's include rule: shaders/shared includes nothing else, engine only shared, platform and ocean only engine
+// and shared, app and tests anything; so ocean and platform never meet. Quoted includes count; system headers do not,
+// except FFTW, whose licence must not reach the program.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -75,7 +75,8 @@ Survey survey(const fs::path& root) {
         const std::string name = included_name(line);
         if (name.empty()) continue;
         const std::string place = path + ":" + std::to_string(number) + ": ";
-        if (name.find("fftw") != std::string::npos && room != "tests") result.faults.push_back(place + "FFTW outside tests");
+        if (name.find("fftw") != std::string::npos && room != "tests")
+          result.faults.push_back(place + "FFTW outside tests");
         if (name[0] != '"') continue;
         ++result.includes;
         const std::string target = resolve(root, entry.path(), name.substr(1));

@@ -38,8 +38,8 @@ std::vector<LabCurve> cpu_curves() {
   return curves;
 }
 
-std::vector<LabPoint> measure(const std::string& curve, double wind_mps, std::vector<LabTask> tasks, const LabOptions& options, double seconds,
-                              const std::function<void(double)>& step) {
+std::vector<LabPoint> measure(const std::string& curve, double wind_mps, std::vector<LabTask> tasks,
+                              const LabOptions& options, double seconds, const std::function<void(double)>& step) {
   struct Timed {
     int repeats = 1;
     std::vector<double> us;
@@ -67,9 +67,12 @@ std::vector<LabPoint> measure(const std::string& curve, double wind_mps, std::ve
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     tasks[i].run();  // its result, not that of a task it shares memory with
     for (const LabError& error : tasks[i].errors()) {
-      points.push_back({curve, tasks[i].knob, tasks[i].value, sea_name(wind_mps), summarise(timed[i].us), error, tasks[i].preset, tasks[i].settings});
+      points.push_back({curve, tasks[i].knob, tasks[i].value, sea_name(wind_mps), summarise(timed[i].us), error,
+                        tasks[i].preset, tasks[i].settings});
       if (!std::isfinite(error.value) || !std::isfinite(points.back().time_us.median))
-        throw Error("curve " + curve, fmt::format("{} {} at U = {:.0f} m/s has an error of {} and takes {} us", tasks[i].knob, tasks[i].value, wind_mps, error.value, points.back().time_us.median),
+        throw Error("curve " + curve,
+                    fmt::format("{} {} at U = {:.0f} m/s has an error of {} and takes {} us", tasks[i].knob,
+                                tasks[i].value, wind_mps, error.value, points.back().time_us.median),
                     "this is a fault of seascape");
     }
     step(0.9 + 0.1 * double(i + 1) / double(tasks.size()));
@@ -81,7 +84,9 @@ double fitted_power(const LabLaw& law, const std::vector<LabPoint>& points, std:
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   std::string unit = law.unit;
   for (const LabPoint& p : points) {
-    if (p.sea != sea || !p.knob.starts_with(law.knob) || p.value < law.least || p.value > law.most || !(p.error.value > 0.0)) continue;
+    if (p.sea != sea || !p.knob.starts_with(law.knob) || p.value < law.least || p.value > law.most ||
+        !(p.error.value > 0.0))
+      continue;
     if (unit.empty()) unit = p.error.unit;
     if (p.error.unit != unit) continue;
     const double a = law.steps ? p.value : std::log(p.value), b = std::log(p.error.value);

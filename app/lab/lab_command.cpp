@@ -20,10 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool needs_device(const std::string& curve) { return curve == "all" || curve == "mesh" || curve == "compute" || curve == "frame"; }
+bool needs_device(const std::string& curve) {
+  return curve == "all" || curve == "mesh" || curve == "compute" || curve == "frame";
+}
 
-// One curve in one sea is a part: kept in a file of its own until all are there, so that a run that is stopped goes on where it was.
-fs::path part_file(const fs::path& out, const std::string& curve, double wind_mps) { return out / fmt::format("part_{}_{}.csv", curve, sea_name(wind_mps)); }
+// One curve in one sea is a part: kept in a file of its own until all are there, so that a run that is stopped goes on
+// where it was.
+fs::path part_file(const fs::path& out, const std::string& curve, double wind_mps) {
+  return out / fmt::format("part_{}_{}.csv", curve, sea_name(wind_mps));
+}
 
 std::optional<std::vector<LabPoint>> kept_part(const fs::path& file, const LabOrigin& origin) {
   if (!fs::exists(file)) return std::nullopt;
@@ -43,19 +48,23 @@ std::optional<std::vector<LabPoint>> kept_part(const fs::path& file, const LabOr
   return std::nullopt;
 }
 
-std::vector<LabPoint> measured(const std::vector<LabCurve>& curves, const LabOptions& options, const LabOrigin& origin, const fs::path& out) {
+std::vector<LabPoint> measured(const std::vector<LabCurve>& curves, const LabOptions& options, const LabOrigin& origin,
+                               const fs::path& out) {
   const double seconds = options.quick ? 1.5 : 20.0;
   std::vector<LabPoint> points;
   std::vector<fs::path> parts;
   for (const LabCurve& curve : curves) {
-    const std::vector<double> winds = curve.at_sea ? std::vector<double>(std::begin(lab_winds_mps), std::end(lab_winds_mps)) : std::vector<double>{0.0};
+    const std::vector<double> winds = curve.at_sea
+                                          ? std::vector<double>(std::begin(lab_winds_mps), std::end(lab_winds_mps))
+                                          : std::vector<double>{0.0};
     for (const double wind_mps : winds) {
       parts.push_back(part_file(out, curve.name, wind_mps));
       std::optional<std::vector<LabPoint>> part = kept_part(parts.back(), origin);
       if (!part) {
         Progress progress(fmt::format("lab: {} at {}, per cent", curve.name, sea_name(wind_mps)), 100);
         const auto step = [&](double share) { progress.step(std::size_t(100.0 * share)); };
-        part = curve.points ? curve.points(wind_mps, options, step) : measure(curve.name, wind_mps, curve.tasks(wind_mps, options), options, seconds, step);
+        part = curve.points ? curve.points(wind_mps, options, step)
+                            : measure(curve.name, wind_mps, curve.tasks(wind_mps, options), options, seconds, step);
         write_atomically(parts.back(), curves_csv(*part, origin));
       }
       points.insert(points.end(), part->begin(), part->end());
@@ -65,7 +74,8 @@ std::vector<LabPoint> measured(const std::vector<LabCurve>& curves, const LabOpt
   for (const LabCurve& curve : curves) {
     const std::vector<std::string> units = error_units(curve.name, points);
     for (std::size_t u = 0; u < units.size(); ++u)
-      write_atomically(out / (u == 0 ? curve.name + ".svg" : fmt::format("{}_{}.svg", curve.name, u + 1)), standalone_svg(curve_plot(curve, points, units[u])));
+      write_atomically(out / (u == 0 ? curve.name + ".svg" : fmt::format("{}_{}.svg", curve.name, u + 1)),
+                       standalone_svg(curve_plot(curve, points, units[u])));
   }
   write_atomically(out / "report.html", lab_html(curves, points, origin));
   for (const fs::path& part : parts) fs::remove(part);
@@ -80,12 +90,14 @@ int recommend(const std::vector<LabPoint>& points, double budget_ms) {
     if (fit.empty()) {
       all_fit = false;
       const std::vector<LabPoint> any = recommended(points, 1e300, sea);
-      if (any.empty()) throw Error("curves.csv", "it has no curve frame at " + sea, "measure it: seascape lab --curve frame");
-      fmt::print("{}: nothing fits {:.3g} ms; the quickest takes {:.3g} ms: {}\n", sea, budget_ms, 1e-3 * any.back().time_us.median, any.back().settings);
+      if (any.empty())
+        throw Error("curves.csv", "it has no curve frame at " + sea, "measure it: seascape lab --curve frame");
+      fmt::print("{}: nothing fits {:.3g} ms; the quickest takes {:.3g} ms: {}\n", sea, budget_ms,
+                 1e-3 * any.back().time_us.median, any.back().settings);
       continue;
     }
-    fmt::print("{}: {:.3g} of {:.3g} ms, an error of {:.3g} {}{}\n ", sea, 1e-3 * fit[0].time_us.median, budget_ms, fit[0].error.value, fit[0].error.unit,
-               fit[0].preset.empty() ? "" : ": preset " + fit[0].preset);
+    fmt::print("{}: {:.3g} of {:.3g} ms, an error of {:.3g} {}{}\n ", sea, 1e-3 * fit[0].time_us.median, budget_ms,
+               fit[0].error.value, fit[0].error.unit, fit[0].preset.empty() ? "" : ": preset " + fit[0].preset);
     for (std::size_t at = 0; at < fit[0].settings.size();) {
       const std::size_t end = std::min(fit[0].settings.find(' ', at), fit[0].settings.size());
       fmt::print(" --set {}", fit[0].settings.substr(at, end - at));

@@ -14,7 +14,8 @@ namespace seascape {
 
 namespace {
 
-std::vector<LabPoint> chosen(const std::vector<LabPoint>& points, const std::string& curve, const std::string& unit, const std::string& sea = "") {
+std::vector<LabPoint> chosen(const std::vector<LabPoint>& points, const std::string& curve, const std::string& unit,
+                             const std::string& sea = "") {
   std::vector<LabPoint> some;
   for (const LabPoint& p : points)
     if (p.curve == curve && p.error.unit == unit && (sea.empty() || p.sea == sea)) some.push_back(p);
@@ -42,9 +43,15 @@ std::vector<Tradeoff> tradeoffs(const std::vector<LabPoint>& points) {
 }
 
 // Three figures, as they are said; whole numbers below 10,000 whole.
-std::string figure(double value) { return std::abs(value) < 1e4 && value == std::round(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value); }
+std::string figure(double value) {
+  return std::abs(value) < 1e4 && value == std::round(value) ? fmt::format("{:.0f}", value)
+                                                             : fmt::format("{:.3g}", value);
+}
 std::string time_text(double us) {
-  return us < 1.0 ? figure(1e3 * us) + " ns" : us < 1e3 ? figure(us) + " us" : us < 1e6 ? figure(1e-3 * us) + " ms" : figure(1e-6 * us) + " s";
+  return us < 1.0   ? figure(1e3 * us) + " ns"
+         : us < 1e3 ? figure(us) + " us"
+         : us < 1e6 ? figure(1e-3 * us) + " ms"
+                    : figure(1e-6 * us) + " s";
 }
 
 struct Scale {
@@ -62,8 +69,11 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
     std::vector<double> marks;
     const bool narrow = s.to - s.from < 2.2;
     for (int power = int(std::floor(s.from)); power <= int(std::ceil(s.to)); ++power)
-      for (const double m : s.to - s.from < 0.9 ? std::vector<double>{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0} : narrow ? std::vector<double>{1.0, 2.0, 5.0} : std::vector<double>{1.0})
-        if (const double at = power + std::log10(m); at >= s.from && at <= s.to) marks.push_back(m * std::pow(10.0, power));
+      for (const double m : s.to - s.from < 0.9 ? std::vector<double>{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0}
+                            : narrow            ? std::vector<double>{1.0, 2.0, 5.0}
+                                                : std::vector<double>{1.0})
+        if (const double at = power + std::log10(m); at >= s.from && at <= s.to)
+          marks.push_back(m * std::pow(10.0, power));
     const std::size_t every = marks.size() / 6 + 1;  // no more than that have room
     std::vector<double> some;
     for (std::size_t i = 0; i < marks.size(); i += every) some.push_back(marks[i]);
@@ -80,31 +90,46 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
   return text;
 }
 
-std::string panel(const std::vector<LabPoint>& points, const std::vector<std::string>& knobs, const Scale& x, const Scale& y) {
+std::string panel(const std::vector<LabPoint>& points, const std::vector<std::string>& knobs, const Scale& x,
+                  const Scale& y) {
   std::string text;
   for (std::size_t k = 0; k < knobs.size(); ++k) {
     std::string way;
     for (const LabPoint& p : points)
       if (p.knob == knobs[k]) way += fmt::format("{:.1f},{:.1f} ", x(p.time_us.median), y(p.error.value));
-    if (!knobs[k].starts_with("random")) text += fmt::format("<polyline fill=\"none\" stroke-width=\"1.4\" style=\"stroke:{}\" points=\"{}\"/>\n", colour(k), way);
+    if (!knobs[k].starts_with("random"))
+      text += fmt::format("<polyline fill=\"none\" stroke-width=\"1.4\" style=\"stroke:{}\" points=\"{}\"/>\n",
+                          colour(k), way);
   }
   const std::vector<std::size_t> front = pareto_front(tradeoffs(points));
   std::string edge;
-  for (const std::size_t i : front) edge += fmt::format("{:.1f},{:.1f} ", x(points[i].time_us.median), y(points[i].error.value));
+  for (const std::size_t i : front)
+    edge += fmt::format("{:.1f},{:.1f} ", x(points[i].time_us.median), y(points[i].error.value));
   text += fmt::format("<polyline fill=\"none\" class=\"budget\" points=\"{}\"/>\n", edge);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const LabPoint& p = points[i];
     const double px = x(p.time_us.median), py = y(p.error.value);
     const std::size_t k = std::size_t(std::find(knobs.begin(), knobs.end(), p.knob) - knobs.begin());
-    text += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-width=\"1\" opacity=\"0.5\" style=\"stroke:{}\"/>\n", x(std::max(p.time_us.p5, 1e-9)), py,
-                        x(std::max(p.time_us.p95, 1e-9)), py, colour(k));
-    text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" style=\"fill:{}\"><title>{} {}{}: {}, {} {}</title></circle>\n", px, py, p.preset.empty() ? "3" : "5", colour(k),
-                        html_escaped(p.knob), figure(p.value), p.preset.empty() ? "" : " (" + html_escaped(p.preset) + ")", time_text(p.time_us.median), figure(p.error.value), html_escaped(p.error.unit));
+    text += fmt::format(
+        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-width=\"1\" opacity=\"0.5\" "
+        "style=\"stroke:{}\"/>\n",
+        x(std::max(p.time_us.p5, 1e-9)), py, x(std::max(p.time_us.p95, 1e-9)), py, colour(k));
+    text += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" style=\"fill:{}\"><title>{} {}{}: {}, {} {}</title></circle>\n",
+        px, py, p.preset.empty() ? "3" : "5", colour(k), html_escaped(p.knob), figure(p.value),
+        p.preset.empty() ? "" : " (" + html_escaped(p.preset) + ")", time_text(p.time_us.median), figure(p.error.value),
+        html_escaped(p.error.unit));
     if (std::find(front.begin(), front.end(), i) != front.end())
-      text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"none\" stroke-width=\"1.2\" style=\"stroke:var(--ink)\"/>\n", px, py);
+      text += fmt::format(
+          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"none\" stroke-width=\"1.2\" "
+          "style=\"stroke:var(--ink)\"/>\n",
+          px, py);
     const bool to_left = px > x.end - 70.0;
-    if (!p.preset.empty()) text += text_at(px + (to_left ? -10.0 : 10.0), py - 7.0, p.preset, to_left ? "end" : "start", false);
-    else if (!p.knob.starts_with("random")) text += text_at(px + (px > x.end - 28.0 ? -6.0 : 6.0), py + 13.0, figure(p.value), px > x.end - 28.0 ? "end" : "start");
+    if (!p.preset.empty())
+      text += text_at(px + (to_left ? -10.0 : 10.0), py - 7.0, p.preset, to_left ? "end" : "start", false);
+    else if (!p.knob.starts_with("random"))
+      text += text_at(px + (px > x.end - 28.0 ? -6.0 : 6.0), py + 13.0, figure(p.value),
+                      px > x.end - 28.0 ? "end" : "start");
   }
   return text;
 }
@@ -141,12 +166,15 @@ std::string curve_plot(const LabCurve& curve, const std::vector<LabPoint>& all, 
   for (std::size_t k = 0; k < knobs.size(); ++k) entries.push_back({knobs[k], colour(k)});
   std::string text = "<figure>" + open_svg(bottom + 46.0 + legend_height(entries), curve.title + ": error over time");
   const Scale y = scale_of(least, most, bottom, top);
-  text += text_at(8.0, 14.0, (error_units(curve.name, all).front() == unit ? "error, " : "") + unit, "start");  // the others may be measures of other kinds
+  text += text_at(8.0, 14.0, (error_units(curve.name, all).front() == unit ? "error, " : "") + unit,
+                  "start");  // the others may be measures of other kinds
   for (std::size_t s = 0; s < seas.size(); ++s) {
     const double start = left + double(s) * (wide + gap);
     const Scale x = scale_of(quickest, slowest, start, start + wide);
     text += axes(x, y, s == 0);
-    text += text_at(start + 0.5 * wide, top - 6.0, seas[s] == "none" ? "time of " + curve.time_of : seas[s] + " m/s, time of " + curve.time_of, "middle", false);
+    text += text_at(start + 0.5 * wide, top - 6.0,
+                    seas[s] == "none" ? "time of " + curve.time_of : seas[s] + " m/s, time of " + curve.time_of,
+                    "middle", false);
     text += panel(chosen(points, curve.name, unit, seas[s]), knobs, x, y);
   }
   return text + legend(entries, bottom + 50.0) + "</svg></figure>\n";
@@ -155,8 +183,10 @@ std::string curve_plot(const LabCurve& curve, const std::vector<LabPoint>& all, 
 std::string standalone_svg(const std::string& figure_text) {
   const std::size_t from = figure_text.find("<svg "), to = figure_text.rfind("</svg>");
   if (from == std::string::npos || to == std::string::npos) return {};
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + figure_text.substr(from + 5, figure_text.find('>', from) - from - 5) + "><style>" + std::string(page_colours) +
-         "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>" + figure_text.substr(figure_text.find('>', from) + 1, to - figure_text.find('>', from) - 1) + "</svg>\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" " +
+         figure_text.substr(from + 5, figure_text.find('>', from) - from - 5) + "><style>" + std::string(page_colours) +
+         "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>" +
+         figure_text.substr(figure_text.find('>', from) + 1, to - figure_text.find('>', from) - 1) + "</svg>\n";
 }
 
 std::map<std::string, double> presets_off_front(const LabCurve& curve, const std::vector<LabPoint>& points) {
@@ -170,7 +200,9 @@ std::map<std::string, double> presets_off_front(const LabCurve& curve, const std
       if (p.preset.empty() && p.knob.starts_with(curve.rivals)) others.push_back({p.time_us.median, p.error.value});
     for (const LabPoint& p : here) {
       std::istringstream names(p.preset);
-      for (std::string name; names >> name;) off[name] = std::max(off.contains(name) ? off[name] : 1.0, off_front({p.time_us.median, p.error.value}, others));
+      for (std::string name; names >> name;)
+        off[name] =
+            std::max(off.contains(name) ? off[name] : 1.0, off_front({p.time_us.median, p.error.value}, others));
     }
   }
   return off;
@@ -186,18 +218,26 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
   const std::vector<LabPoint> here = chosen(own, curve.name, units[0], sea);
   const std::vector<std::size_t> front = pareto_front(tradeoffs(here));
   const LabPoint &quick = here[front.front()], &exact = here[front.back()];
-  const auto said = [](const LabPoint& p) { return fmt::format("{} {}", p.knob, figure(p.value)) + (p.preset.empty() ? "" : " (" + p.preset + ")"); };
+  const auto said = [](const LabPoint& p) {
+    return fmt::format("{} {}", p.knob, figure(p.value)) + (p.preset.empty() ? "" : " (" + p.preset + ")");
+  };
   const std::string at = sea == "none" ? "" : " at " + sea + " m/s";
-  text += fmt::format("{}{}: {} takes {} for {} and misses {} {}", curve.title, at, said(quick), time_text(quick.time_us.median), curve.time_of, figure(quick.error.value), quick.error.unit);
+  text += fmt::format("{}{}: {} takes {} for {} and misses {} {}", curve.title, at, said(quick),
+                      time_text(quick.time_us.median), curve.time_of, figure(quick.error.value), quick.error.unit);
   if (&quick != &exact)
-    text += fmt::format("; {} takes {} times as long and misses {}", said(exact), figure(exact.time_us.median / quick.time_us.median), figure(exact.error.value)) +
-            (exact.error.value > 0.0 ? fmt::format(", {} times less", figure(quick.error.value / exact.error.value)) : "");
+    text +=
+        fmt::format("; {} takes {} times as long and misses {}", said(exact),
+                    figure(exact.time_us.median / quick.time_us.median), figure(exact.error.value)) +
+        (exact.error.value > 0.0 ? fmt::format(", {} times less", figure(quick.error.value / exact.error.value)) : "");
   text += ".";
   for (const LabLaw& law : curve.laws) {
     const double power = fitted_power(law, points_of(points, curve.name), sea);
     if (!std::isfinite(power)) continue;
-    text += law.steps ? fmt::format(" {}: each step leaves {} of the error (theory: {}; {}).", law.knob, figure(power), figure(stated_power(law, points_of(points, curve.name), sea)), law.why)
-                      : fmt::format(" {}: the error goes with the power {} of it (theory {}: {}).", law.knob, figure(power), figure(stated_power(law, points_of(points, curve.name), sea)), law.why);
+    text += law.steps
+                ? fmt::format(" {}: each step leaves {} of the error (theory: {}; {}).", law.knob, figure(power),
+                              figure(stated_power(law, points_of(points, curve.name), sea)), law.why)
+                : fmt::format(" {}: the error goes with the power {} of it (theory {}: {}).", law.knob, figure(power),
+                              figure(stated_power(law, points_of(points, curve.name), sea)), law.why);
   }
   // Presets that are as far off stand in one sentence.
   const std::map<std::string, double> off = presets_off_front(curve, points);
@@ -212,7 +252,8 @@ std::string conclusion(const LabCurve& curve, const std::vector<LabPoint>& point
         said_of.push_back(same->first);
       }
     const double per_cent = 100.0 * (found->second - 1.0);
-    text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names) : fmt::format(" Take {:.0f} % more time than what errs no more: {}.", per_cent, names);
+    text += per_cent < 0.5 ? fmt::format(" On the front: {}.", names)
+                           : fmt::format(" Take {:.0f} % more time than what errs no more: {}.", per_cent, names);
   }
   if (!off.empty() && !curve.why_rivals.empty()) text += " " + curve.why_rivals;
   return text;
@@ -236,35 +277,46 @@ std::vector<LabPoint> recommended(const std::vector<LabPoint>& points, double bu
   return within;
 }
 
-std::string lab_html(const std::vector<LabCurve>& curves, const std::vector<LabPoint>& points, const LabOrigin& origin) {
+std::string lab_html(const std::vector<LabCurve>& curves, const std::vector<LabPoint>& points,
+                     const LabOrigin& origin) {
   std::string text = page_head("Seascape lab: what accuracy costs in time");
   if (software(origin.machine))
-    text += "<p class=\"note\">The device draws in software on the processor: times of whole frames and of compute shaders say nothing about a graphics card.</p>\n";
-  text += "<dl>" + machine_rows(origin.machine) + list_row("Counts", origin.quick ? "quick: fewer settings and rounds" : "full") + "</dl>\n";
-  text += "<p>Each point is one setting: its time is the median of interleaved runs, the thin line through it reaches from the 5th to the 95th percentile. Ringed points are the front: no other is both "
-          "faster and more exact. Point at one for its figures.</p>\n";
+    text +=
+        "<p class=\"note\">The device draws in software on the processor: times of whole frames and of compute shaders "
+        "say nothing about a graphics card.</p>\n";
+  text += "<dl>" + machine_rows(origin.machine) +
+          list_row("Counts", origin.quick ? "quick: fewer settings and rounds" : "full") + "</dl>\n";
+  text +=
+      "<p>Each point is one setting: its time is the median of interleaved runs, the thin line through it reaches from "
+      "the 5th to the 95th percentile. Ringed points are the front: no other is both "
+      "faster and more exact. Point at one for its figures.</p>\n";
   for (const LabCurve& curve : curves) {
     const std::vector<std::string> units = error_units(curve.name, points);
     if (units.empty()) continue;
-    text += fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"verdict\">{}</p>\n", html_escaped(curve.name), html_escaped(curve.title), html_escaped(conclusion(curve, points)));
+    text += fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"verdict\">{}</p>\n", html_escaped(curve.name),
+                        html_escaped(curve.title), html_escaped(conclusion(curve, points)));
     for (const std::string& unit : units)
-      if (std::none_of(curve.laws.begin(), curve.laws.end(), [&](const LabLaw& law) { return law.predicted == unit; })) text += curve_plot(curve, points, unit);
+      if (std::none_of(curve.laws.begin(), curve.laws.end(), [&](const LabLaw& law) { return law.predicted == unit; }))
+        text += curve_plot(curve, points, unit);
   }
   return text + page_end;
 }
 
 std::string lab_table(const std::vector<LabCurve>& curves, const std::vector<LabPoint>& points) {
-  std::string text = fmt::format("{:<10} {:<5} {:>10} {:>11} {:>10} {:>11}  {}\n", "curve", "sea", "quickest", "error", "exactest", "error", "presets off the front");
+  std::string text = fmt::format("{:<10} {:<5} {:>10} {:>11} {:>10} {:>11}  {}\n", "curve", "sea", "quickest", "error",
+                                 "exactest", "error", "presets off the front");
   for (const LabCurve& curve : curves) {
     const std::vector<std::string> units = error_units(curve.name, points);
     if (units.empty()) continue;
     std::string off;
-    for (const auto& [preset, factor] : presets_off_front(curve, points)) off += fmt::format("{}{} {:.0f} %", off.empty() ? "" : ", ", preset, 100.0 * (factor - 1.0));
+    for (const auto& [preset, factor] : presets_off_front(curve, points))
+      off += fmt::format("{}{} {:.0f} %", off.empty() ? "" : ", ", preset, 100.0 * (factor - 1.0));
     for (const std::string& sea : seas_of(chosen(points, curve.name, units[0]))) {
       const std::vector<LabPoint> here = chosen(points, curve.name, units[0], sea);
       const std::vector<std::size_t> front = pareto_front(tradeoffs(here));
       const LabPoint &quick = here[front.front()], &exact = here[front.back()];
-      text += fmt::format("{:<10} {:<5} {:>10} {:>11} {:>10} {:>11}  {}\n", curve.name, sea, time_text(quick.time_us.median), figure(quick.error.value), time_text(exact.time_us.median),
+      text += fmt::format("{:<10} {:<5} {:>10} {:>11} {:>10} {:>11}  {}\n", curve.name, sea,
+                          time_text(quick.time_us.median), figure(quick.error.value), time_text(exact.time_us.median),
                           figure(exact.error.value), off);
       off.clear();
     }

@@ -21,8 +21,8 @@ constexpr double pi = std::numbers::pi;
 
 // ---- dynamic waves
 
-// A pressure that comes, runs in a circle and goes over still water, as large and as fast as the waves of the sea are, at a rate of steps. It comes and goes smoothly: where a push begins
-// and ends is told no better than to a step.
+// A pressure that comes, runs in a circle and goes over still water, as large and as fast as the waves of the sea are,
+// at a rate of steps. It comes and goes smoothly: where a push begins and ends is told no better than to a step.
 struct Pushed {
   Pushed(double wind_mps, double rate_hz, bool quick) : wind(wind_mps), rate(rate_hz) {
     settings.windows = {.resolution = quick ? 64 : 128, .slices = 2, .texel_m = 0.05 * wind};
@@ -36,7 +36,8 @@ struct Pushed {
   double seconds() const { return 0.2 * std::round(10.0 * period()); }  // whole steps of every rate
   WaveSource source(double s) const {
     const double before = s - 1.0 / rate;
-    return {place(s), (place(s) - place(before)) * rate, 0.6 * wind, 0.05 * std::pow(std::sin(pi * 0.5 * (s + before) / seconds()), 2), 0.0};
+    return {place(s), (place(s) - place(before)) * rate, 0.6 * wind,
+            0.05 * std::pow(std::sin(pi * 0.5 * (s + before) / seconds()), 2), 0.0};
   }
   int steps() const { return int(std::lround(seconds() * rate)); }
   // As the effect has it: two levels, and a border that absorbs after each step.
@@ -48,7 +49,8 @@ struct Pushed {
       waves.advance(1.0 / rate, here, std::span(&now, 1));
     }
     result.clear();
-    for (int level = 0; level < waves.levels(); ++level) result.insert(result.end(), waves.level(level).modes().begin(), waves.level(level).modes().end());
+    for (int level = 0; level < waves.levels(); ++level)
+      result.insert(result.end(), waves.level(level).modes().begin(), waves.level(level).modes().end());
   }
   // One level by itself, on a sea that has no border.
   void run_alone() {
@@ -66,7 +68,8 @@ struct Pushed {
   std::vector<std::complex<double>> result;
 };
 
-// Waves of the sea's own lengths left to themselves for ten seconds: their phase against w = sqrt(g k), and their energy.
+// Waves of the sea's own lengths left to themselves for ten seconds: their phase against w = sqrt(g k), and their
+// energy.
 struct Free {
   static constexpr int least = 5;  // waves a window: longer ones the level does not carry
   Free(double wind_mps, double rate_hz) : wind(wind_mps), rate(rate_hz) {}
@@ -80,7 +83,8 @@ struct Free {
     drift = std::abs(level.energy_m2() / before - 1.0);
     phase = 0.0;
     for (int m = least; m < band / 2; ++m) {
-      const double w = std::sqrt(9.81 * 2.0 * pi * m / (64 * 0.05 * wind)), turned = std::arg(level.modes()[std::size_t((band / 2) * band + band / 2 + m)]);
+      const double w = std::sqrt(9.81 * 2.0 * pi * m / (64 * 0.05 * wind)),
+                   turned = std::arg(level.modes()[std::size_t((band / 2) * band + band / 2 + m)]);
       phase = std::max(phase, std::abs(std::remainder(turned + 10.0 * w, 2.0 * pi)));
     }
   }
@@ -97,18 +101,25 @@ std::vector<LabTask> dynamic_tasks(double wind_mps, const LabOptions& options) {
       const auto pushed = std::make_shared<Pushed>(wind_mps, rate, options.quick);
       const auto missed = [=]() -> std::vector<LabError> {
         double miss = 0.0, size = 0.0;
-        for (std::size_t i = 0; i < truth->result.size(); ++i) miss += std::norm(pushed->result[i] - truth->result[i]), size += std::norm(truth->result[i]);
+        for (std::size_t i = 0; i < truth->result.size(); ++i)
+          miss += std::norm(pushed->result[i] - truth->result[i]), size += std::norm(truth->result[i]);
         return {{std::sqrt(miss / size), alone ? "of one level's waves, without a border, rms" : "of the waves, rms"}};
       };
-      tasks.push_back({alone ? "rate in Hz, one level without a border" : "dynamic_waves.rate_hz", rate, [=] { alone ? pushed->run_alone() : pushed->run(); }, pushed->seconds(), missed,
-                       !alone && rate == 60.0 ? "low medium high ultra" : "", alone ? "" : "dynamic_waves.rate_hz=" + std::to_string(int(rate))});
+      tasks.push_back({alone ? "rate in Hz, one level without a border" : "dynamic_waves.rate_hz", rate,
+                       [=] { alone ? pushed->run_alone() : pushed->run(); }, pushed->seconds(), missed,
+                       !alone && rate == 60.0 ? "low medium high ultra" : "",
+                       alone ? "" : "dynamic_waves.rate_hz=" + std::to_string(int(rate))});
     }
   }
   for (const double rate : {10.0, 15.0, 30.0, 60.0, 120.0}) {
     const auto freely = std::make_shared<Free>(wind_mps, rate);
     // What double leaves of nothing is held above 1e-16, below which it says nothing.
     tasks.push_back({"rate in Hz, waves left to themselves", rate, [=] { freely->run(); }, 10.0,
-                     [=] { return std::vector<LabError>{{std::max(freely->phase, 1e-16), "rad of phase after 10 s, worst"}, {std::max(freely->drift, 1e-16), "of the energy after 10 s"}}; }, "", ""});
+                     [=] {
+                       return std::vector<LabError>{{std::max(freely->phase, 1e-16), "rad of phase after 10 s, worst"},
+                                                    {std::max(freely->drift, 1e-16), "of the energy after 10 s"}};
+                     },
+                     "", ""});
   }
   return tasks;
 }
@@ -116,11 +127,15 @@ std::vector<LabTask> dynamic_tasks(double wind_mps, const LabOptions& options) {
 // ---- windows of local data
 
 // A hump of the bed 8 wind lengths wide: as smooth data of places are.
-double hump(double wind_mps, glm::dvec2 place) { return 5.0 * std::exp(-glm::dot(place, place) / (2.0 * std::pow(0.8 * wind_mps, 2))); }
+double hump(double wind_mps, glm::dvec2 place) {
+  return 5.0 * std::exp(-glm::dot(place, place) / (2.0 * std::pow(0.8 * wind_mps, 2)));
+}
 
 std::vector<LabTask> texel_tasks(double wind_mps, const LabOptions& options) {
   struct Window {
-    Window(double wind_mps, double texel) : wind(wind_mps), settings{.resolution = 256, .slices = 2, .texel_m = texel} { run(); }
+    Window(double wind_mps, double texel) : wind(wind_mps), settings{.resolution = 256, .slices = 2, .texel_m = texel} {
+      run();
+    }
     void run() {  // as place_fields fills a window that the viewer enters
       const LodPlacement here = lod_placement(settings, glm::dvec2(0.0), {});
       field.emplace(settings, 0.0f, lod_placement(settings, glm::dvec2(1e5), {}));
@@ -148,7 +163,8 @@ std::vector<LabTask> texel_tasks(double wind_mps, const LabOptions& options) {
       return {{std::sqrt(sum), "m of a hump of 5 m, rms"}, {worst, "m of a hump of 5 m, worst"}};
     };
     const double area = std::pow(256.0 * texel, 2) * (1.0 + 4.0) / std::pow(wind_mps, 2);
-    tasks.push_back({"texel over the distance the wind goes in a second", share, [=] { window->run(); }, area, missed, "", ""});
+    tasks.push_back(
+        {"texel over the distance the wind goes in a second", share, [=] { window->run(); }, area, missed, "", ""});
   }
   return tasks;
 }
@@ -159,13 +175,15 @@ constexpr double water = 1.333;
 
 double exact(double cosine) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) / water, inside = std::sqrt(1.0 - sine * sine);
-  const double s = (cosine - water * inside) / (cosine + water * inside), p = (water * cosine - inside) / (water * cosine + inside);
+  const double s = (cosine - water * inside) / (cosine + water * inside),
+               p = (water * cosine - inside) / (water * cosine + inside);
   return 0.5 * (s * s + p * p);
 }
 
 constexpr double head_on = (water - 1.0) * (water - 1.0) / ((water + 1.0) * (water + 1.0));
 
-// Facets of the sea as an eye 1.7 m above it sees them: rows of a picture from 0.05 to 40 degrees below the horizon, slopes of the sea's variance.
+// Facets of the sea as an eye 1.7 m above it sees them: rows of a picture from 0.05 to 40 degrees below the horizon,
+// slopes of the sea's variance.
 std::vector<float> cosines_seen(double wind_mps, const LabOptions& options) {
   const glm::dvec3 slopes = slope_moments(lab_sea(wind_mps, options));
   const double deviation = std::sqrt(0.5 * (slopes.x + slopes.y));
@@ -183,7 +201,8 @@ std::vector<float> cosines_seen(double wind_mps, const LabOptions& options) {
 }
 
 template <class Reflect>
-LabTask reflection(const std::string& knob, double value, const std::shared_ptr<const std::vector<float>>& cosines, const Reflect& reflect) {
+LabTask reflection(const std::string& knob, double value, const std::shared_ptr<const std::vector<float>>& cosines,
+                   const Reflect& reflect) {
   const auto got = std::make_shared<std::vector<float>>(cosines->size());
   const auto errors = [=]() -> std::vector<LabError> {
     double sum = 0.0, worst = 0.0;
@@ -191,7 +210,8 @@ LabTask reflection(const std::string& knob, double value, const std::shared_ptr<
       const double miss = std::abs(double((*got)[i]) - exact(double((*cosines)[i])));
       sum += miss * miss / double(got->size()), worst = std::max(worst, miss);
     }
-    return {{std::sqrt(sum), "of the reflectance, rms over facets seen"}, {worst, "of the reflectance, worst of facets seen"}};
+    return {{std::sqrt(sum), "of the reflectance, rms over facets seen"},
+            {worst, "of the reflectance, worst of facets seen"}};
   };
   const auto run = [=] {
     for (std::size_t i = 0; i < got->size(); ++i) (*got)[i] = reflect((*cosines)[i]);
@@ -211,11 +231,12 @@ std::vector<LabTask> fresnel_tasks(double wind_mps, const LabOptions& options) {
   for (const int entries : {4, 8, 16, 32, 64, 128}) {
     std::vector<float> table;
     for (int i = 0; i <= entries; ++i) table.push_back(float(exact(double(i) / entries)));
-    tasks.push_back(reflection("entries of a table over the cosine", double(entries), cosines, [table, entries](float c) {
-      const float at = c * float(entries);
-      const int i = std::min(int(at), entries - 1);
-      return table[std::size_t(i)] + (at - float(i)) * (table[std::size_t(i) + 1] - table[std::size_t(i)]);
-    }));
+    tasks.push_back(
+        reflection("entries of a table over the cosine", double(entries), cosines, [table, entries](float c) {
+          const float at = c * float(entries);
+          const int i = std::min(int(at), entries - 1);
+          return table[std::size_t(i)] + (at - float(i)) * (table[std::size_t(i) + 1] - table[std::size_t(i)]);
+        }));
   }
   return tasks;
 }
@@ -224,12 +245,31 @@ std::vector<LabTask> fresnel_tasks(double wind_mps, const LabOptions& options) {
 
 std::vector<LabCurve> local_curves() {
   return {
-      {"dynamic", "Rate of dynamic waves", "a second of the sea",
-       {{"rate in Hz, one level", false, -2.0, 0.2, 15.0, 120.0, "a push that lasts for a step and stands at its middle is of second order; the border, taken after each step, is of first", "of one level's waves, without a border, rms"}}, true, false, dynamic_tasks},
-      {"texel", "Texels of local data", "the same area",
-       {{"texel over", false, 2.0, 0.15, 0.01, 0.08, "straight lines between texels are of second order (lod_field.h)"}}, true, false, texel_tasks},
-      {"fresnel", "Fresnel's reflection", "one facet",
-       {{"entries of a table", false, -2.0, 0.35, 8.0, 128.0, "straight lines between entries are of second order"}}, true, false, fresnel_tasks},
+      {"dynamic",
+       "Rate of dynamic waves",
+       "a second of the sea",
+       {{"rate in Hz, one level", false, -2.0, 0.2, 15.0, 120.0,
+         "a push that lasts for a step and stands at its middle is of second order; the border, taken after each step, "
+         "is of first",
+         "of one level's waves, without a border, rms"}},
+       true,
+       false,
+       dynamic_tasks},
+      {"texel",
+       "Texels of local data",
+       "the same area",
+       {{"texel over", false, 2.0, 0.15, 0.01, 0.08,
+         "straight lines between texels are of second order (lod_field.h)"}},
+       true,
+       false,
+       texel_tasks},
+      {"fresnel",
+       "Fresnel's reflection",
+       "one facet",
+       {{"entries of a table", false, -2.0, 0.35, 8.0, 128.0, "straight lines between entries are of second order"}},
+       true,
+       false,
+       fresnel_tasks},
   };
 }
 

@@ -21,7 +21,8 @@ std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points) {
 double off_front(const Tradeoff& point, std::span<const Tradeoff> others) {
   double off = 1.0;
   for (const Tradeoff& other : others)
-    if (other.error <= point.error && other.time < point.time) off = std::max(off, other.time > 0.0 ? point.time / other.time : std::numeric_limits<double>::infinity());
+    if (other.error <= point.error && other.time < point.time)
+      off = std::max(off, other.time > 0.0 ? point.time / other.time : std::numeric_limits<double>::infinity());
   return off;
 }
 

@@ -20,21 +20,24 @@ std::vector<double> luma(const Image8& image) {
   std::vector<double> values;
   const std::size_t step = std::size_t(image.channels);
   for (std::size_t at = 0; at + 2 < image.pixels.size(); at += step)
-    values.push_back((0.2126 * image.pixels[at] + 0.7152 * image.pixels[at + 1] + 0.0722 * image.pixels[at + 2]) / 255.0);
+    values.push_back((0.2126 * image.pixels[at] + 0.7152 * image.pixels[at + 1] + 0.0722 * image.pixels[at + 2]) /
+                     255.0);
   return values;
 }
 
 }  // namespace
 
 PictureError picture_error(const Image8& picture, const Image8& truth) {
-  if (picture.width != truth.width || picture.height != truth.height || picture.channels != truth.channels || picture.width < 8 || picture.height < 8)
+  if (picture.width != truth.width || picture.height != truth.height || picture.channels != truth.channels ||
+      picture.width < 8 || picture.height < 8)
     throw std::invalid_argument("picture_error: pictures of one size, at least 8 x 8");
   PictureError error;
   std::vector<double> differences;
   const std::size_t step = std::size_t(picture.channels);
   for (std::size_t at = 0; at + 2 < picture.pixels.size(); at += step) {
     int most = 0;
-    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(picture.pixels[at + c]) - int(truth.pixels[at + c])));
+    for (std::size_t c = 0; c < 3; ++c)
+      most = std::max(most, std::abs(int(picture.pixels[at + c]) - int(truth.pixels[at + c])));
     differences.push_back(most / 255.0);
   }
   const Summary all = summarise(differences);
@@ -55,7 +58,8 @@ PictureError picture_error(const Image8& picture, const Image8& truth) {
         }
       constexpr double n = side * side;
       ma /= n, mb /= n;
-      const double va = (aa - n * ma * ma) / (n - 1.0), vb = (bb - n * mb * mb) / (n - 1.0), cov = (ab - n * ma * mb) / (n - 1.0);
+      const double va = (aa - n * ma * ma) / (n - 1.0), vb = (bb - n * mb * mb) / (n - 1.0),
+                   cov = (ab - n * ma * mb) / (n - 1.0);
       sum += (2.0 * ma * mb + c1) * (2.0 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2));
       windows += 1.0;
     }
@@ -64,7 +68,8 @@ PictureError picture_error(const Image8& picture, const Image8& truth) {
 }
 
 Image8 averaged(const Image8& image, int times) {
-  if (times < 1 || image.width % times != 0 || image.height % times != 0) throw std::invalid_argument("averaged: sides that are no multiples");
+  if (times < 1 || image.width % times != 0 || image.height % times != 0)
+    throw std::invalid_argument("averaged: sides that are no multiples");
   Image8 small{image.width / times, image.height / times, image.channels, {}};
   double light[256];
   for (int i = 0; i < 256; ++i) light[i] = linear(i / 255.0);
@@ -75,7 +80,8 @@ Image8 averaged(const Image8& image, int times) {
         double sum = 0.0;
         for (int j = 0; j < times; ++j)
           for (int i = 0; i < times; ++i) {
-            const std::uint8_t value = image.pixels[std::size_t(z * times + j) * row + std::size_t(x * times + i) * channels + c];
+            const std::uint8_t value =
+                image.pixels[std::size_t(z * times + j) * row + std::size_t(x * times + i) * channels + c];
             sum += c == 3 ? value / 255.0 : light[value];
           }
         const double mean = sum / (times * times);

@@ -1,4 +1,5 @@
-// How many pixels the drawn mesh lies off the sea: points of its triangles against a surface with eight times the vertices a side.
+// How many pixels the drawn mesh lies off the sea: points of its triangles against a surface with eight times the
+// vertices a side.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ struct DrawnMesh {
   Vertex vertex(const gpu::PatchInstance& p, int index) const {
     const SurfaceSelection& s = selection;
     constexpr int side = gpu::patch_quads + 1;
-    const glm::vec2 place = gpu::patch_vertex(p, index % side, index / side, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
+    const glm::vec2 place = gpu::patch_vertex(p, index % side, index / side, s.skirt_rows, s.tree_centre,
+                                              s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
     const double footprint = static_cast<double>(gpu::displacement_footprint(s.morph, place)) * s.unit_m;
     const glm::dvec2 rest = s.grid_origin_m + glm::dvec2(place) * s.unit_m;
     const glm::dvec3 d = field.displacement(tiles, rest, footprint);
@@ -41,9 +43,11 @@ struct DrawnMesh {
   }
 };
 
-// Distance of a point to the sea smoothed over `footprint`, from a rest place near it: steps of Gauss and Newton over the rest
-// place, the nearest that they come by. Where the first place is nearer than `enough_m` the sea is nearer still, and its tangent plane says how near.
-inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint, const glm::dvec3& point, double enough_m) {
+// Distance of a point to the sea smoothed over `footprint`, from a rest place near it: steps of Gauss and Newton over
+// the rest place, the nearest that they come by. Where the first place is nearer than `enough_m` the sea is nearer
+// still, and its tangent plane says how near.
+inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint,
+                              const glm::dvec3& point, double enough_m) {
   const WaveField::Filter filter = field.filter(footprint);
   double nearest = 1e300;
   for (int step = 0; step < 4; ++step) {
@@ -52,10 +56,12 @@ inline double distance_to_sea(const WaveField& field, const WaveTiles& tiles, gl
     const double distance = glm::length(off);
     if (distance >= nearest) break;
     nearest = distance;
-    const glm::dvec3 x(1.0 + s.shift_gradient.x, s.height_gradient.x, s.shift_gradient.z), z(s.shift_gradient.z, s.height_gradient.y, 1.0 + s.shift_gradient.y);
+    const glm::dvec3 x(1.0 + s.shift_gradient.x, s.height_gradient.x, s.shift_gradient.z),
+        z(s.shift_gradient.z, s.height_gradient.y, 1.0 + s.shift_gradient.y);
     const double xx = glm::dot(x, x), zz = glm::dot(z, z), xz = glm::dot(x, z), determinant = xx * zz - xz * xz;
     if (!(determinant > 1e-6)) break;
-    if (step == 0 && distance < enough_m) return std::min(distance, std::abs(glm::dot(off, glm::normalize(glm::cross(z, x)))));
+    if (step == 0 && distance < enough_m)
+      return std::min(distance, std::abs(glm::dot(off, glm::normalize(glm::cross(z, x)))));
     const double a = glm::dot(off, x), b = glm::dot(off, z);
     rest += glm::dvec2(zz * a - xz * b, xx * b - xz * a) / determinant;
   }
@@ -72,7 +78,8 @@ struct ScreenError {
   std::string where;
 
   double share(double most) {  // below which this share of them lies
-    const auto at = pixels.begin() + static_cast<std::ptrdiff_t>(std::min(most * static_cast<double>(pixels.size()), static_cast<double>(pixels.size() - 1)));
+    const auto at = pixels.begin() + static_cast<std::ptrdiff_t>(std::min(most * static_cast<double>(pixels.size()),
+                                                                          static_cast<double>(pixels.size() - 1)));
     std::nth_element(pixels.begin(), at, pixels.end());
     return static_cast<double>(*at);
   }
@@ -99,20 +106,23 @@ inline Viewpoint pose_over(const WaveField& field, const WaveTiles& tiles, std::
   const double pitch = n % 7 == 3 ? -90.0 : n % 2 == 0 ? -5.0 + 5.0 * unit(random) : -40.0 + 40.0 * unit(random);
   const glm::dvec3 x(1.0, 0.0, 0.0), y(0.0, 1.0, 0.0), z(0.0, 0.0, 1.0);
   const Pose head{{at[0].x, std::max(water[0].height_m, 0.0 * above) + above, at[0].y},
-                  glm::angleAxis(3.1416 * unit(random), y) * glm::angleAxis(glm::radians(pitch), x) * glm::angleAxis(n % 5 == 4 ? 1.0 : 0.0, z)};
+                  glm::angleAxis(3.1416 * unit(random), y) * glm::angleAxis(glm::radians(pitch), x) *
+                      glm::angleAxis(n % 5 == 4 ? 1.0 : 0.0, z)};
   Viewpoint view{head, stereo_views(head, symmetric_fov(headset_fov_deg, headset_aspect), 0.064)};
   view.pixels_per_radian = pixels_per_radian(view.eyes, headset_height_px);
   return view;
 }
 
 // Adds the points of one picture: of every patch in the list `per_patch` triangles' corners, edges or insides.
-inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_patch, std::mt19937& random, ScreenError& to) {
+inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_patch, std::mt19937& random,
+                        ScreenError& to) {
   static const std::vector<std::uint16_t> indices = patch_indices(gpu::patch_quads);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   ++to.poses;
   to.triangles += static_cast<double>(drawn.selection.patches.size() * indices.size() / 3);
-  const glm::dmat4 clip[2] = {projection(view.eyes[0].fov, 0.1) * eye_from_relative(view.eyes[0].pose, view.viewer.position_m),
-                              projection(view.eyes[1].fov, 0.1) * eye_from_relative(view.eyes[1].pose, view.viewer.position_m)};
+  const glm::dmat4 clip[2] = {
+      projection(view.eyes[0].fov, 0.1) * eye_from_relative(view.eyes[0].pose, view.viewer.position_m),
+      projection(view.eyes[1].fov, 0.1) * eye_from_relative(view.eyes[1].pose, view.viewer.position_m)};
   std::array<std::optional<DrawnMesh::Vertex>, (gpu::patch_quads + 1) * (gpu::patch_quads + 1)> vertices;
   for (const gpu::PatchInstance& p : drawn.selection.patches) {
     vertices.fill(std::nullopt);
@@ -125,8 +135,8 @@ inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_p
       const std::array<DrawnMesh::Vertex, 3> v{vertex(indices[t]), vertex(indices[t + 1]), vertex(indices[t + 2])};
       double a = unit(random), b = unit(random);
       if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-      if (n % 4 == 1) a = 0.0, b = 0.5;          // the middle of an edge: the one across a quad
-      if (n % 4 == 2) a = 1.0, b = 0.0;          // a vertex
+      if (n % 4 == 1) a = 0.0, b = 0.5;  // the middle of an edge: the one across a quad
+      if (n % 4 == 2) a = 1.0, b = 0.0;  // a vertex
       const double c = 1.0 - a - b;
       const glm::dvec3 at = a * v[0].at + b * v[1].at + c * v[2].at;
       const glm::dvec2 rest = a * v[0].rest + b * v[1].rest + c * v[2].rest;
@@ -136,28 +146,41 @@ inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_p
       for (int eye = 0; eye < 2; ++eye) {
         const glm::dvec4 q = clip[eye] * seen;
         if (q.w > 0.1 && std::abs(q.x) <= q.w && std::abs(q.y) <= q.w)
-          range = std::min(range, glm::length(glm::dvec3(seen) - (view.eyes[static_cast<std::size_t>(eye)].pose.position_m - view.viewer.position_m)));
+          range = std::min(
+              range, glm::length(glm::dvec3(seen) -
+                                 (view.eyes[static_cast<std::size_t>(eye)].pose.position_m - view.viewer.position_m)));
       }
       if (range > 1e200) continue;
       // Eight times the vertices: an eighth of the spacing, an eighth of what a vertex averages.
       const double footprint = (a * v[0].footprint + b * v[1].footprint + c * v[2].footprint) / 8.0;
       const double pixel_m = range / view.pixels_per_radian;
       double pixels = distance_to_sea(drawn.field, drawn.tiles, rest, footprint, at, to.enough * pixel_m) / pixel_m;
-      // The largest are looked for again from places about: where the sea is about to break, the nearest of it may be of other water.
+      // The largest are looked for again from places about: where the sea is about to break, the nearest of it may be
+      // of other water.
       if (pixels > 2.5 * to.enough && pixels > 0.9 * to.worst) {
         const double first = pixels;
         for (int from = 0; from < 81; ++from)
-          pixels = std::min(pixels, distance_to_sea(drawn.field, drawn.tiles, rest + 4.0 * footprint * glm::dvec2(from % 9 - 4, from / 9 - 4), footprint, at, 0.0) / pixel_m);
+          pixels = std::min(pixels, distance_to_sea(drawn.field, drawn.tiles,
+                                                    rest + 4.0 * footprint * glm::dvec2(from % 9 - 4, from / 9 - 4),
+                                                    footprint, at, 0.0) /
+                                        pixel_m);
         if (pixels < 0.98 * first) ++to.nearer_elsewhere;
       }
       to.pixels.push_back(static_cast<float>(pixels));
       if (pixels > to.worst) {
         to.worst = pixels;
-        to.where = std::string((p.flags & gpu::patch_skirt) != 0u ? "skirt" : "level " + std::to_string(gpu::patch_level(p.flags))) + ", vertices " + std::to_string(p.stride * drawn.selection.unit_m) +
-                   " m apart, footprint " + std::to_string(8.0 * footprint) + " m, at " + std::to_string(range) + " m, rest " +
-                   std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) + " m off, by the levels' law " +
-                   std::to_string(static_cast<double>(gpu::morph_distance(drawn.selection.morph, glm::vec2((rest - drawn.selection.grid_origin_m) / drawn.selection.unit_m))) * drawn.selection.unit_m) + " m, eye " +
-                   std::to_string(view.viewer.position_m.y) + " m high, pose " + std::to_string(to.poses - 1);
+        to.where =
+            std::string((p.flags & gpu::patch_skirt) != 0u ? "skirt"
+                                                           : "level " + std::to_string(gpu::patch_level(p.flags))) +
+            ", vertices " + std::to_string(p.stride * drawn.selection.unit_m) + " m apart, footprint " +
+            std::to_string(8.0 * footprint) + " m, at " + std::to_string(range) + " m, rest " +
+            std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) +
+            " m off, by the levels' law " +
+            std::to_string(static_cast<double>(gpu::morph_distance(
+                               drawn.selection.morph,
+                               glm::vec2((rest - drawn.selection.grid_origin_m) / drawn.selection.unit_m))) *
+                           drawn.selection.unit_m) +
+            " m, eye " + std::to_string(view.viewer.position_m.y) + " m high, pose " + std::to_string(to.poses - 1);
       }
     }
   }

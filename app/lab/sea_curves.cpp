@@ -24,7 +24,9 @@ constexpr double pi = std::numbers::pi;
 // Memory that begins with a cache line.
 struct Floats {
   void resize(std::size_t count) { memory.resize(count + 16); }
-  float* data() { return memory.data() + (64 - reinterpret_cast<std::uintptr_t>(memory.data()) % 64) % 64 / sizeof(float); }
+  float* data() {
+    return memory.data() + (64 - reinterpret_cast<std::uintptr_t>(memory.data()) % 64) % 64 / sizeof(float);
+  }
   std::vector<float> memory;
 };
 
@@ -41,7 +43,8 @@ struct QuerySea {
     for (std::size_t i = 0; i < count; ++i) places.emplace_back(within(random), within(random));
     answers.resize(count);
     heights.resize(count);
-    // The rest positions by so many steps that nothing more changes. Where the sea folds the steps need not end: such places are left out.
+    // The rest positions by so many steps that nothing more changes. Where the sea folds the steps need not end: such
+    // places are left out.
     const WaveField::Filter filter = field.filter(0.0);
     for (const glm::dvec2 place : places) {
       glm::dvec2 rest = place, before = place;
@@ -72,14 +75,16 @@ struct QuerySea {
   // What contraction leaves of the first miss after so many steps.
   double predicted(int steps) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) sum += std::pow(first_miss[i] * std::pow(contraction[i], steps), 2) / double(truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      sum += std::pow(first_miss[i] * std::pow(contraction[i], steps), 2) / double(truth.size());
     return std::sqrt(sum) / hs_of(field);
   }
   std::vector<double> truth, heights, contraction, first_miss;
 };
 
 // One step of the search in double: x <- q - D(x), or Newton's.
-glm::dvec2 next_rest(const QuerySea& sea, const WaveField::Filter& filter, glm::dvec2 place, glm::dvec2 rest, bool newton) {
+glm::dvec2 next_rest(const QuerySea& sea, const WaveField::Filter& filter, glm::dvec2 place, glm::dvec2 rest,
+                     bool newton) {
   if (!newton) {
     const glm::dvec3 d = sea.field.displacement(sea.tiles, rest, filter);
     return place - glm::dvec2(d.x, d.z);
@@ -87,16 +92,21 @@ glm::dvec2 next_rest(const QuerySea& sea, const WaveField::Filter& filter, glm::
   const SeaSample at = sea.field.sea(sea.tiles, rest, filter);
   const glm::dvec2 miss = place - rest - glm::dvec2(at.displacement.x, at.displacement.z);
   const glm::dvec3 g = at.shift_gradient;
-  return rest + glm::dvec2((1.0 + g.y) * miss.x - g.z * miss.y, (1.0 + g.x) * miss.y - g.z * miss.x) / std::max(at.jacobian(), 0.1);
+  return rest + glm::dvec2((1.0 + g.y) * miss.x - g.z * miss.y, (1.0 + g.x) * miss.y - g.z * miss.x) /
+                    std::max(at.jacobian(), 0.1);
 }
 
 std::vector<LabTask> query_tasks(double wind_mps, const LabOptions& options) {
   const auto sea = std::make_shared<QuerySea>(wind_mps, options);
   std::vector<LabTask> tasks;
   const double count = double(sea->places.size());
-  const auto answered = [=] { return std::vector<LabError>{{sea->error([&](std::size_t i) { return sea->answers[i].height_m; }), "of Hs, rms"}}; };
+  const auto answered = [=] {
+    return std::vector<LabError>{{sea->error([&](std::size_t i) { return sea->answers[i].height_m; }), "of Hs, rms"}};
+  };
   for (int steps = 0; steps <= 8; ++steps) {
-    const auto ask = [=] { query(sea->field, sea->tiles, sea->places, sea->answers, {.most_iterations = steps, .tolerance_m = 0.0}); };
+    const auto ask = [=] {
+      query(sea->field, sea->tiles, sea->places, sea->answers, {.most_iterations = steps, .tolerance_m = 0.0});
+    };
     tasks.push_back({"query(), fixed point", double(steps), ask, count, answered, "", ""});
     for (const bool newton : {false, true}) {
       if (newton && steps > 5) continue;  // at its floor long before
@@ -108,11 +118,14 @@ std::vector<LabTask> query_tasks(double wind_mps, const LabOptions& options) {
           sea->heights[i] = sea->field.displacement(sea->tiles, rest, filter).y;
         }
       };
-      tasks.push_back({newton ? "plain loop, Newton" : "plain loop, fixed point", double(steps), search, count, [=] {
+      tasks.push_back({newton ? "plain loop, Newton" : "plain loop, fixed point", double(steps), search, count,
+                       [=] {
                          const double miss = sea->error([&](std::size_t i) { return sea->heights[i]; });
                          if (newton) return std::vector<LabError>{{miss, "of Hs, rms"}};
-                         return std::vector<LabError>{{miss, "of Hs, rms"}, {sea->predicted(steps), "of Hs, rms, as the contraction has it"}};
-                       }, "", ""});
+                         return std::vector<LabError>{{miss, "of Hs, rms"},
+                                                      {sea->predicted(steps), "of Hs, rms, as the contraction has it"}};
+                       },
+                       "", ""});
     }
   }
   const auto shipped = [=] { query(sea->field, sea->tiles, sea->places, sea->answers); };
@@ -128,7 +141,8 @@ int highest_cascade(const WaveBins& bins) {
   double most = 0.0;
   for (int cascade = 0; cascade < bins.cascades; ++cascade) {
     double sum = 0.0;
-    for (std::size_t at = WaveBins::first(cascade); at < WaveBins::first(cascade + 1); ++at) sum += double(glm::dot(bins.bins[at].amplitude, bins.bins[at].amplitude));
+    for (std::size_t at = WaveBins::first(cascade); at < WaveBins::first(cascade + 1); ++at)
+      sum += double(glm::dot(bins.bins[at].amplitude, bins.bins[at].amplitude));
     if (sum > most) most = sum, best = cascade;
   }
   return best;
@@ -137,7 +151,12 @@ int highest_cascade(const WaveBins& bins) {
 // A cascade's waves as a spectrum of heights, or of slopes along x.
 struct Transformed {
   Transformed(const WaveBins& bins, int of_cascade, int samples, bool of_slopes, bool halves)
-      : cascade(of_cascade), n(samples), band(std::min(samples, bins_of(cascade))), slopes(of_slopes), half_storage(halves), plan(make_fft_plan(samples, band)) {
+      : cascade(of_cascade),
+        n(samples),
+        band(std::min(samples, bins_of(cascade))),
+        slopes(of_slopes),
+        half_storage(halves),
+        plan(make_fft_plan(samples, band)) {
     for (int mz = -band / 2; mz < band / 2; ++mz)
       for (int mx = -band / 2; mx < band / 2; ++mx) {
         const bool kept = std::max(std::abs(mx), std::abs(mz)) < band / 2;  // the tile's Nyquist waves are none
@@ -152,7 +171,8 @@ struct Transformed {
     workspace.resize(inverse_fft_floats(plan));
   }
   void run() {
-    inverse_fft(plan, re.data(), im.data(), field_re.data(), field_im.data(), stride, {workspace.data(), inverse_fft_floats(plan)});
+    inverse_fft(plan, re.data(), im.data(), field_re.data(), field_im.data(), stride,
+                {workspace.data(), inverse_fft_floats(plan)});
     if (half_storage) halves_from_floats(field_re.data(), halves_.data(), halves_.size());
   }
   // Relative L2 over places against the sum in double of all the tile's waves, and of those that the transform carries.
@@ -178,7 +198,8 @@ struct Transformed {
       miss += std::pow(got - whole, 2), miss_own += std::pow(got - own, 2);
       size += whole * whole, size_own += own * own;
     }
-    return {{std::sqrt(miss / size), "relative L2 to all waves of the tile"}, {std::sqrt(miss_own / size_own), "relative L2 by rounding"}};
+    return {{std::sqrt(miss / size), "relative L2 to all waves of the tile"},
+            {std::sqrt(miss_own / size_own), "relative L2 by rounding"}};
   }
   // Of a wave: its height's amplitude, or its slope's along x.
   glm::vec2 value(const WaveBins& bins, int mx, int mz) const {
@@ -195,15 +216,17 @@ struct Transformed {
 };
 
 std::vector<LabTask> transform_tasks(double wind_mps, const LabOptions& options) {
-  const auto bins = std::make_shared<const WaveBins>(make_wave_bins(lab_sea(wind_mps, options), WaveQuality{256, 5, false}));
+  const auto bins =
+      std::make_shared<const WaveBins>(make_wave_bins(lab_sea(wind_mps, options), WaveQuality{256, 5, false}));
   const int cascade = highest_cascade(*bins), full = bins_of(cascade);
   std::vector<LabTask> tasks;
   for (const bool slopes : {false, true})
     for (const bool halves : {false, true})
       for (int n = full / 4; n <= 4 * full; n *= 2) {
         const auto work = std::make_shared<Transformed>(*bins, cascade, n, slopes, halves);
-        tasks.push_back({std::string(slopes ? "slope, " : "height, ") + (halves ? "16-bit storage" : "32-bit"), double(n), [=] { work->run(); }, 1.0,
-                         [=] { return work->errors(*bins, options.seed); }, "", ""});
+        tasks.push_back({std::string(slopes ? "slope, " : "height, ") + (halves ? "16-bit storage" : "32-bit"),
+                         double(n), [=] { work->run(); }, 1.0, [=] { return work->errors(*bins, options.seed); }, "",
+                         ""});
       }
   return tasks;
 }
@@ -237,13 +260,18 @@ std::vector<LabTask> cascades_tasks(double wind_mps, const LabOptions& options) 
     const auto drawn = std::make_shared<Drawn>(sea, cascades);
     const auto errors = [=]() -> std::vector<LabError> {
       const SeaStatistics& s = drawn->field.statistics();
-      const double slopes = s.slope_moments.x + s.slope_moments.y, tail = s.tail_slope_moments.x + s.tail_slope_moments.y;
+      const double slopes = s.slope_moments.x + s.slope_moments.y,
+                   tail = s.tail_slope_moments.x + s.tail_slope_moments.y;
       // What is shorter than all cascades is shaded, not drawn: the share of slopes that no picture shows as waves.
-      return {{tail / (slopes + tail), "of the slope variance, not drawn"}, {std::abs(1.0 - s.height_variance / whole), "of the height variance"},
-              {drawn->field.bins().ladder[std::size_t(cascades - 1)].side_m, "m, after which the shortest tile repeats"}};
+      return {
+          {tail / (slopes + tail), "of the slope variance, not drawn"},
+          {std::abs(1.0 - s.height_variance / whole), "of the height variance"},
+          {drawn->field.bins().ladder[std::size_t(cascades - 1)].side_m, "m, after which the shortest tile repeats"}};
     };
-    tasks.push_back({"waves.cascades", double(cascades), [=] { drawn->field.evaluate(ticks_from_seconds(10.0), drawn->tiles); }, 1.0, errors,
-                     presets_with({{"waves.cascades", std::to_string(cascades)}}), "waves.cascades=" + std::to_string(cascades)});
+    tasks.push_back({"waves.cascades", double(cascades),
+                     [=] { drawn->field.evaluate(ticks_from_seconds(10.0), drawn->tiles); }, 1.0, errors,
+                     presets_with({{"waves.cascades", std::to_string(cascades)}}),
+                     "waves.cascades=" + std::to_string(cascades)});
   }
   return tasks;
 }
@@ -252,11 +280,25 @@ std::vector<LabTask> cascades_tasks(double wind_mps, const LabOptions& options) 
 
 std::vector<LabCurve> sea_curves() {
   return {
-      {"query", "Steps of a height query", "one point",
-       {{"plain loop, fixed point", true, 0.0, 0.15, 1.0, 6.0, "at most the contraction of the sea's displacement where it is asked, Banach (1922)", "", "of Hs, rms, as the contraction has it"}}, true, false, query_tasks},
-      {"transform", "Precision of the inverse transform", "one transform",
-       {{"height, 32-bit", false, 0.1, 0.15, 16.0, 1024.0, "rounding grows as the root of log2 n (Schatzman 1996), slower than any power", "relative L2 by rounding"},
-        {"height, 16-bit storage", false, 0.0, 0.12, 16.0, 1024.0, "11 bits are the same at every size", "relative L2 by rounding"}}, true, false, transform_tasks},
+      {"query",
+       "Steps of a height query",
+       "one point",
+       {{"plain loop, fixed point", true, 0.0, 0.15, 1.0, 6.0,
+         "at most the contraction of the sea's displacement where it is asked, Banach (1922)", "",
+         "of Hs, rms, as the contraction has it"}},
+       true,
+       false,
+       query_tasks},
+      {"transform",
+       "Precision of the inverse transform",
+       "one transform",
+       {{"height, 32-bit", false, 0.1, 0.15, 16.0, 1024.0,
+         "rounding grows as the root of log2 n (Schatzman 1996), slower than any power", "relative L2 by rounding"},
+        {"height, 16-bit storage", false, 0.0, 0.12, 16.0, 1024.0, "11 bits are the same at every size",
+         "relative L2 by rounding"}},
+       true,
+       false,
+       transform_tasks},
       {"cascades", "Cascades of waves", "one evaluation of all tiles", {}, true, false, cascades_tasks},
   };
 }

@@ -34,7 +34,8 @@ BoundsTree::BoundsTree(std::span<const InputBounds> boxes) {
     const std::uint32_t half = part.count / 2;
     const auto key = [&](std::uint32_t i) { return 0.5 * boxes[i].least[axis] + 0.5 * boxes[i].most[axis]; };
     // By number where middles are alike: one tree for one list of boxes, whichever library sorts.
-    std::nth_element(items_.begin() + part.first, items_.begin() + part.first + half, items_.begin() + part.first + part.count,
+    std::nth_element(items_.begin() + part.first, items_.begin() + part.first + half,
+                     items_.begin() + part.first + part.count,
                      [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
     const auto left = std::uint32_t(nodes_.size());
     nodes_[part.node].first = left;

@@ -1,4 +1,5 @@
-// Boxes on the plane, sorted so that those at a place, and the one nearest to it, are found in a few steps among thousands.
+// Boxes on the plane, sorted so that those at a place, and the one nearest to it, are found in a few steps among
+// thousands.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -24,12 +25,13 @@ struct InputBounds {
     return glm::dot(off, off);
   }
   bool holds(glm::dvec2 place, double reach) const {
-    return place.x >= least.x - reach && place.y >= least.y - reach && place.x <= most.x + reach && place.y <= most.y + reach;
+    return place.x >= least.x - reach && place.y >= least.y - reach && place.x <= most.x + reach &&
+           place.y <= most.y + reach;
   }
 };
 
-// A binary tree over boxes that are cut in halves by the median of their middles, along the longer side (Kay and Kajiya 1986 call such trees
-// bounding volume hierarchies). Immutable; items are numbers into what it was made of.
+// A binary tree over boxes that are cut in halves by the median of their middles, along the longer side (Kay and Kajiya
+// 1986 call such trees bounding volume hierarchies). Immutable; items are numbers into what it was made of.
 class BoundsTree {
  public:
   BoundsTree() = default;
@@ -47,11 +49,16 @@ class BoundsTree {
   // visit(item) for each whose box has something of the half line from the place towards +x.
   template <class Visit>
   void rightwards(glm::dvec2 place, const Visit& visit) const {
-    walk([&](const InputBounds& box) { return box.least.y <= place.y && box.most.y >= place.y && box.most.x >= place.x; }, visit);
+    walk(
+        [&](const InputBounds& box) {
+          return box.least.y <= place.y && box.most.y >= place.y && box.most.x >= place.x;
+        },
+        visit);
   }
 
-  // distance2(item) gives the item's own squared distance; the least one's number and distance, or -1 where none is within `limit`. Of those
-  // equally near it is the one that was found first, which depends on the boxes and the place alone.
+  // distance2(item) gives the item's own squared distance; the least one's number and distance, or -1 where none is
+  // within `limit`. Of those equally near it is the one that was found first, which depends on the boxes and the place
+  // alone.
   struct Nearest {
     std::int64_t item = -1;
     double distance2 = 0.0;

@@ -21,14 +21,16 @@ T first_slope(const T& here, const T& next, const T& after, double to_next, doub
 
 }  // namespace
 
-Curve::Curve(std::vector<glm::dvec2> points, std::vector<double> knots, bool closed) : points_(std::move(points)), knots_(std::move(knots)) {
+Curve::Curve(std::vector<glm::dvec2> points, std::vector<double> knots, bool closed)
+    : points_(std::move(points)), knots_(std::move(knots)) {
   const std::size_t n = points_.size();
   assert(n >= (closed ? 3u : 2u) && knots_.size() == n + (closed ? 1 : 0));
   tangents_.resize(n);
   const auto step = [&](std::size_t i) { return knots_[i + 1] - knots_[i]; };
   for (std::size_t i = 0; i < n; ++i) {
     if (closed) {
-      tangents_[i] = middle_slope(points_[(i + n - 1) % n], points_[i], points_[(i + 1) % n], step((i + n - 1) % n), step(i));
+      tangents_[i] =
+          middle_slope(points_[(i + n - 1) % n], points_[i], points_[(i + 1) % n], step((i + n - 1) % n), step(i));
     } else if (n == 2) {
       tangents_[i] = (points_[1] - points_[0]) / step(0);
     } else if (i == 0) {
@@ -45,19 +47,22 @@ glm::dvec2 Curve::place(std::size_t span, double u) const {
   const std::size_t next = (span + 1) % points_.size();
   const double h = knots_[span + 1] - knots_[span], v = 1.0 - u;
   const glm::dvec2 step = points_[next] - points_[span];
-  return points_[span] + step * (u * u * (3.0 - 2.0 * u)) + tangents_[span] * (h * u * v * v) - tangents_[next] * (h * u * u * v);
+  return points_[span] + step * (u * u * (3.0 - 2.0 * u)) + tangents_[span] * (h * u * v * v) -
+         tangents_[next] * (h * u * u * v);
 }
 
 glm::dvec2 Curve::derivative(std::size_t span, double u) const {
   const std::size_t next = (span + 1) % points_.size();
   const double h = knots_[span + 1] - knots_[span], v = 1.0 - u;
-  return (points_[next] - points_[span]) * (6.0 * u * v) + tangents_[span] * (h * v * (1.0 - 3.0 * u)) + tangents_[next] * (h * u * (3.0 * u - 2.0));
+  return (points_[next] - points_[span]) * (6.0 * u * v) + tangents_[span] * (h * v * (1.0 - 3.0 * u)) +
+         tangents_[next] * (h * u * (3.0 * u - 2.0));
 }
 
 glm::dvec2 Curve::second(std::size_t span, double u) const {
   const std::size_t next = (span + 1) % points_.size();
   const double h = knots_[span + 1] - knots_[span];
-  return (points_[next] - points_[span]) * (6.0 - 12.0 * u) + tangents_[span] * (h * (6.0 * u - 4.0)) + tangents_[next] * (h * (6.0 * u - 2.0));
+  return (points_[next] - points_[span]) * (6.0 - 12.0 * u) + tangents_[span] * (h * (6.0 * u - 4.0)) +
+         tangents_[next] * (h * (6.0 * u - 2.0));
 }
 
 int Curve::chords(std::size_t span, double share) const {

@@ -21,7 +21,8 @@ WeldedMesh welded(const Model& model) { return weld(model, TurnedFrame({0.0, 0.0
 struct Reach {
   glm::dvec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
   explicit Reach(const WeldedMesh& mesh) {
-    for (const MeshCorner& c : mesh.corners) least = glm::min(least, {c.at.x, c.height, c.at.y}), most = glm::max(most, {c.at.x, c.height, c.at.y});
+    for (const MeshCorner& c : mesh.corners)
+      least = glm::min(least, {c.at.x, c.height, c.at.y}), most = glm::max(most, {c.at.x, c.height, c.at.y});
   }
   glm::dvec3 size() const { return most - least; }
 };
@@ -29,12 +30,14 @@ struct Reach {
 // Of a place in the hull's map.
 glm::vec3 texel_at(const std::vector<MeshPiece>& pieces, glm::dvec2 p, double texel_m) {
   const double limit = double(farthest) * texel_m;
-  double low = std::numeric_limits<double>::infinity(), high = -low, beyond = limit, nearest = limit, edge_low = 0.0, edge_high = 0.0;
+  double low = std::numeric_limits<double>::infinity(), high = -low, beyond = limit, nearest = limit, edge_low = 0.0,
+         edge_high = 0.0;
   bool known = false;
   for (const MeshPiece& piece : pieces) {
     const InputBounds bounds = piece.triangle_tree.bounds();
     if (bounds.distance2(p) > limit * limit) continue;
-    const bool within = piece.over(p, [&](const MeshTriangle&, double height) { low = std::min(low, height), high = std::max(high, height); });
+    const bool within = piece.over(
+        p, [&](const MeshTriangle&, double height) { low = std::min(low, height), high = std::max(high, height); });
     const BoundsTree::Nearest found = piece.outline_tree.nearest(p, limit, [&](std::uint32_t i) {
       const glm::dvec2 off = p - piece.outline[i].nearest(p).at;
       return glm::dot(off, off);
@@ -42,10 +45,13 @@ glm::vec3 texel_at(const std::vector<MeshPiece>& pieces, glm::dvec2 p, double te
     const double distance = found.item < 0 ? limit : std::sqrt(found.distance2);
     beyond = std::min(beyond, within ? -distance : distance);
     if (within || found.item < 0) continue;
-    // The outline's own heights lie beyond it, so that what is read across it ends where the hull does: those of above and of below are as near.
+    // The outline's own heights lie beyond it, so that what is read across it ends where the hull does: those of above
+    // and of below are as near.
     const double height = piece.outline[std::size_t(found.item)].nearest(p).height;
-    if (!known || distance < nearest - 1e-3 * texel_m) edge_low = edge_high = height, nearest = distance;
-    else if (distance < nearest + 1e-3 * texel_m) edge_low = std::min(edge_low, height), edge_high = std::max(edge_high, height);
+    if (!known || distance < nearest - 1e-3 * texel_m)
+      edge_low = edge_high = height, nearest = distance;
+    else if (distance < nearest + 1e-3 * texel_m)
+      edge_low = std::min(edge_low, height), edge_high = std::max(edge_high, height);
     known = true;
   }
   const bool covered = low <= high;
@@ -58,7 +64,10 @@ std::string hull_fault(const Model& model) {
   const WeldedMesh mesh = welded(model);
   if (mesh.triangles.empty()) return "encloses nothing";
   const std::size_t open = open_sides(mesh);
-  if (open > 0) return "is not closed: " + std::to_string(open) + (open == 1 ? " side of a triangle has" : " sides of triangles have") + " nothing beside them that faces the same way";
+  if (open > 0)
+    return "is not closed: " + std::to_string(open) +
+           (open == 1 ? " side of a triangle has" : " sides of triangles have") +
+           " nothing beside them that faces the same way";
   const glm::dvec3 size = Reach(mesh).size();
   const double widest = std::max({size.x, size.y, size.z});
   if (!(std::min({size.x, size.y, size.z}) > 1e-6 * widest) || mesh_pieces(mesh).empty()) return "encloses nothing";
@@ -79,7 +88,8 @@ HullMap make_hull_map(const Model& model) {
       const glm::dvec2 off = (glm::dvec2(x, z) + 0.5 - 0.5 * side) * map.texel_m;
       const glm::vec3 t = texel_at(pieces, glm::dvec2(map.middle_m.x, map.middle_m.z) + off, map.texel_m);
       const auto of_half = [&](float height) { return float((double(height) - map.middle_m.y) / map.half_height_m); };
-      map.texels[std::size_t(z) * side + std::size_t(x)] = t.z >= farthest ? glm::vec3(0.0f, 0.0f, farthest) : glm::vec3(of_half(t.x), of_half(t.y), t.z);
+      map.texels[std::size_t(z) * side + std::size_t(x)] =
+          t.z >= farthest ? glm::vec3(0.0f, 0.0f, farthest) : glm::vec3(of_half(t.x), of_half(t.y), t.z);
     }
   });
   return map;

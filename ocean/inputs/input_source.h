@@ -1,4 +1,5 @@
-// One input as the sea asks it: what it gives at a place, and how much of it there is. Each kind is one room of this folder.
+// One input as the sea asks it: what it gives at a place, and how much of it there is. Each kind is one room of this
+// folder.
 #pragma once
 #include <glm/glm.hpp>
 #include <memory>
@@ -19,7 +20,8 @@ struct InputSample {
 class InputSource {
  public:
   virtual ~InputSource() = default;
-  // At a place (x and z, m), seen with a footprint (m, 0 or more), at a time (s). All are finite; so is what comes back.
+  // At a place (x and z, m), seen with a footprint (m, 0 or more), at a time (s). All are finite; so is what comes
+  // back.
   virtual InputSample sample(glm::dvec2 place_m, double footprint_m, double time_s) const = 0;
   // Outside of this, made larger by soft_reach(), the share is 0 at any time.
   virtual InputBounds bounds() const = 0;
@@ -27,11 +29,12 @@ class InputSource {
   virtual bool still() const { return true; }
 };
 
-// Of a spec that validate() lets pass. nullptr where there is nothing of it, as of a spline of one point; `remarks` then says why, and also what
-// of it was left out.
+// Of a spec that validate() lets pass. nullptr where there is nothing of it, as of a spline of one point; `remarks`
+// then says why, and also what of it was left out.
 std::unique_ptr<const InputSource> make_input(const InputSpec& spec, std::vector<std::string>& remarks);
 
-// The points of a spline, without those that lie where the one before does; none where they are too few for a curve. `remarks` says what was left out.
+// The points of a spline, without those that lie where the one before does; none where they are too few for a curve.
+// `remarks` says what was left out.
 std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::string>& remarks);
 std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vector<std::string>& remarks);
 std::unique_ptr<const InputSource> make_area(const InputSpec& spec);

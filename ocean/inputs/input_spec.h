@@ -1,4 +1,5 @@
-// What a scene says of one input: where it lies, what it gives to which of the sea's local data, and how that joins what is there. Plain values, in SI units.
+// What a scene says of one input: where it lies, what it gives to which of the sea's local data, and how that joins
+// what is there. Plain values, in SI units.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -18,11 +19,11 @@ enum class InputTarget { level, sea_depth, flow, foam, clip, albedo, shadow, dyn
 
 struct InputTargetTraits {
   std::string_view name;
-  int channels;             // of a value: 1 to 4, the first ones of a vec4
-  double least, most;       // of every channel, so that a half float holds it
-  std::string_view unit;    // "" for shares of 1
+  int channels;           // of a value: 1 to 4, the first ones of a vec4
+  double least, most;     // of every channel, so that a half float holds it
+  std::string_view unit;  // "" for shares of 1
   std::string_view means;
-  bool asked = false;       // the sea of this version asks for it; else an input of it changes nothing, and a remark says so
+  bool asked = false;  // the sea of this version asks for it; else an input of it changes nothing, and a remark says so
 };
 // In the order of InputTarget.
 inline constexpr std::array<InputTargetTraits, 9> input_targets{{
@@ -31,7 +32,9 @@ inline constexpr std::array<InputTargetTraits, 9> input_targets{{
     {"flow", 2, -100.0, 100.0, "m/s", "the water's velocity along x and z", true},
     {"foam", 1, 0.0, 100.0, "1/s", "the share of the water that foam comes to cover in a second", true},
     {"clip", 1, 0.0, 1.0, "", "1 where there is no water", true},
-    {"albedo", 4, 0.0, 1.0, "", "a colour that lies on the water: red, green, blue (linear) and cover; the sea keeps them multiplied by the cover", true},
+    {"albedo", 4, 0.0, 1.0, "",
+     "a colour that lies on the water: red, green, blue (linear) and cover; the sea keeps them multiplied by the cover",
+     true},
     {"shadow", 2, 0.0, 1.0, "", "light kept away: from within the water (soft) and from its surface (hard)", true},
     {"dynamic_waves", 1, -100.0, 100.0, "m", "a pressure on the water, as a head", true},
     {"gerstner", 1, 0.0, 1.0, "", "how high the waves stand, as a share of what their sets say", true},
@@ -51,10 +54,12 @@ inline constexpr std::array<std::string_view, 5> input_blends{"add", "replace", 
 struct InputRange {
   double least, most;
 };
-inline constexpr InputRange input_place_range{-1e7, 1e7}, input_size_range{1e-3, 1e6}, input_feather_range{0.0, 1e6}, input_share_range{0.0, 1.0},
-    input_angle_range{-360.0, 360.0}, input_factor_range{0.0, 1000.0}, input_map_range{-1e6, 1e6}, input_time_range{-1e9, 1e9}, input_life_range{1e-3, 1e6},
-    input_order_range{-1e6, 1e6}, input_model_range{1e-6, 1e6}, input_height_range{-1e4, 1e4};
-inline constexpr std::size_t most_inputs = 4096, most_input_points = 65536, most_input_triangles = 262144, most_input_texels = 4096 * 4096, most_input_hulls = 64;
+inline constexpr InputRange input_place_range{-1e7, 1e7}, input_size_range{1e-3, 1e6}, input_feather_range{0.0, 1e6},
+    input_share_range{0.0, 1.0}, input_angle_range{-360.0, 360.0}, input_factor_range{0.0, 1000.0},
+    input_map_range{-1e6, 1e6}, input_time_range{-1e9, 1e9}, input_life_range{1e-3, 1e6}, input_order_range{-1e6, 1e6},
+    input_model_range{1e-6, 1e6}, input_height_range{-1e4, 1e4};
+inline constexpr std::size_t most_inputs = 4096, most_input_points = 65536, most_input_triangles = 262144,
+                             most_input_texels = 4096 * 4096, most_input_hulls = 64;
 
 // Angles are clockwise from -z seen from above. Places are x and z.
 
@@ -86,20 +91,26 @@ struct VortexInput {
   double inflow_mps = 0.0;  // at the core's edge, towards the middle
 };
 
-// Of clip: a body in the water, turned about its middle as a ship is: first rolled (above 0 its +x side goes down), then pitched (its -z end rises), then turned.
+// Of clip: a body in the water, turned about its middle as a ship is: first rolled (above 0 its +x side goes down),
+// then pitched (its -z end rises), then turned.
 struct VolumeInput {
   enum class Form { sphere, box, capsule, cylinder };  // the last two upright
   Form form = Form::sphere;
-  glm::dvec3 at_m{0.0};                   // x, height, z of its middle
-  glm::dvec3 size_m{10.0};                // of a box, from side to side
-  double round_m = 0.0;                   // radius of a box's edges
-  double radius_m = 5.0, length_m = 20.0; // of the others; of capsule and cylinder from end to end
+  glm::dvec3 at_m{0.0};                    // x, height, z of its middle
+  glm::dvec3 size_m{10.0};                 // of a box, from side to side
+  double round_m = 0.0;                    // radius of a box's edges
+  double radius_m = 5.0, length_m = 20.0;  // of the others; of capsule and cylinder from end to end
   double turn_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
 };
 
 // A model's triangles seen from above; or of clip, what it encloses.
 struct ShapeInput {
-  enum class From { value, height, material, hull };  // height adds the highest point's to the value; material is a base colour
+  enum class From {
+    value,
+    height,
+    material,
+    hull
+  };  // height adds the highest point's to the value; material is a base colour
   std::string file;
   std::shared_ptr<const Model> model;
   glm::dvec2 at_m{0.0};
@@ -113,9 +124,9 @@ struct TextureInput {
   std::string file;
   std::shared_ptr<const ImageF> image;
   glm::dvec2 at_m{0.0}, size_m{100.0};
-  double turn_deg = 0.0;    // a flow's vectors turn with it
+  double turn_deg = 0.0;  // a flow's vectors turn with it
   double scale = 1.0, offset = 0.0;
-  std::string channels;     // a letter of r, g, b, a for each of the value's channels; "" takes the first ones
+  std::string channels;  // a letter of r, g, b, a for each of the value's channels; "" takes the first ones
 };
 
 // What a moving thing leaves behind it: discs that fade away evenly over their life.
@@ -134,24 +145,28 @@ struct InputSpec {
   InputTarget to = InputTarget::level;
   double weight = 1.0;
   InputBlend blend = InputBlend::add;
-  int order = 0;             // lower ones first; those alike as they come
-  double feather_m = 0.0;    // width of the soft edge, which lies inside of the shape
-  bool follow_waves = false; // it goes to and fro with the waves that pass under it, as foam does; else it stays in its place
-  glm::vec4 value{0.0f};     // as many channels as the target has; a factor, with InputBlend::scale, is in the first
-  std::variant<SplineInput, AreaInput, VortexInput, ShapeInput, TextureInput, TrailInput, VolumeInput> shape = AreaInput{};
-  std::string where;         // what messages call it: "scene.json:12: inputs[3]"
+  int order = 0;           // lower ones first; those alike as they come
+  double feather_m = 0.0;  // width of the soft edge, which lies inside of the shape
+  bool follow_waves =
+      false;  // it goes to and fro with the waves that pass under it, as foam does; else it stays in its place
+  glm::vec4 value{0.0f};  // as many channels as the target has; a factor, with InputBlend::scale, is in the first
+  std::variant<SplineInput, AreaInput, VortexInput, ShapeInput, TextureInput, TrailInput, VolumeInput> shape =
+      AreaInput{};
+  std::string where;  // what messages call it: "scene.json:12: inputs[3]"
 };
 // In the order of the variant, and those of VolumeInput of Form.
-inline constexpr std::array<std::string_view, 11> input_kinds{"spline", "ellipse", "rectangle", "vortex", "shape", "texture", "trail", "sphere", "box", "capsule", "cylinder"};
+inline constexpr std::array<std::string_view, 11> input_kinds{
+    "spline", "ellipse", "rectangle", "vortex", "shape", "texture", "trail", "sphere", "box", "capsule", "cylinder"};
 
-// Whether it takes water away where that stands within a body, and not from above (ClipVolumes). Its blend is `replace`: of those at a place the last one holds.
+// Whether it takes water away where that stands within a body, and not from above (ClipVolumes). Its blend is
+// `replace`: of those at a place the last one holds.
 bool is_volume(const InputSpec& spec);
 
 // Channels of the value that the input itself gives: one where it is a factor, or a speed along a spline.
 int value_channels(const InputSpec& spec);
 
-// Throws Error, at `where`, naming the key, its value, its range and what to do: what is no number, out of range or does not go together; a file
-// that was not read.
+// Throws Error, at `where`, naming the key, its value, its range and what to do: what is no number, out of range or
+// does not go together; a file that was not read.
 void validate(const InputSpec& spec);
 
 }  // namespace seascape

@@ -23,7 +23,9 @@ std::unique_ptr<const InputSource> make_input(const InputSpec& spec, std::vector
     std::unique_ptr<const InputSource> operator()(const SplineInput&) const { return make_spline(spec, remarks); }
     std::unique_ptr<const InputSource> operator()(const AreaInput&) const { return make_area(spec); }
     std::unique_ptr<const InputSource> operator()(const VortexInput&) const { return make_vortex(spec); }
-    std::unique_ptr<const InputSource> operator()(const ShapeInput&) const { return is_volume(spec) ? nullptr : make_shape(spec, remarks); }
+    std::unique_ptr<const InputSource> operator()(const ShapeInput&) const {
+      return is_volume(spec) ? nullptr : make_shape(spec, remarks);
+    }
     std::unique_ptr<const InputSource> operator()(const TextureInput&) const { return make_texture(spec); }
     std::unique_ptr<const InputSource> operator()(const TrailInput&) const { return make_trail(spec, remarks); }
     std::unique_ptr<const InputSource> operator()(const VolumeInput&) const { return nullptr; }  // ClipVolumes
@@ -32,7 +34,9 @@ std::unique_ptr<const InputSource> make_input(const InputSpec& spec, std::vector
 }
 
 glm::vec4 with_cover(const InputSpec& spec, glm::vec4 value) {
-  return spec.to == InputTarget::albedo && spec.blend != InputBlend::scale ? glm::vec4(glm::vec3(value) * value.w, value.w) : value;
+  return spec.to == InputTarget::albedo && spec.blend != InputBlend::scale
+             ? glm::vec4(glm::vec3(value) * value.w, value.w)
+             : value;
 }
 
 glm::vec4 plain_value(const InputSpec& spec, glm::vec4 value) {
@@ -42,12 +46,16 @@ glm::vec4 plain_value(const InputSpec& spec, glm::vec4 value) {
 std::vector<std::string> remarks_of(std::span<const InputSpec> specs) {
   std::vector<std::string> remarks;
   for (std::size_t t = 0; t < input_targets.size(); ++t) {
-    const auto first = std::find_if(specs.begin(), specs.end(), [&](const InputSpec& spec) { return spec.to == InputTarget(t); });
+    const auto first =
+        std::find_if(specs.begin(), specs.end(), [&](const InputSpec& spec) { return spec.to == InputTarget(t); });
     if (first != specs.end() && !input_targets[t].asked)
-      remarks.push_back(fmt::format("{}: the sea of this version takes no inputs of {} yet, and this changes nothing; keep it for a later one", first->where, input_targets[t].name));
+      remarks.push_back(fmt::format(
+          "{}: the sea of this version takes no inputs of {} yet, and this changes nothing; keep it for a later one",
+          first->where, input_targets[t].name));
   }
   for (const InputSpec& spec : specs)
-    if (!std::holds_alternative<TextureInput>(spec.shape)) (void)make_input(spec, remarks);  // of a picture there is always something
+    if (!std::holds_alternative<TextureInput>(spec.shape))
+      (void)make_input(spec, remarks);  // of a picture there is always something
   return remarks;
 }
 
@@ -55,7 +63,8 @@ Inputs::Inputs(InputTarget to, std::span<const InputSpec> specs, bool (*taken)(c
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < specs.size(); ++i)
     if (specs[i].to == to && !is_volume(specs[i]) && taken(specs[i])) numbers.push_back(i);
-  std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
   std::vector<InputBounds> boxes;
   for (const std::size_t i : numbers) {
     const InputSpec& spec = specs[i];
@@ -81,16 +90,27 @@ glm::vec4 Inputs::joined(const Layer& layer, const InputSample& sample, glm::vec
   const glm::vec4 v = sample.value;
   glm::vec4 result = base;
   switch (layer.blend) {
-    case InputBlend::add: result = base + m * v; break;
-    case InputBlend::replace: result = to_ == InputTarget::albedo ? base * (1.0f - m * v.w) + m * v : base + m * (v - base); break;
-    case InputBlend::scale: result = base * (1.0f + m * (v - 1.0f)); break;
-    case InputBlend::min: result = base + m * (glm::min(base, v) - base); break;
-    case InputBlend::max: result = base + m * (glm::max(base, v) - base); break;
+    case InputBlend::add:
+      result = base + m * v;
+      break;
+    case InputBlend::replace:
+      result = to_ == InputTarget::albedo ? base * (1.0f - m * v.w) + m * v : base + m * (v - base);
+      break;
+    case InputBlend::scale:
+      result = base * (1.0f + m * (v - 1.0f));
+      break;
+    case InputBlend::min:
+      result = base + m * (glm::min(base, v) - base);
+      break;
+    case InputBlend::max:
+      result = base + m * (glm::max(base, v) - base);
+      break;
   }
   return glm::clamp(result, -largest, largest);
 }
 
-glm::vec4 Inputs::value(glm::dvec2 place_m, double footprint_m, double time_s, glm::vec4 base, glm::dvec2 rest_m) const {
+glm::vec4 Inputs::value(glm::dvec2 place_m, double footprint_m, double time_s, glm::vec4 base,
+                        glm::dvec2 rest_m) const {
   if (layers_.empty() || !std::isfinite(place_m.x + place_m.y + rest_m.x + rest_m.y + time_s)) return base;
   const double footprint = footprint_m > 0.0 ? std::min(footprint_m, 1e7) : 0.0, reach = 0.5 * footprint;
   std::array<std::uint32_t, most_sorted> found;
@@ -130,7 +150,8 @@ glm::vec4 Inputs::value(glm::dvec2 place_m, double footprint_m, double time_s, g
   }
   if (!touched) return base;
   const InputTargetTraits& target = traits(to_);
-  for (int c = 0; c < 4; ++c) result[c] = c < target.channels ? glm::clamp(result[c], float(target.least), float(target.most)) : base[c];
+  for (int c = 0; c < 4; ++c)
+    result[c] = c < target.channels ? glm::clamp(result[c], float(target.least), float(target.most)) : base[c];
   return result;
 }
 

@@ -38,7 +38,8 @@ void finish(MeshPiece& piece) {
 
 MeshCorner MeshEdge::nearest(glm::dvec2 p) const {
   const glm::dvec2 way = b.at - a.at;
-  const double length2 = glm::dot(way, way), u = length2 > 0.0 ? std::clamp(glm::dot(p - a.at, way) / length2, 0.0, 1.0) : 0.0;
+  const double length2 = glm::dot(way, way),
+               u = length2 > 0.0 ? std::clamp(glm::dot(p - a.at, way) / length2, 0.0, 1.0) : 0.0;
   return {a.at + way * u, a.height + (b.height - a.height) * u};
 }
 
@@ -61,7 +62,8 @@ WeldedMesh weld(const Model& model, const TurnedFrame& frame, double scale) {
   std::unordered_map<glm::vec3, std::uint32_t, Hash, Same> numbers;
   WeldedMesh result;
   for (const MeshPart& part : model.parts) {
-    const glm::vec4 colour = part.material >= 0 ? model.materials[std::size_t(part.material)].base_colour : glm::vec4(1.0f);
+    const glm::vec4 colour =
+        part.material >= 0 ? model.materials[std::size_t(part.material)].base_colour : glm::vec4(1.0f);
     for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
       std::array<std::uint32_t, 3> triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -122,7 +124,8 @@ std::vector<MeshPiece> mesh_pieces(const WeldedMesh& w) {
   }
   for (const auto& [side, triangles] : sides)
     if (triangles.size() == 1)
-      pieces[find(triangles[0])].outline.push_back({w.corners[std::get<0>(side)], w.corners[std::get<1>(side)], w.colours[triangles[0]]});
+      pieces[find(triangles[0])].outline.push_back(
+          {w.corners[std::get<0>(side)], w.corners[std::get<1>(side)], w.colours[triangles[0]]});
   std::vector<MeshPiece> result;
   for (auto& [number, piece] : pieces) {
     finish(piece);

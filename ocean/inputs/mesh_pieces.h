@@ -34,11 +34,12 @@ struct WeldedMesh {
 };
 WeldedMesh weld(const Model& model, const TurnedFrame& frame, double scale);
 
-// Sides that are not between two triangles each of which runs along it the other way: of a closed model none. Triangles without an area that share two corners do not count.
+// Sides that are not between two triangles each of which runs along it the other way: of a closed model none. Triangles
+// without an area that share two corners do not count.
 std::size_t open_sides(const WeldedMesh& mesh);
 
-// Triangles that hang together by their sides and all face up, or all down, with the sides that are their outline: what a closed hull shows
-// from above and from below are two such pieces of one outline.
+// Triangles that hang together by their sides and all face up, or all down, with the sides that are their outline: what
+// a closed hull shows from above and from below are two such pieces of one outline.
 struct MeshPiece {
   std::vector<MeshTriangle> triangles;
   std::vector<MeshEdge> outline;

@@ -14,7 +14,11 @@ namespace {
 
 class Shape final : public InputSource {
  public:
-  Shape(const InputSpec& spec, std::vector<MeshPiece> pieces) : spec_value_(spec.value), from_(std::get<ShapeInput>(spec.shape).from), feather_m_(spec.feather_m), pieces_(std::move(pieces)) {
+  Shape(const InputSpec& spec, std::vector<MeshPiece> pieces)
+      : spec_value_(spec.value),
+        from_(std::get<ShapeInput>(spec.shape).from),
+        feather_m_(spec.feather_m),
+        pieces_(std::move(pieces)) {
     plain_ = plain_value(spec, spec.value);
     std::vector<InputBounds> boxes;
     for (const MeshPiece& piece : pieces_) boxes.push_back(piece.triangle_tree.bounds());
@@ -34,7 +38,8 @@ class Shape final : public InputSource {
   InputBounds bounds() const override { return tree_.bounds(); }
 
  private:
-  // The share is the largest of all pieces; height and colour are those of the highest triangle, or where there is none of the nearest outline.
+  // The share is the largest of all pieces; height and colour are those of the highest triangle, or where there is none
+  // of the nearest outline.
   struct Best {
     double share = 0.0, height = 0.0, beyond = std::numeric_limits<double>::infinity();
     bool covered = false;
@@ -48,13 +53,15 @@ class Shape final : public InputSource {
     });
     double share = within ? 1.0 : 0.0;
     if (std::max(feather_m_, footprint_m) > 0.0) {
-      const BoundsTree::Nearest found = piece.outline_tree.nearest(p, within ? soft_depth(feather_m_, footprint_m) : reach, [&](std::uint32_t i) {
-        const glm::dvec2 off = p - piece.outline[i].nearest(p).at;
-        return glm::dot(off, off);
-      });
+      const BoundsTree::Nearest found =
+          piece.outline_tree.nearest(p, within ? soft_depth(feather_m_, footprint_m) : reach, [&](std::uint32_t i) {
+            const glm::dvec2 off = p - piece.outline[i].nearest(p).at;
+            return glm::dot(off, off);
+          });
       if (found.item < 0 && !within) return;
       const double distance = found.item < 0 ? soft_depth(feather_m_, footprint_m) : std::sqrt(found.distance2);
-      share = soft_share(within ? distance : -distance, feather_m_, footprint_m) * disc_factor(piece.radius_m, feather_m_, footprint_m);
+      share = soft_share(within ? distance : -distance, feather_m_, footprint_m) *
+              disc_factor(piece.radius_m, feather_m_, footprint_m);
       if (!within && !best.covered && distance < best.beyond) {
         const MeshEdge& edge = piece.outline[std::size_t(found.item)];
         best.beyond = distance, best.height = edge.nearest(p).height, best.colour = edge.colour;
@@ -75,7 +82,10 @@ std::unique_ptr<const InputSource> make_shape(const InputSpec& spec, std::vector
   const ShapeInput& shape = std::get<ShapeInput>(spec.shape);
   std::vector<MeshPiece> pieces = mesh_pieces(weld(*shape.model, TurnedFrame(shape.at_m, shape.turn_deg), shape.scale));
   if (pieces.empty()) {
-    remarks.push_back(fmt::format("{}: the model {} covers nothing seen from above and gives nothing; give one with faces that do not stand upright", spec.where, shape.file));
+    remarks.push_back(
+        fmt::format("{}: the model {} covers nothing seen from above and gives nothing; give one with faces that do "
+                    "not stand upright",
+                    spec.where, shape.file));
     return nullptr;
   }
   return std::make_unique<Shape>(spec, std::move(pieces));

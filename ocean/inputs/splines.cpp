@@ -13,8 +13,8 @@ namespace seascape {
 
 namespace {
 
-// A place takes the values of the curve's nearest place, so they change at once where two parts of it are equally near, as across the inner
-// side of a bend tighter than half the width.
+// A place takes the values of the curve's nearest place, so they change at once where two parts of it are equally near,
+// as across the inner side of a bend tighter than half the width.
 class Spline final : public InputSource {
  public:
   Spline(const InputSpec& spec, const std::vector<SplinePoint>& points, bool closed, bool filled)
@@ -27,9 +27,11 @@ class Spline final : public InputSource {
     std::vector<double> values(points.size());
     numbers_.resize(points.size());
     for (int n = 0; n < 5; ++n) {
-      for (std::size_t i = 0; i < points.size(); ++i) values[i] = n == 4 ? 0.5 * points[i].width_m : double(plain_value(spec, points[i].value)[n]);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        values[i] = n == 4 ? 0.5 * points[i].width_m : double(plain_value(spec, points[i].value)[n]);
       const std::vector<double> slopes = monotone_slopes(values, knots, closed);
-      for (std::size_t i = 0; i < points.size(); ++i) numbers_[i].value[n] = values[i], numbers_[i].slope[n] = slopes[i];
+      for (std::size_t i = 0; i < points.size(); ++i)
+        numbers_[i].value[n] = values[i], numbers_[i].slope[n] = slopes[i];
     }
     for (const SplinePoint& point : points) widest_m_ = filled ? 0.0 : std::max(widest_m_, 0.5 * point.width_m);
 
@@ -39,7 +41,9 @@ class Spline final : public InputSource {
       for (int i = 0; i < count; ++i) {
         Chord chord{std::uint32_t(span), double(i) / count, double(i + 1) / count, {}, {}};
         chord.a = curve_.place(span, chord.u), chord.b = curve_.place(span, chord.v);
-        off_m_ = std::max(off_m_, glm::length(glm::max(glm::abs(curve_.second(span, chord.u)), glm::abs(curve_.second(span, chord.v)))) / (8.0 * count * count));
+        off_m_ = std::max(off_m_, glm::length(glm::max(glm::abs(curve_.second(span, chord.u)),
+                                                       glm::abs(curve_.second(span, chord.v)))) /
+                                      (8.0 * count * count));
         chords_.push_back(chord);
         boxes.emplace_back();
         boxes.back().add(chord.a);
@@ -52,24 +56,31 @@ class Spline final : public InputSource {
 
   InputSample sample(glm::dvec2 place_m, double footprint_m, double) const override {
     const double reach = widest_m_ + soft_reach(feather_m_, footprint_m) + off_m_;
-    const BoundsTree::Nearest found = tree_.nearest(place_m, filled_ ? 1e9 : reach, [&](std::uint32_t i) { return chord_distance2(chords_[i], place_m); });
+    const BoundsTree::Nearest found = tree_.nearest(
+        place_m, filled_ ? 1e9 : reach, [&](std::uint32_t i) { return chord_distance2(chords_[i], place_m); });
     if (found.item < 0) return {};
     const Chord& chord = chords_[std::size_t(found.item)];
     const double u = nearest(chord, place_m);
     const std::size_t span = chord.span, next = (span + 1) % numbers_.size();
     const double h = curve_.knot(span + 1) - curve_.knot(span);
     const auto number = [&](int n) {
-      return hermite(numbers_[span].value[n], numbers_[next].value[n], numbers_[span].slope[n] * h, numbers_[next].slope[n] * h, u);
+      return hermite(numbers_[span].value[n], numbers_[next].value[n], numbers_[span].slope[n] * h,
+                     numbers_[next].slope[n] * h, u);
     };
     const glm::dvec2 at = curve_.place(span, u);
     const double distance = glm::distance(place_m, at);
-    const double half = number(4), inside = filled_ ? (within(place_m, at, distance) ? distance : -distance) : half - distance;
-    const double factor = filled_ ? disc_factor(radius_m_, feather_m_, footprint_m) : band_factor(half, feather_m_, footprint_m);
-    InputSample result{{float(number(0)), float(number(1)), float(number(2)), float(number(3))}, float(soft_share(inside, feather_m_, footprint_m) * factor)};
+    const double half = number(4),
+                 inside = filled_ ? (within(place_m, at, distance) ? distance : -distance) : half - distance;
+    const double factor =
+        filled_ ? disc_factor(radius_m_, feather_m_, footprint_m) : band_factor(half, feather_m_, footprint_m);
+    InputSample result{{float(number(0)), float(number(1)), float(number(2)), float(number(3))},
+                       float(soft_share(inside, feather_m_, footprint_m) * factor)};
     if (along_) {
       const glm::dvec2 tangent = curve_.derivative(span, u);
       const double length = glm::length(tangent), speed = number(0);
-      result.value = length > 0.0 ? glm::vec4(float(speed * tangent.x / length), float(speed * tangent.y / length), 0.0f, 0.0f) : glm::vec4(0.0f);
+      result.value = length > 0.0
+                         ? glm::vec4(float(speed * tangent.x / length), float(speed * tangent.y / length), 0.0f, 0.0f)
+                         : glm::vec4(0.0f);
     }
     return result;
   }
@@ -115,8 +126,8 @@ class Spline final : public InputSource {
     return u;
   }
 
-  // The area of what within() says yes to. The sum over chords has it where the curve does not cross itself; of a figure of eight it has the difference of the loops, and then rows of it are
-  // summed instead, crossing by crossing.
+  // The area of what within() says yes to. The sum over chords has it where the curve does not cross itself; of a
+  // figure of eight it has the difference of the loops, and then rows of it are summed instead, crossing by crossing.
   double surrounded_m2() const {
     double sum = 0.0;
     glm::dvec2 low(1e300), high(-1e300);
@@ -132,7 +143,8 @@ class Spline final : public InputSource {
     for (const Chord& c : chords_) {
       const double from = (std::min(c.a.y, c.b.y) - low.y) / step, to = (std::max(c.a.y, c.b.y) - low.y) / step;
       for (int row = std::max(int(std::ceil(from - 0.5)), 0); row < rows && row + 0.5 < to; ++row)
-        crossings[std::size_t(row)].push_back(c.a.x + (low.y + (row + 0.5) * step - c.a.y) / (c.b.y - c.a.y) * (c.b.x - c.a.x));
+        crossings[std::size_t(row)].push_back(c.a.x +
+                                              (low.y + (row + 0.5) * step - c.a.y) / (c.b.y - c.a.y) * (c.b.x - c.a.x));
     }
     double by_rows = 0.0;
     for (std::vector<double>& row : crossings) {
@@ -142,8 +154,8 @@ class Spline final : public InputSource {
     return std::abs(sum) > 0.98 * by_rows && std::abs(sum) < 1.02 * by_rows ? std::abs(sum) : by_rows;
   }
 
-  // Whether a closed curve surrounds a place: an odd number of chords between it and far away to +x. Where the chords are no help, nearer to the curve than
-  // they are, a place farther off on the same side is asked.
+  // Whether a closed curve surrounds a place: an odd number of chords between it and far away to +x. Where the chords
+  // are no help, nearer to the curve than they are, a place farther off on the same side is asked.
   bool within(glm::dvec2 p, glm::dvec2 at, double distance) const {
     const double safe = 4.0 * off_m_;
     if (distance < safe && distance > 0.0) p = at + (p - at) * (safe / distance);
@@ -159,9 +171,9 @@ class Spline final : public InputSource {
   Curve curve_;
   double feather_m_;
   bool filled_, along_;
-  double widest_m_ = 0.0;  // half the greatest width, of a filled one 0
-  double radius_m_ = 0.0;  // of the disc that has the area of what a filled one surrounds
-  double off_m_ = 0.0;     // no chord is farther from the curve
+  double widest_m_ = 0.0;         // half the greatest width, of a filled one 0
+  double radius_m_ = 0.0;         // of the disc that has the area of what a filled one surrounds
+  double off_m_ = 0.0;            // no chord is farther from the curve
   std::vector<Numbers> numbers_;  // at the points
   std::vector<Chord> chords_;
   BoundsTree tree_;
@@ -172,21 +184,26 @@ class Spline final : public InputSource {
 std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::string>& remarks) {
   const SplineInput& spline = std::get<SplineInput>(spec.shape);
   // A millionth of a metre: knots are the roots of distances, summed up, and each has to be told from the one before.
-  const auto at_one_place = [](const SplinePoint& a, const SplinePoint& b) { return glm::distance(a.at_m, b.at_m) < 1e-6; };
+  const auto at_one_place = [](const SplinePoint& a, const SplinePoint& b) {
+    return glm::distance(a.at_m, b.at_m) < 1e-6;
+  };
   std::vector<SplinePoint> points;
   for (const SplinePoint& point : spline.points)
     if (points.empty() || !at_one_place(points.back(), point)) points.push_back(point);
   if (spline.closed && points.size() > 1 && at_one_place(points.front(), points.back())) points.pop_back();
   const std::size_t least = spline.closed ? 3 : 2;
   if (points.size() < least) {
-    remarks.push_back(fmt::format("{}: a {}spline of {} point{} at {} place{} gives nothing; give {} points or more that lie apart", spec.where, spline.closed ? "closed " : "",
-                                  spline.points.size(), spline.points.size() == 1 ? "" : "s", points.size(), points.size() == 1 ? "" : "s", least));
+    remarks.push_back(
+        fmt::format("{}: a {}spline of {} point{} at {} place{} gives nothing; give {} points or more that lie apart",
+                    spec.where, spline.closed ? "closed " : "", spline.points.size(),
+                    spline.points.size() == 1 ? "" : "s", points.size(), points.size() == 1 ? "" : "s", least));
     return {};
   }
   // The point that closes a curve, given once more, is no fault.
   const bool again = spline.closed && at_one_place(spline.points.front(), spline.points.back());
   if (const std::size_t lost = spline.points.size() - points.size() - (again ? 1 : 0); lost > 0)
-    remarks.push_back(fmt::format("{}: {} of {} points lie{} where the one before does and {} left out", spec.where, lost, spline.points.size(), lost == 1 ? "s" : "", lost == 1 ? "is" : "are"));
+    remarks.push_back(fmt::format("{}: {} of {} points lie{} where the one before does and {} left out", spec.where,
+                                  lost, spline.points.size(), lost == 1 ? "s" : "", lost == 1 ? "is" : "are"));
   return points;
 }
 

@@ -13,8 +13,9 @@ struct MadePlace {
   std::unique_ptr<PlaceField<BedTexel>> field;
 };
 
-// Which windows are copied anew while the shares of two seas change: in every frame the four around the viewer, which vertices up to two metres apart read (they stand 20 m off: a step between
-// turns would be seen), and one of the others in its turn.
+// Which windows are copied anew while the shares of two seas change: in every frame the four around the viewer, which
+// vertices up to two metres apart read (they stand 20 m off: a step between turns would be seen), and one of the others
+// in its turn.
 class BedTurns {
  public:
   explicit BedTurns(int slices) : slices_(slices) {}

@@ -9,12 +9,17 @@
 namespace seascape {
 
 struct BedTexel {
-  glm::vec4 bed{0.0f};             // x: its height above y = 0, m; y, z, w: how far the longest cascades' patterns are shifted, m
-  glm::vec4 share{1.0f};           // PlaceWaves: of the first four cascades
-  glm::vec4 more{1.0f, 1.0f, 0.0f, 1.0f};  // of the fifth; of the other sources; of the run-up; of waves too short for any
+  glm::vec4 bed{0.0f};  // x: its height above y = 0, m; y, z, w: how far the longest cascades' patterns are shifted, m
+  glm::vec4 share{1.0f};  // PlaceWaves: of the first four cascades
+  glm::vec4 more{1.0f, 1.0f, 0.0f,
+                 1.0f};  // of the fifth; of the other sources; of the run-up; of waves too short for any
 };
-inline BedTexel operator+(const BedTexel& a, const BedTexel& b) { return {a.bed + b.bed, a.share + b.share, a.more + b.more}; }
-inline BedTexel operator-(const BedTexel& a, const BedTexel& b) { return {a.bed - b.bed, a.share - b.share, a.more - b.more}; }
+inline BedTexel operator+(const BedTexel& a, const BedTexel& b) {
+  return {a.bed + b.bed, a.share + b.share, a.more + b.more};
+}
+inline BedTexel operator-(const BedTexel& a, const BedTexel& b) {
+  return {a.bed - b.bed, a.share - b.share, a.more - b.more};
+}
 inline BedTexel operator*(const BedTexel& a, float by) { return {a.bed * by, a.share * by, a.more * by}; }
 inline float first_channel(const BedTexel& texel) { return texel.bed.x; }
 

@@ -24,7 +24,8 @@ std::vector<float> sheltered(const BedGrid& grid, std::span<const float> left, g
     const int r = main > 0.0 ? row : rows - 1 - row;
     for (int c = 0; c < columns; ++c) {
       const int from = c - side;
-      const float straight = before[std::size_t(c)], skew = from >= 0 && from < columns ? before[std::size_t(from)] : 1.0f;
+      const float straight = before[std::size_t(c)],
+                  skew = from >= 0 && from < columns ? before[std::size_t(from)] : 1.0f;
       const float comes = row == 0 ? 1.0f : straight + (skew - straight) * aslant;
       const std::size_t node = along_x ? grid.node(r, c) : grid.node(c, r);
       now[std::size_t(c)] = std::min(comes, left[node]);
@@ -74,10 +75,12 @@ void smooth(const BedGrid& grid, std::span<float> values) {
   std::vector<float> along(values.begin(), values.end());
   for (int j = 0; j < grid.nz; ++j)
     for (int i = 1; i + 1 < grid.nx; ++i)
-      along[grid.node(i, j)] = 0.25f * (values[grid.node(i - 1, j)] + values[grid.node(i + 1, j)]) + 0.5f * values[grid.node(i, j)];
+      along[grid.node(i, j)] =
+          0.25f * (values[grid.node(i - 1, j)] + values[grid.node(i + 1, j)]) + 0.5f * values[grid.node(i, j)];
   for (int j = 1; j + 1 < grid.nz; ++j)
     for (int i = 1; i + 1 < grid.nx; ++i)
-      values[grid.node(i, j)] = 0.25f * (along[grid.node(i, j - 1)] + along[grid.node(i, j + 1)]) + 0.5f * along[grid.node(i, j)];
+      values[grid.node(i, j)] =
+          0.25f * (along[grid.node(i, j - 1)] + along[grid.node(i, j + 1)]) + 0.5f * along[grid.node(i, j)];
 }
 
 }  // namespace seascape

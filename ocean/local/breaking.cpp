@@ -13,7 +13,8 @@ namespace {
 
 // As much is never known of a Jacobian between texels.
 constexpr double least_sigma = 0.01;
-// The Jacobian has the product of two strains besides their sum, and less in its tail than a Gaussian of the divergence: measured of seas of 5 to 23 m/s.
+// The Jacobian has the product of two strains besides their sum, and less in its tail than a Gaussian of the
+// divergence: measured of seas of 5 to 23 m/s.
 constexpr double thinner = 0.94;
 // Slower than this, water stands: it has gone a few centimetres before another pattern takes its place.
 constexpr double least_flow_mps = 0.02;
@@ -29,7 +30,9 @@ double quantile(double share) {
   return low;
 }
 
-WaveQuality of_breakers(const WaveQuality& quality) { return {std::min(quality.resolution, 128), std::min(quality.cascades, 4)}; }
+WaveQuality of_breakers(const WaveQuality& quality) {
+  return {std::min(quality.resolution, 128), std::min(quality.cascades, 4)};
+}
 
 }  // namespace
 
@@ -40,7 +43,8 @@ glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec
   const auto wrapped = [&](double whole) { return int(std::int64_t(whole) & std::int64_t(r.size - 1)); };
   const int x0 = wrapped(floor_u), z0 = wrapped(floor_v), x1 = (x0 + 1) & (r.size - 1), z1 = (z0 + 1) & (r.size - 1);
   const float fx = float(u - floor_u), fz = float(v - floor_v);
-  const glm::vec4 *slope = tiles.texels(r.tile, WavePlane::slope, r.level), *shift = tiles.texels(r.tile, WavePlane::shift, r.level);
+  const glm::vec4 *slope = tiles.texels(r.tile, WavePlane::slope, r.level),
+                  *shift = tiles.texels(r.tile, WavePlane::shift, r.level);
   const auto texel = [&](int x, int z) {
     const std::ptrdiff_t at = std::ptrdiff_t(z) * r.stride + x;
     return glm::vec3(slope[at].z, slope[at].w, shift[at].w);
@@ -49,8 +53,12 @@ glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec
   return glm::mix(low, high, fz);
 }
 
-Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s, bool with_velocity)
-    : field_(sea, of_breakers(quality), std::move(others)), tiles_(with_velocity), wind_mps_(sea.wind_speed_mps), life_s_(life_s) {
+Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s,
+                   bool with_velocity)
+    : field_(sea, of_breakers(quality), std::move(others)),
+      tiles_(with_velocity),
+      wind_mps_(sea.wind_speed_mps),
+      life_s_(life_s) {
   for (const auto& source : field_.others()) {
     const SourceStatistics s = source->statistics();
     others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
@@ -69,7 +77,9 @@ void Breaking::take(const WaveBins& bins, double chop, const SeaStatistics& stat
 
 bool Breaking::ever() const { return 1.0 - most_threshold < 6.0 * std::sqrt(slope_variance_ + others_variance_); }
 
-double Breaking::threshold_of(double sea_variance) const { return std::clamp(1.0 + lowest_ * (thinner * std::sqrt(sea_variance) + least_sigma), least_threshold, most_threshold); }
+double Breaking::threshold_of(double sea_variance) const {
+  return std::clamp(1.0 + lowest_ * (thinner * std::sqrt(sea_variance) + least_sigma), least_threshold, most_threshold);
+}
 
 double Breaking::below(double jacobian, double variance, double threshold) const {
   const double sigma = thinner * std::sqrt(variance) + least_sigma, z = (jacobian - threshold) / sigma;
@@ -81,9 +91,11 @@ void Breaking::evaluate(std::int64_t ticks) {
   ticks_ = ticks;
   field_.evaluate(ticks, tiles_);
   variance_ = 0.0;
-  for (const WaveField::Place& place : field_.places()) variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
+  for (const WaveField::Place& place : field_.places())
+    variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
   // In balance W = gain / (gain + 1 / life); a third more, for where it breaks is covered already.
-  const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5), breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
+  const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5),
+               breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
   lowest_ = quantile(std::min(breaking, 0.5));
   threshold_ = threshold_of(variance_);
 }
@@ -110,7 +122,8 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
         const int size = tiles_.layout().level(tile, level).size;
         for (int z = 0; z < size; ++z)
           for (int x = 0; x < size; ++x) {
-            const glm::vec4& s = tiles_.texels(tile, WavePlane::slope, level)[std::ptrdiff_t(z) * tiles_.stride(tile, level) + x];
+            const glm::vec4& s =
+                tiles_.texels(tile, WavePlane::slope, level)[std::ptrdiff_t(z) * tiles_.stride(tile, level) + x];
             kept += double((s.z + s.w) * (s.z + s.w));
           }
         kept /= double(size) * size;
@@ -120,9 +133,13 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
       slice.variance += std::max(all - double(share) * double(share) * kept, 0.0);
       if (!(share > 0.0f)) continue;
       const int size = tiles_.layout().level(tile, level).size;
-      const double texels = place.inverse_side * size, middle = 0.5 / double(tiles_.samples(tile)) * size - 0.5;  // of a coarser level, between those it is the mean of
-      slice.readings.push_back({tile, level, size, tiles_.stride(tile, level), share, texels * glm::dvec2(place.cosine, place.sine), texels * glm::dvec2(-place.sine, place.cosine),
-                                place.offset * size + middle, place.longest_m, place.shortest_m});
+      const double texels = place.inverse_side * size,
+                   middle = 0.5 / double(tiles_.samples(tile)) * size -
+                            0.5;  // of a coarser level, between those it is the mean of
+      slice.readings.push_back({tile, level, size, tiles_.stride(tile, level), share,
+                                texels * glm::dvec2(place.cosine, place.sine),
+                                texels * glm::dvec2(-place.sine, place.cosine), place.offset * size + middle,
+                                place.longest_m, place.shortest_m});
     }
   }
 }
@@ -148,7 +165,8 @@ double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, co
     }
   }
   const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
-  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance, water.sea_variance > 0.0 ? threshold_of(variance_ + water.sea_variance) : threshold_);
+  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance,
+               water.sea_variance > 0.0 ? threshold_of(variance_ + water.sea_variance) : threshold_);
 }
 
 void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) const {

@@ -1,4 +1,5 @@
-// Where the waves break: the share of each texel whose surface is squeezed to less than a threshold, of waves on the processor.
+// Where the waves break: the share of each texel whose surface is squeezed to less than a threshold, of waves on the
+// processor.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,18 +13,22 @@
 
 namespace seascape {
 
-// How much of the sea breaks is known from photographs, W = 3.84e-6 U^3.41 of a wind U (Monahan and O'Muircheartaigh 1980); where it does, from how the
-// surface is squeezed: the threshold is that below which a Gaussian of the divergence's variance has as much as keeps up W. Of winds from 5 to 23 m/s that is
-// a Jacobian of some 0.7, and it is held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
+// How much of the sea breaks is known from photographs, W = 3.84e-6 U^3.41 of a wind U (Monahan and O'Muircheartaigh
+// 1980); where it does, from how the surface is squeezed: the threshold is that below which a Gaussian of the
+// divergence's variance has as much as keeps up W. Of winds from 5 to 23 m/s that is a Jacobian of some 0.7, and it is
+// held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
 //
 // The four longest cascades are taken at any quality (waves of 0.3 m and more), so that foam is the same at all.
 //
-// Of a texel the mean Jacobian is known, and how much the divergence varies within it, from what its footprint takes of the waves: the share of it below
-// the threshold is that of a Gaussian (Dupuy and Bruneton 2012). The variance is the sea's mean for the footprint.
+// Of a texel the mean Jacobian is known, and how much the divergence varies within it, from what its footprint takes of
+// the waves: the share of it below the threshold is that of a Gaussian (Dupuy and Bruneton 2012). The variance is the
+// sea's mean for the footprint.
 class Breaking {
  public:
-  // `others`: what moves the water beside its waves; `life_s`: in which foam goes. `with_velocity`: its tiles tell how fast the water moves.
-  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s, bool with_velocity = false);
+  // `others`: what moves the water beside its waves; `life_s`: in which foam goes. `with_velocity`: its tiles tell how
+  // fast the water moves.
+  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s,
+           bool with_velocity = false);
   // As WaveField::take, with the wind.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
 
@@ -39,11 +44,13 @@ class Breaking {
   // Of the height of all waves that cover the sea (m^2).
   double height_variance() const { return field_.statistics().height_variance + others_height_variance_; }
 
-  // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave `kept` of them.
+  // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave
+  // `kept` of them.
   struct Water {
     glm::dvec3 shift_gradient{0.0};  // to add: dDx/dx, dDz/dz, dDx/dz
     double variance = 0.0;           // of the divergence, to add
-    double sea_variance = 0.0;       // of the whole sea's divergence, to add: of waves that are as much a part of it here as any
+    double sea_variance =
+        0.0;  // of the whole sea's divergence, to add: of waves that are as much a part of it here as any
     glm::vec2 flow_mps{0.0f};
     double kept = 1.0;
   };
@@ -51,7 +58,9 @@ class Breaking {
   double share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const;
   // The same of the waves alone, of all texels: adds per_s times it.
   void add(const FoamRow& row, float per_s, std::span<float> gains) const;
-  glm::dvec3 displacement(glm::dvec2 rest_m, double footprint_m) const { return field_.displacement(tiles_, rest_m, footprint_m); }
+  glm::dvec3 displacement(glm::dvec2 rest_m, double footprint_m) const {
+    return field_.displacement(tiles_, rest_m, footprint_m);
+  }
 
   const WaveField& field() const { return field_; }
   const WaveTiles& tiles() const { return tiles_; }
@@ -79,8 +88,8 @@ class Breaking {
   double wind_mps_, life_s_;
   double slope_variance_ = 0.0, others_variance_ = 0.0;  // no less than the divergence's
   double others_height_variance_ = 0.0;
-  double lowest_ = -9.0;                                 // where a normal number is below in as many cases as breaks
-  double variance_ = 0.0, threshold_ = 0.6;              // of the whole sea's divergence, as of evaluate()
+  double lowest_ = -9.0;                     // where a normal number is below in as many cases as breaks
+  double variance_ = 0.0, threshold_ = 0.6;  // of the whole sea's divergence, as of evaluate()
 };
 
 }  // namespace seascape

@@ -40,23 +40,27 @@ float ClipMask::least(int slice, LodIndex from, LodIndex to) const {
   const Slice& s = slices_[std::size_t(slice)];
   const LodIndex low = from - s.first, high = to - s.first;
   const auto widest = std::uint64_t(std::max(high.x - low.x, high.y - low.y)) + 1;
-  // Blocks as wide as the rectangle: two of them along each axis, three where it is a little wider. The last levels of a window that is no power of two wide have no rest.
+  // Blocks as wide as the rectangle: two of them along each axis, three where it is a little wider. The last levels of
+  // a window that is no power of two wide have no rest.
   int n = std::bit_width(widest) - 1;
   while (n > 0 && (side_ & ((1 << n) - 1)) != 0) --n;
   const std::int64_t wide = side_ >> n;
   float result = 1.0f;
   for (std::int64_t z = low.y >> n; z <= high.y >> n; ++z)
-    for (std::int64_t x = low.x >> n; x <= high.x >> n; ++x) result = std::min(result, s.levels[std::size_t(n)][std::size_t(z * wide + x)]);
+    for (std::int64_t x = low.x >> n; x <= high.x >> n; ++x)
+      result = std::min(result, s.levels[std::size_t(n)][std::size_t(z * wide + x)]);
   return result;
 }
 
 bool ClipMask::clipped(glm::dvec2 least_m, glm::dvec2 most_m) const {
   if (slices_.empty() || !(most_m.x > least_m.x && most_m.y > least_m.y)) return false;
-  // Places are read from slices by their distance from the viewer (a footprint of 0): those of the nearest to those of the farthest.
+  // Places are read from slices by their distance from the viewer (a footprint of 0): those of the nearest to those of
+  // the farthest.
   const glm::dvec2 far = glm::max(glm::abs(least_m - viewer_m_), glm::abs(most_m - viewer_m_));
   const glm::dvec2 near = glm::max(glm::max(least_m - viewer_m_, viewer_m_ - most_m), glm::dvec2(0.0));
   const int count = int(slices_.size());
-  const gpu::LodRead first_read = gpu::lod_read(reach_, count, float(std::max(near.x, near.y) * 0.9999), 0.0f), last_read = gpu::lod_read(reach_, count, float(std::max(far.x, far.y) * 1.0001), 0.0f);
+  const gpu::LodRead first_read = gpu::lod_read(reach_, count, float(std::max(near.x, near.y) * 0.9999), 0.0f),
+                     last_read = gpu::lod_read(reach_, count, float(std::max(far.x, far.y) * 1.0001), 0.0f);
   if (last_read.present < 1.0f && !outside_) return false;
   constexpr float surely = 0.999f;
   for (int i = first_read.fine; i <= std::min(last_read.fine + 1, count - 1) && first_read.present > 0.0f; ++i) {

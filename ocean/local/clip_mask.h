@@ -13,8 +13,9 @@ class ClipMask {
   // Takes the slices anew that have changed: bit i for slice i.
   void follow(const PlaceField<glm::vec4>& field, std::uint32_t changed);
 
-  // Whether every place of a rectangle (m, x and z in the world) reads as clipped whichever slices it is read from (lod_read), that is whether all texels are
-  // that it could be read between. A rectangle of no size or that is no number is not.
+  // Whether every place of a rectangle (m, x and z in the world) reads as clipped whichever slices it is read from
+  // (lod_read), that is whether all texels are that it could be read between. A rectangle of no size or that is no
+  // number is not.
   bool clipped(glm::dvec2 least_m, glm::dvec2 most_m) const;
 
  private:
@@ -27,7 +28,7 @@ class ClipMask {
   std::vector<Slice> slices_;
   glm::dvec2 viewer_m_{0.0};
   glm::vec4 reach_{0.0f};  // LodWindows::reach
-  bool outside_ = false;  // whether that is clipped
+  bool outside_ = false;   // whether that is clipped
   int side_ = 0;
 };
 

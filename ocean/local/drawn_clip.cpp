@@ -6,7 +6,10 @@ namespace seascape {
 
 DrawnClip::DrawnClip(Device& device, std::shared_ptr<const ClipVolumes> volumes) : volumes_(std::move(volumes)) {
   const EffectScope scope(device, "clip");
-  const auto buffer = [&](const char* name, const auto& list) { return make_filled_buffer(device, name, list.data(), list.size() * sizeof(list[0]), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT); };
+  const auto buffer = [&](const char* name, const auto& list) {
+    return make_filled_buffer(device, name, list.data(), list.size() * sizeof(list[0]),
+                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  };
   nodes_ = buffer("clip, nodes", volumes_->nodes());
   buffer_ = buffer("clip, volumes", volumes_->volumes());
   if (!volumes_->hulls().empty()) fill_hulls(device);
@@ -22,7 +25,8 @@ void DrawnClip::fill_hulls(Device& device) {
   spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   hulls_ = Image(device, "clip, hulls", spec);
   const std::size_t texels = std::size_t(side) * side;
-  const Buffer staging(device, "clip, staging", layers * texels * 8, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+  const Buffer staging(device, "clip, staging", layers * texels * 8, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                       HostAccess::write);
   std::vector<glm::vec4> whole(texels);
   for (std::uint32_t layer = 0; layer < layers; ++layer) {
     const std::vector<glm::vec3>& map = volumes_->hulls()[layer].texels;

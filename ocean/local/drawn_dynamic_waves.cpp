@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t texel_bytes = 8;  // four half floats
 }
 
-DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure) : sea_(settings, std::move(pressure)) {
+DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings,
+                                     std::shared_ptr<const Inputs> pressure)
+    : sea_(settings, std::move(pressure)) {
   const EffectScope scope(device, "dynamic_waves");
   ImageSpec spec;
   spec.width = spec.height = std::uint32_t(settings.waves.windows.resolution);
@@ -24,7 +26,8 @@ DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& s
   spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   images_ = {Image(device, "dynamic waves, shift", spec), Image(device, "dynamic waves, slope", spec)};
   const std::size_t bytes = images_.size() * spec.layers * spec.width * spec.height * texel_bytes;
-  for (Buffer& staging : staging_) staging = Buffer(device, "dynamic waves, staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+  for (Buffer& staging : staging_)
+    staging = Buffer(device, "dynamic waves, staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   mesh_errors_.reserve(spec.layers);
 }
 
@@ -54,7 +57,10 @@ void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& vi
     const VkBufferImageCopy& region = regions_[n / 2];
     const int level = int(region.imageSubresource.baseArrayLayer);
     const glm::vec4* from = (n % 2 == 0 ? surface.shift(level) : surface.slope(level)).data();
-    halves_from_floats(&from->x, reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + n % 2 * plane_bytes + region.bufferOffset), 4 * texels);
+    halves_from_floats(
+        &from->x,
+        reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + n % 2 * plane_bytes + region.bufferOffset),
+        4 * texels);
   });
   Uses uses{use(staging, Access::transfer_read)};
   add_uses(uses, Access::transfer_write);
@@ -65,7 +71,8 @@ void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& vi
   });
 }
 
-// A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal; and twice the height at most.
+// A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal; and twice
+// the height at most.
 void DrawnDynamicWaves::find_mesh_errors() {
   const DynamicSurface& surface = sea_.surface();
   const auto step_of_two = [](double value) { return std::exp2(std::ceil(std::log2(value))); };
@@ -80,7 +87,8 @@ void DrawnDynamicWaves::find_mesh_errors() {
     near.reach_m = std::numbers::sqrt2 * std::min(double(windows.reach.x) * std::exp2(i), double(windows.reach.y));
     for (std::size_t n = 0; n < near.error.octave_m.size(); ++n) {
       const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
-      near.error.octave_m[n] = std::min({0.25 * bent * spacing_m * spacing_m, MeshError::most_over_spacing * spacing_m, most_m});
+      near.error.octave_m[n] =
+          std::min({0.25 * bent * spacing_m * spacing_m, MeshError::most_over_spacing * spacing_m, most_m});
     }
   }
 }
@@ -90,7 +98,9 @@ void DrawnDynamicWaves::describe(gpu::DynamicData& data, glm::dvec2 grid_origin_
   data.windows = surface.windows(grid_origin_m);
   for (int i = 0; i < surface.levels(); ++i) {
     const bool still = surface.still(i);
-    data.level[i] = glm::vec4(glm::vec3(surface.extent(i).slope_moments), still ? 0.0f : i == 0 ? 1.0f - data.windows.reach.z : 1.0f);
+    data.level[i] = glm::vec4(glm::vec3(surface.extent(i).slope_moments), still    ? 0.0f
+                                                                          : i == 0 ? 1.0f - data.windows.reach.z
+                                                                                   : 1.0f);
   }
   data.share = glm::vec4(float(surface.share()), 0.0f, 0.0f, 0.0f);
 }

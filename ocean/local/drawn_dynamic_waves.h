@@ -27,7 +27,8 @@ class DrawnDynamicWaves {
   // How high and how far sideways they move the water, of all levels together, m.
   double height_m() const { return height_m_; }
   double shift_m() const { return shift_m_; }
-  // What meshes miss of each level that moves, as far as its window is read. In steps of a factor two, so that it seldom changes. Until the next update.
+  // What meshes miss of each level that moves, as far as its window is read. In steps of a factor two, so that it
+  // seldom changes. Until the next update.
   std::span<const NearMeshError> mesh_errors() const { return mesh_errors_; }
   const Image& shift() const { return images_[0]; }  // a layer a level: Dx, h, Dz, dDx/dz
   const Image& slope() const { return images_[1]; }  // dh/dx, dh/dz, dDx/dx, dDz/dz

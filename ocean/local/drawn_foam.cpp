@@ -26,14 +26,17 @@ ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels
 }
 }  // namespace
 
-DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others, std::shared_ptr<const ShoreLines> shore)
+DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality,
+                     TileSources others, std::shared_ptr<const ShoreLines> shore)
     : sea_(spec, sea, quality, std::move(others), std::move(shore)), settings_(spec.settings.windows) {
   const EffectScope scope(device, "foam");
   const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
   windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));
-  lace_ = Image(device, "foam, lace", sampled(lace_side, 1, std::uint32_t(std::bit_width(lace_side)), VK_FORMAT_R8G8B8A8_UNORM));
+  lace_ = Image(device, "foam, lace",
+                sampled(lace_side, 1, std::uint32_t(std::bit_width(lace_side)), VK_FORMAT_R8G8B8A8_UNORM));
   for (Buffer& staging : staging_)
-    staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+    staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                     HostAccess::write);
   fill_lace(device);
   set_wind(sea);
 }
@@ -60,7 +63,8 @@ void DrawnFoam::fill_lace(Device& device) {
     BarrierBatch barriers;
     barriers.add(lace_, Access::transfer_write, true);
     barriers.record(commands);
-    vkCmdCopyBufferToImage(commands, staging.get(), lace_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(levels.size()), levels.data());
+    vkCmdCopyBufferToImage(commands, staging.get(), lace_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                           std::uint32_t(levels.size()), levels.data());
   });
 }
 
@@ -85,12 +89,16 @@ void DrawnFoam::update(Frame& frame, double time_s, const glm::dvec3& viewer, co
     regions_.push_back(region);
   }
   tbb::parallel_for(std::size_t(0), regions_.size(), [&](std::size_t n) {
-    const int layer = int(regions_[n].imageSubresource.baseArrayLayer), slice = (layer - field.layer(0) + settings_.slices) % settings_.slices;
-    halves_from_floats(field.texels(slice), reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + regions_[n].bufferOffset), texels);
+    const int layer = int(regions_[n].imageSubresource.baseArrayLayer),
+              slice = (layer - field.layer(0) + settings_.slices) % settings_.slices;
+    halves_from_floats(field.texels(slice),
+                       reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + regions_[n].bufferOffset),
+                       texels);
   });
   // After a change of the octave other layers hold what slices held: `drawn_` then is all.
   drawn_ = changed == all ? foam.foamy() : (drawn_ & ~copied) | (foam.foamy() & copied);
-  frame.pass("foam", {use(staging, Access::transfer_read), use(windows_, Access::transfer_write)}, [&](Commands& c) { c.copy(staging, windows_, regions_); });
+  frame.pass("foam", {use(staging, Access::transfer_read), use(windows_, Access::transfer_write)},
+             [&](Commands& c) { c.copy(staging, windows_, regions_); });
 }
 
 void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
@@ -100,7 +108,8 @@ void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
   const auto drawn_out = [&](double taken) { return grid_origin_m - taken * glm::dot(grid_origin_m, along) * along; };
   const glm::dvec2 lace = drawn_out(wind_.z), wide = drawn_out(wind_.w), first = lace / double(gpu::foam_side_m);
   const double c = double(gpu::foam_turn_cos), s = double(gpu::foam_turn_sin);
-  const glm::dvec2 second = glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m);
+  const glm::dvec2 second =
+      glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m);
   const glm::dvec2 third = glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m);
   data.origin = glm::vec4(glm::vec2(glm::fract(first)), glm::vec2(glm::fract(second)));
   data.look = glm::vec4(glm::vec2(glm::fract(third)), sea_.fresh(), 0.0f);

@@ -13,10 +13,14 @@ namespace {
 // Heights of lakes in mountains need whole floats, where the device samples those.
 VkFormat format_of(InputTarget kind, bool whole) {
   switch (kind) {
-    case InputTarget::level: return whole ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT;
-    case InputTarget::clip: return VK_FORMAT_R16_SFLOAT;
-    case InputTarget::albedo: return VK_FORMAT_R16G16B16A16_SFLOAT;
-    default: return VK_FORMAT_R16G16_SFLOAT;
+    case InputTarget::level:
+      return whole ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT;
+    case InputTarget::clip:
+      return VK_FORMAT_R16_SFLOAT;
+    case InputTarget::albedo:
+      return VK_FORMAT_R16G16B16A16_SFLOAT;
+    default:
+      return VK_FORMAT_R16G16_SFLOAT;
   }
 }
 
@@ -24,30 +28,41 @@ std::uint32_t all_slices(const PlaceSettings& settings) { return (1u << settings
 
 // A row of a slice's texels.
 template <class T>
-std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) { return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)}; }
+std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) {
+  return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)};
+}
 
 }  // namespace
 
-DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m)
+DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows,
+                       double depth_m)
     : settings_(inputs.settings), depth_m_(depth_m), shallows_{std::move(shallows), nullptr} {
   validate(settings_);
   const bool whole = device.facts().float32_linear;
-  for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
+  for (const InputTarget kind :
+       {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
     std::vector<Drawn::Part> parts;
     int laid = 0;
     if (auto stays = inputs.of(kind)) parts.push_back({std::move(stays), nullptr}), laid |= gpu::laid_stays;
-    if (auto follows = PlaceInputs::of(inputs.following, kind)) parts.push_back({std::move(follows), nullptr}), laid |= gpu::laid_follows;
+    if (auto follows = PlaceInputs::of(inputs.following, kind))
+      parts.push_back({std::move(follows), nullptr}), laid |= gpu::laid_follows;
     if (parts.empty()) continue;
     const std::string name(traits(kind).name);
     const EffectScope scope(device, name);
     const int layers = int(parts.size());
-    drawn_.push_back({kind, laid, std::move(parts), DrawnWindows(device, name, settings_.windows, format_of(kind, whole), layers)});
+    drawn_.push_back(
+        {kind, laid, std::move(parts), DrawnWindows(device, name, settings_.windows, format_of(kind, whole), layers)});
   }
   if (shallows_) {
     const EffectScope scope(device, traits(InputTarget::sea_depth).name);
-    // Shifts of hundreds of metres are too much for halves: where the device has nothing else they are left out (update()).
-    bed_ = std::make_unique<Bed>(Bed{nullptr, DrawnWindows(device, "sea_depth", settings_.windows, whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
-                                     DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr, BedTurns(settings_.windows.slices)});
+    // Shifts of hundreds of metres are too much for halves: where the device has nothing else they are left out
+    // (update()).
+    bed_ = std::make_unique<Bed>(
+        Bed{nullptr,
+            DrawnWindows(device, "sea_depth", settings_.windows,
+                         whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
+            DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr,
+            BedTurns(settings_.windows.slices)});
   }
   if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
   if (inputs.shore) {
@@ -63,18 +78,26 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
   for (Drawn& drawn : drawn_) {
     std::uint32_t changed = 0;
     for (Drawn::Part& part : drawn.parts) {
-      if (part.field) changed |= part.field->follow(placement_, time_s);
-      else part.field = std::make_unique<PlaceField<glm::vec4>>(place_values(part.inputs, settings_), settings_, placement_, time_s), changed = all_slices(settings_);
+      if (part.field)
+        changed |= part.field->follow(placement_, time_s);
+      else
+        part.field = std::make_unique<PlaceField<glm::vec4>>(place_values(part.inputs, settings_), settings_,
+                                                             placement_, time_s),
+        changed = all_slices(settings_);
     }
     if (changed == 0) continue;
-    const auto field = [&drawn](int layer) -> const PlaceField<glm::vec4>& { return *drawn.parts[std::size_t(layer)].field; };
+    const auto field = [&drawn](int layer) -> const PlaceField<glm::vec4>& {
+      return *drawn.parts[std::size_t(layer)].field;
+    };
     if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(field(0), changed);
     const int channels = drawn.windows.channels();
-    drawn.windows.copy(frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); }, [&](int slice, int layer, int z, std::span<float> texels) {
-      std::size_t at = 0;
-      for (const glm::vec4& texel : row_of(field(layer).field(), slice, z, settings_.windows.resolution))
-        for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
-    });
+    drawn.windows.copy(
+        frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); },
+        [&](int slice, int layer, int z, std::span<float> texels) {
+          std::size_t at = 0;
+          for (const glm::vec4& texel : row_of(field(layer).field(), slice, z, settings_.windows.resolution))
+            for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
+        });
   }
   time_s_ = time_s;
   if (bed_) update(frame, *bed_, time_s);
@@ -83,9 +106,11 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
 
 MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& others) const {
   if (!bed_) return nullptr;
-  return [inputs, others, settings = settings_, placement = placement_, time_s = time_s_](const SeaState& sea, const WaveBins& bins) {
+  return [inputs, others, settings = settings_, placement = placement_, time_s = time_s_](const SeaState& sea,
+                                                                                          const WaveBins& bins) {
     auto made = std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, others, inputs), nullptr});
-    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values({made->shallows, nullptr}, sea.depth_m), settings, placement, time_s);
+    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values({made->shallows, nullptr}, sea.depth_m), settings,
+                                                         placement, time_s);
     return made;
   };
 }
@@ -106,26 +131,35 @@ void DrawnPlace::change(double share) {
 
 void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
   std::uint32_t changed = all_slices(settings_);
-  if (bed.field) changed = bed.field->follow(placement_, time_s);
-  else bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_, placement_, time_s);
+  if (bed.field)
+    changed = bed.field->follow(placement_, time_s);
+  else
+    bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_,
+                                                       placement_, time_s);
   if (bed.next) changed |= bed.next->follow(placement_, time_s);
   if (bed.turns.any()) changed = bed.turns.take(changed);
   if (changed == 0) return;
   const float share = float(shallows_.share);
   const LodField<BedTexel>& field = bed.field->field();
   const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& part) {
-    windows.copy(frame, pass, changed, [&](int slice) { return field.layer(slice); }, [&](int slice, int layer, int z, std::span<float> texels) {
-      const auto now = row_of(field, slice, z, settings_.windows.resolution);
-      for (std::size_t i = 0; i < now.size(); ++i) {
-        glm::vec4 value = part(now[i], layer);
-        if (bed.next) value = glm::mix(value, part(row_of(bed.next->field(), slice, z, settings_.windows.resolution)[i], layer), share);
-        for (std::size_t c = 0; c < 4; ++c) texels[4 * i + c] = value[int(c)];
-      }
-    });
+    windows.copy(
+        frame, pass, changed, [&](int slice) { return field.layer(slice); },
+        [&](int slice, int layer, int z, std::span<float> texels) {
+          const auto now = row_of(field, slice, z, settings_.windows.resolution);
+          for (std::size_t i = 0; i < now.size(); ++i) {
+            glm::vec4 value = part(now[i], layer);
+            if (bed.next)
+              value = glm::mix(value, part(row_of(bed.next->field(), slice, z, settings_.windows.resolution)[i], layer),
+                               share);
+            for (std::size_t c = 0; c < 4; ++c) texels[4 * i + c] = value[int(c)];
+          }
+        });
   };
   const float shifted = bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f;
-  copy(bed.heights, "sea_depth", [&](const BedTexel& texel, int) { return texel.bed * glm::vec4(1.0f, shifted, shifted, shifted); });
-  copy(bed.waves, "sea_depth waves", [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
+  copy(bed.heights, "sea_depth",
+       [&](const BedTexel& texel, int) { return texel.bed * glm::vec4(1.0f, shifted, shifted, shifted); });
+  copy(bed.waves, "sea_depth waves",
+       [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
 }
 
 void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const {
@@ -135,14 +169,17 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
   const FlowPhase phase = flow_phase(time_s, settings_.flow_period_s);
   if (shallows_) {
     constexpr double noise_m = gpu::ground_pattern_m;
-    data.outside_bed = glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
+    data.outside_bed =
+        glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
     const double of_ground[] = {shallows_.run_up_m(), settings_.growth_m, settings_.sand};
-    for (int i = 0; i < Refraction::bent_cascades; ++i) data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
+    for (int i = 0; i < Refraction::bent_cascades; ++i)
+      data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
   }
   const glm::dvec2 whole = glm::floor(grid_origin_m);
   data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);
   data.clip_from = glm::vec4(glm::vec2(grid_origin_m - whole), 0.0f, 0.0f);
-  data.flow = glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
+  data.flow =
+      glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
 }
 
 void DrawnPlace::add_uses(Uses& uses, Access access) const {
@@ -186,7 +223,8 @@ double DrawnPlace::level_m() const {
 double DrawnPlace::land_m(double within_m) const {
   if (!bed_ || !bed_->field) return 0.0;
   for (int i = 0; i < settings_.windows.slices; ++i)
-    if (within_m < (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i)) return std::max(bed_->field->most(i), 0.0);
+    if (within_m < (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i))
+      return std::max(bed_->field->most(i), 0.0);
   return land_m();
 }
 

@@ -1,4 +1,5 @@
-// Data that belong to places as images that the surface samples: windows that move with the viewer, of which only what has changed is copied.
+// Data that belong to places as images that the surface samples: windows that move with the viewer, of which only what
+// has changed is copied.
 #pragma once
 #include <memory>
 #include <vector>
@@ -16,7 +17,8 @@ namespace seascape {
 
 class DrawnPlace {
  public:
-  // Every field is made under the name of its effect. `shallows`: what the bed makes of the sea's waves; null where no bed is known. Throws as validate() does.
+  // Every field is made under the name of its effect. `shallows`: what the bed makes of the sea's waves; null where no
+  // bed is known. Throws as validate() does.
   DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m);
 
   // Has the data around a viewer (m) at a time in the images; records nothing where nothing has changed.
@@ -35,15 +37,18 @@ class DrawnPlace {
   const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
   double level_m() const;
-  // How far land stands above y = 0 at most: within a distance of the viewer (along x and z), and anywhere, of what has been around the viewer.
+  // How far land stands above y = 0 at most: within a distance of the viewer (along x and z), and anywhere, of what has
+  // been around the viewer.
   double land_m(double within_m) const;
   double land_m() const;
-  // Whether there is nothing to draw within a rectangle (m, in the world) where no water stands further than height_m from the still sea: no water, and no bed where it is clipped.
+  // Whether there is nothing to draw within a rectangle (m, in the world) where no water stands further than height_m
+  // from the still sea: no water, and no bed where it is clipped.
   bool clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const;
   bool clips() const { return !bed_ && (clip_ || field(InputTarget::clip) != nullptr); }
   const DrawnClip* clip_volumes() const { return clip_.get(); }
   const ShallowsMix& shallows() const { return shallows_; }
-  // For SeaMaker: makes of another sea what the bed makes of it and the windows around the viewer as he is now. Empty where no bed is known.
+  // For SeaMaker: makes of another sea what the bed makes of it and the windows around the viewer as he is now. Empty
+  // where no bed is known.
   MakePlace remake(const PlaceInputs& inputs, const TileSources& others) const;
   // The sea begins to become another, of `share` (0 to 1), and at 1 is it: then the change is over.
   void begin_change(MadePlace made);
@@ -56,7 +61,7 @@ class DrawnPlace {
       std::unique_ptr<PlaceField<glm::vec4>> field;  // from the first update on
     };
     InputTarget kind;
-    int laid;                 // gpu::laid_stays, gpu::laid_follows: a part each, in this order, and a layer of a slice
+    int laid;  // gpu::laid_stays, gpu::laid_follows: a part each, in this order, and a layer of a slice
     std::vector<Part> parts;
     DrawnWindows windows;
   };

@@ -1,4 +1,5 @@
-// Curves along which waves run as images that the surface samples: where a texel lies along them, in windows around the viewer (shaders/lib/shore.glsl).
+// Curves along which waves run as images that the surface samples: where a texel lies along them, in windows around the
+// viewer (shaders/lib/shore.glsl).
 #pragma once
 #include <memory>
 
@@ -9,9 +10,10 @@ namespace seascape {
 
 class DrawnShore {
  public:
-  // Made under the name of its effect. Where the device samples no whole floats distances of hundreds of metres are too much for it, and there are no such waves.
-  // `shallows`: what a bed leaves of them; null where none is known.
-  DrawnShore(Device& device, std::shared_ptr<const ShoreLines> lines, std::shared_ptr<const Shallows> shallows, const PlaceSettings& settings);
+  // Made under the name of its effect. Where the device samples no whole floats distances of hundreds of metres are too
+  // much for it, and there are no such waves. `shallows`: what a bed leaves of them; null where none is known.
+  DrawnShore(Device& device, std::shared_ptr<const ShoreLines> lines, std::shared_ptr<const Shallows> shallows,
+             const PlaceSettings& settings);
   void update(Frame& frame, const LodPlacement& placement, double time_s);
   void add_uses(Uses& uses, Access access) const;
   const Image& lines() const { return of_lines_.image(); }

@@ -4,10 +4,13 @@
 
 namespace seascape {
 
-DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const Buffer& frame_ring, const SurfaceLight& light, int most, const SprayLook& look)
+DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const Buffer& frame_ring,
+                       const SurfaceLight& light, int most, const SprayLook& look)
     : device_(device), look_(look), most_(std::size_t(most)) {
   const EffectScope scope(device, "spray");
-  for (Buffer& puffs : puffs_) puffs = Buffer(device, "spray, puffs", most_ * sizeof(gpu::SprayPuff), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
+  for (Buffer& puffs : puffs_)
+    puffs = Buffer(device, "spray, puffs", most_ * sizeof(gpu::SprayPuff), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                   HostAccess::write);
   GraphicsSpec spec;
   spec.vertex = "spray.vert";
   spec.fragment = "spray.frag";
@@ -28,7 +31,8 @@ DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarge
 
 void DrawnSpray::bind() {
   std::vector<Bound> entries = entries_;
-  if (look_.depths != nullptr) entries.push_back({.binding = 36, .view = look_.depths->view(), .sampler = sampler_.get()});
+  if (look_.depths != nullptr)
+    entries.push_back({.binding = 36, .view = look_.depths->view(), .sampler = sampler_.get()});
   bindings_ = Bindings(device_, pipeline_, entries, "spray");
 }
 
@@ -41,7 +45,9 @@ void DrawnSpray::resize(const Image* depths) {
 
 void DrawnSpray::update(Frame& frame, const Spray& spray, double time_s, const glm::dvec3& viewer) {
   slot_ = frame.slot();
-  count_ = spray.puffs().empty() ? 0 : spray.drawn(time_s, viewer, std::span(puffs_[std::size_t(slot_)].mapped<gpu::SprayPuff>(), most_));
+  count_ = spray.puffs().empty()
+               ? 0
+               : spray.drawn(time_s, viewer, std::span(puffs_[std::size_t(slot_)].mapped<gpu::SprayPuff>(), most_));
 }
 
 void DrawnSpray::draw(Commands& commands, std::uint32_t frame_uniform) const {

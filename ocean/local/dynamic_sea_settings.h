@@ -1,4 +1,5 @@
-// The effect dynamic_waves as a scene has it: how the waves move, and the rain that raises them. Plain values, in SI units.
+// The effect dynamic_waves as a scene has it: how the waves move, and the rain that raises them. Plain values, in SI
+// units.
 #pragma once
 #include "ocean/local/dynamic_waves_settings.h"
 #include "ocean/local/rain_settings.h"

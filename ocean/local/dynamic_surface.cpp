@@ -14,7 +14,7 @@ namespace seascape {
 namespace {
 constexpr double most_squeeze = 0.8;
 constexpr float most_half = 65504.0f;  // what textures of half floats hold
-}
+}  // namespace
 
 DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_(settings) {
   validate(settings);
@@ -40,7 +40,9 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
     for (int j = 0; j < band; ++j)
       for (int i = 0; i < band; ++i) {
         const double k = step * std::hypot(double(i - band / 2), double(j - band / 2));
-        if (k > 0.0) level.widths[std::size_t(j) * std::size_t(band) + std::size_t(i)] = settings_.sharpening * orbit_width(k, waves.depth_m()) / k;
+        if (k > 0.0)
+          level.widths[std::size_t(j) * std::size_t(band) + std::size_t(i)] =
+              settings_.sharpening * orbit_width(k, waves.depth_m()) / k;
       }
   }
   for (int pair = 0; pair < 4; ++pair) {
@@ -49,30 +51,39 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
         const std::size_t at = std::size_t(j) * std::size_t(band) + std::size_t(i);
         double re = 0.0, im = 0.0;
         if (waves.share()[at] > 0.0) {
-          // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are sent as f + i g;
-          // D = i k (width / |k|) h.
+          // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are
+          // sent as f + i g; D = i k (width / |k|) h.
           const std::size_t opposite = std::size_t(band - j) * std::size_t(band) + std::size_t(band - i);
-          const double h_re = 0.5 * (modes[at].real() + modes[opposite].real()), h_im = 0.5 * (modes[at].imag() - modes[opposite].imag());
+          const double h_re = 0.5 * (modes[at].real() + modes[opposite].real()),
+                       h_im = 0.5 * (modes[at].imag() - modes[opposite].imag());
           const double kx = step * (i - band / 2), kz = step * (j - band / 2), width = level.widths[at];
-          if (pair == 0) re = -kx * width * h_im - h_im, im = kx * width * h_re + h_re;                                     // Dx, h
-          else if (pair == 1) re = -kz * width * h_im + kx * kz * width * h_im, im = kz * width * h_re - kx * kz * width * h_re;  // Dz, dDx/dz
-          else if (pair == 2) re = -kx * h_im - kz * h_re, im = kx * h_re - kz * h_im;                                       // dh/dx, dh/dz
-          else re = width * (-kx * kx * h_re + kz * kz * h_im), im = width * (-kx * kx * h_im - kz * kz * h_re);             // dDx/dx, dDz/dz
+          if (pair == 0)
+            re = -kx * width * h_im - h_im, im = kx * width * h_re + h_re;  // Dx, h
+          else if (pair == 1)
+            re = -kz * width * h_im + kx * kz * width * h_im,
+            im = kz * width * h_re - kx * kz * width * h_re;  // Dz, dDx/dz
+          else if (pair == 2)
+            re = -kx * h_im - kz * h_re, im = kx * h_re - kz * h_im;  // dh/dx, dh/dz
+          else
+            re = width * (-kx * kx * h_re + kz * kz * h_im),
+            im = width * (-kx * kx * h_im - kz * kz * h_re);  // dDx/dx, dDz/dz
         }
         level.spectrum_re[at] = float(re), level.spectrum_im[at] = float(im);
       }
-    inverse_fft(plan_, level.spectrum_re.data(), level.spectrum_im.data(), level.re.data(), level.im.data(), stride, level.workspace);
+    inverse_fft(plan_, level.spectrum_re.data(), level.spectrum_im.data(), level.re.data(), level.im.data(), stride,
+                level.workspace);
     std::vector<glm::vec4>& plane = pair < 2 ? level.shift : level.slope;
     const int first = pair % 2 * 2;
     for (int z = 0; z < n; ++z)
       for (int x = 0; x < n; ++x) {
         glm::vec4& texel = plane[std::size_t(z) * std::size_t(n) + std::size_t(x)];
         const std::size_t from = std::size_t(z) * std::size_t(stride) + std::size_t(x);
-        texel[first] = std::clamp(level.re[from], -most_half, most_half), texel[first + 1] = std::clamp(level.im[from], -most_half, most_half);
+        texel[first] = std::clamp(level.re[from], -most_half, most_half),
+        texel[first + 1] = std::clamp(level.im[from], -most_half, most_half);
       }
   }
-  // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the window adds at most D
-  // over its width.
+  // The most that the water is squeezed in any direction: minus the least eigenvalue of grad D. The fading of the
+  // window adds at most D over its width.
   float squeeze = 0.0f, farthest = 0.0f, highest = 0.0f, bent = 0.0f;
   glm::dvec3 moments(0.0);
   const std::size_t side = std::size_t(n);
@@ -85,13 +96,15 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
     highest = std::max(highest, std::abs(level.shift[i].y));
     const glm::vec4& s = level.slope[i];
     moments += glm::dvec3(s.x * s.x, s.y * s.y, s.x * s.y);
-    // What its slopes differ by from the next column's and row's: of the Hessian's norm (Frobenius) the square, times a texel's.
+    // What its slopes differ by from the next column's and row's: of the Hessian's norm (Frobenius) the square, times a
+    // texel's.
     const glm::vec4& east = level.slope[(i + 1) % side != 0 ? i + 1 : i + 1 - side];
     const glm::vec4& north = level.slope[i + side < level.slope.size() ? i + side : i + side - level.slope.size()];
     const float across_x = east.x - s.x, across_z = north.y - s.y, twist_x = east.y - s.y, twist_z = north.x - s.x;
     bent = std::max(bent, across_x * across_x + across_z * across_z + twist_x * twist_x + twist_z * twist_z);
   }
-  level.extent = {highest, std::sqrt(double(farthest)), std::sqrt(double(bent)) / level.texel_m, moments / double(level.shift.size())};
+  level.extent = {highest, std::sqrt(double(farthest)), std::sqrt(double(bent)) / level.texel_m,
+                  moments / double(level.shift.size())};
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
 }
 
@@ -124,14 +137,16 @@ DynamicSample DynamicSurface::sea(glm::dvec2 rest, double footprint) const {
   for (int i = 0; i < int(levels_.size()); ++i) {
     const Level& level = levels_[std::size_t(i)];
     if (level.still) continue;
-    double weight = gpu::lod_present(windows_.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
+    double weight =
+        gpu::lod_present(windows_.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
     if (i == 0) weight *= 1.0 - double(windows_.reach.z);
     if (!(weight > 0.0)) continue;
     const glm::dvec2 at = rest / level.texel_m - 0.5, cell = glm::floor(at), f = at - cell;
     const LodIndex w(cell);
     glm::dvec4 shift(0.0), slope(0.0);
     for (int k = 0; k < 4; ++k) {
-      const std::size_t texel = std::size_t((w.y + (k >> 1)) & (n - 1)) * std::size_t(n) + std::size_t((w.x + (k & 1)) & (n - 1));
+      const std::size_t texel =
+          std::size_t((w.y + (k >> 1)) & (n - 1)) * std::size_t(n) + std::size_t((w.x + (k & 1)) & (n - 1));
       const double share = weight * ((k & 1) != 0 ? f.x : 1.0 - f.x) * ((k >> 1) != 0 ? f.y : 1.0 - f.y);
       shift += share * glm::dvec4(level.shift[texel]);
       slope += share * glm::dvec4(level.slope[texel]);

@@ -15,10 +15,12 @@ namespace seascape {
 namespace {
 
 void require(const WaveSource& s, std::size_t index) {
-  const double all = s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps;
+  const double all =
+      s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps;
   const std::string name = "source " + std::to_string(index);
   if (!std::isfinite(all)) throw Error(name, "has a number that is not finite", "push the water with finite numbers");
-  if (!(s.length_m > 0.0)) throw Error(name, "its length of " + text_from(s.length_m) + " m is not above 0", "give a length above 0");
+  if (!(s.length_m > 0.0))
+    throw Error(name, "its length of " + text_from(s.length_m) + " m is not above 0", "give a length above 0");
 }
 
 bool pushes(const WaveSource& s) { return s.head_m != 0.0 || s.rise_mps != 0.0; }
@@ -32,7 +34,8 @@ double taper(double texels, double width) {
 
 std::size_t wrapped(std::int64_t texel, int n) { return std::size_t(texel & (n - 1)); }
 
-// What is left of the time owed when `due` steps of it are done: less than a step. Of a very long time rounding leaves any number; then none is left.
+// What is left of the time owed when `due` steps of it are done: less than a step. Of a very long time rounding leaves
+// any number; then none is left.
 double left_of(double owed_s, double due, double dt) {
   const double left = owed_s - due * dt;
   return left >= -1e-6 * dt && left < dt ? left : 0.0;
@@ -64,7 +67,8 @@ DynamicWaves::DynamicWaves(const DynamicWavesSettings& settings) : settings_(set
 }
 
 void DynamicWaves::shape(int i) {
-  levels_[std::size_t(i)].shape(lod_texel_m(settings_.windows, placement_, i), i + 1 == levels(), settings_.gravity_mps2, depth_m_[std::size_t(i)]);
+  levels_[std::size_t(i)].shape(lod_texel_m(settings_.windows, placement_, i), i + 1 == levels(),
+                                settings_.gravity_mps2, depth_m_[std::size_t(i)]);
 }
 
 void DynamicWaves::set_depth(int i, double depth_m) {
@@ -81,14 +85,17 @@ void DynamicWaves::set_obstacles(Openness openness) {
   if (!openness_) return;
   open_.emplace(settings_.windows, 1.0f, placement_);
   for (int i = 0; i < levels(); ++i)
-    open_->each(i, [&](LodIndex w) { open_->texel(i, w) = std::clamp(openness_(open_->middle(i, w), open_->texel_m(i)), 0.0f, 1.0f); });
+    open_->each(i, [&](LodIndex w) {
+      open_->texel(i, w) = std::clamp(openness_(open_->middle(i, w), open_->texel_m(i)), 0.0f, 1.0f);
+    });
 }
 
-// What an axis of the border leaves after dt: absorption rises with the square of the way into it; a wave that runs all the way in at
-// the speed falls to exp(-3) of its amplitude, and again on the way out on the other side.
+// What an axis of the border leaves after dt: absorption rises with the square of the way into it; a wave that runs all
+// the way in at the speed falls to exp(-3) of its amplitude, and again on the way out on the other side.
 void DynamicWaves::border(int i, double dt, double speed) {
   const int n = settings_.windows.resolution;
-  const double width = n / 8.0, strength = border_exponent * (border_power + 1.0) * speed / (width * levels_[std::size_t(i)].texel_m());
+  const double width = n / 8.0,
+               strength = border_exponent * (border_power + 1.0) * speed / (width * levels_[std::size_t(i)].texel_m());
   for (int e = 0; e < n; ++e) {
     const double inside = std::min(e + 0.5, n - e - 0.5);
     const float left = float(std::exp(-dt * strength * std::pow(std::max(1.0 - inside / width, 0.0), border_power)));
@@ -105,7 +112,9 @@ void DynamicWaves::place(const LodPlacement& next, double seconds) {
   const LodPlacement before = placement_;
   placement_ = next;
   placed_ = true;
-  if (open_) open_->follow(next, [&](glm::dvec2 at, double texel, float) { return std::clamp(openness_(at, texel), 0.0f, 1.0f); });
+  if (open_)
+    open_->follow(next,
+                  [&](glm::dvec2 at, double texel, float) { return std::clamp(openness_(at, texel), 0.0f, 1.0f); });
   // A window that jumps farther than the border can swallow keeps what both places have.
   for (int i = 0; i < levels(); ++i) {
     const LodIndex was = before.first[std::size_t(i)], is = next.first[std::size_t(i)];
@@ -114,15 +123,17 @@ void DynamicWaves::place(const LodPlacement& next, double seconds) {
     for (int axis = 0; axis < 2; ++axis)
       for (int e = 0; e < n; ++e) {
         const std::int64_t w = is[axis] + e, old = w - was[axis];
-        const double both = old < 0 || old >= n ? 0.0 : taper(std::min(e + 0.5, n - e - 0.5), width) * taper(std::min(double(old) + 0.5, n - double(old) - 0.5), width);
+        const double both = old < 0 || old >= n ? 0.0
+                                                : taper(std::min(e + 0.5, n - e - 0.5), width) *
+                                                      taper(std::min(double(old) + 0.5, n - double(old) - 0.5), width);
         (axis == 0 ? axes_[std::size_t(i)].x : axes_[std::size_t(i)].z)[wrapped(w, n)] = float(both);
       }
     levels_[std::size_t(i)].take_off(axes_[std::size_t(i)].x, axes_[std::size_t(i)].z, nullptr);
   }
 }
 
-// Slices and levels go on by their octave. Waves whose share moves from the coarsest level of before to that of now move with it, where
-// both windows lie.
+// Slices and levels go on by their octave. Waves whose share moves from the coarsest level of before to that of now
+// move with it, where both windows lie.
 void DynamicWaves::turn_octaves(int octaves) {
   const int direction = octaves > 0 ? 1 : -1, last = levels() - 1;
   for (; octaves != 0; octaves -= direction) {
@@ -141,12 +152,15 @@ void DynamicWaves::turn_octaves(int octaves) {
     (direction > 0 ? levels_.back() : levels_.front()).clear();
     for (int i = 0; i <= last; ++i) shape(i);
     if (was.still()) continue;
-    if (direction > 0) hand_up(was, before.first[std::size_t(last)]);
-    else hand_down(was, placement_.first[std::size_t(last)]);
+    if (direction > 0)
+      hand_up(was, before.first[std::size_t(last)]);
+    else
+      hand_down(was, placement_.first[std::size_t(last)]);
   }
 }
 
-// From the level that was coarsest and is now the last but one, what is longer than it still carries, to the new coarsest.
+// From the level that was coarsest and is now the last but one, what is longer than it still carries, to the new
+// coarsest.
 void DynamicWaves::hand_up(const WaveLevel& was, LodIndex first) {
   const int n = was.samples();
   WaveLevel &finer = levels_[levels_.size() - 2], longer = was;
@@ -163,7 +177,8 @@ void DynamicWaves::hand_up(const WaveLevel& was, LodIndex first) {
   longer.surface(from_h, from_q);
   for (std::int64_t z = first.y / 2; z < first.y / 2 + n / 2; ++z)
     for (std::int64_t x = first.x / 2; x < first.x / 2 + n / 2; ++x) {
-      const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n), from = wrapped(2 * z, n) * std::size_t(n) + wrapped(2 * x, n);
+      const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n),
+                        from = wrapped(2 * z, n) * std::size_t(n) + wrapped(2 * x, n);
       h[to] = from_h[from], q[to] = from_q[from];
     }
   levels_.back().add(h, q);
@@ -180,7 +195,8 @@ void DynamicWaves::hand_down(const WaveLevel& was, LodIndex first) {
     const int band = n / 4;
     for (std::size_t i = 0; i < part.modes().size(); ++i) {
       const double m = std::hypot(double(int(i) % band - band / 2), double(int(i) / band - band / 2));
-      const double share = was.share()[i], extra = m > 0.0 ? wave_share(2.0 * n / m, true, n) - wave_share(2.0 * n / m, false, n) : 0.0;
+      const double share = was.share()[i],
+                   extra = m > 0.0 ? wave_share(2.0 * n / m, true, n) - wave_share(2.0 * n / m, false, n) : 0.0;
       part.modes()[i] *= share > 0.0 ? std::min(extra / share, 1.0) : 0.0;
     }
     // Fine texel 2 V + p has its middle a quarter of a coarse one before or after that of V.
@@ -189,8 +205,10 @@ void DynamicWaves::hand_down(const WaveLevel& was, LodIndex first) {
     for (std::int64_t z = first.y; z < first.y + n; ++z)
       for (std::int64_t x = first.x; x < first.x + n; ++x) {
         if ((x & 1) != (parity & 1) || (z & 1) != (parity >> 1)) continue;
-        const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n), from = wrapped(z >> 1, n) * std::size_t(n) + wrapped(x >> 1, n);
-        const float edge = float(taper(std::min(double(x - first.x), double(first.x + n - 1 - x)), n / 8.0) * taper(std::min(double(z - first.y), double(first.y + n - 1 - z)), n / 8.0));
+        const std::size_t to = wrapped(z, n) * std::size_t(n) + wrapped(x, n),
+                          from = wrapped(z >> 1, n) * std::size_t(n) + wrapped(x >> 1, n);
+        const float edge = float(taper(std::min(double(x - first.x), double(first.x + n - 1 - x)), n / 8.0) *
+                                 taper(std::min(double(z - first.y), double(first.y + n - 1 - z)), n / 8.0));
         h[to] = edge * from_h[from], q[to] = edge * from_q[from];
       }
   }
@@ -222,11 +240,14 @@ bool DynamicWaves::press(const LodPlacement& placement, const Pressure& pressure
         if (!std::isfinite(head)) wrong.store(true, std::memory_order_relaxed);
         if (!std::isfinite(head) || head == 0.0f) continue;
         here.store(true, std::memory_order_relaxed);
-        for (int corner = 0; corner < 4; ++corner) heads[wrapped(z + (corner >> 1), int(n)) * std::size_t(n) + wrapped(x + (corner & 1), int(n))] = head;
+        for (int corner = 0; corner < 4; ++corner)
+          heads[wrapped(z + (corner >> 1), int(n)) * std::size_t(n) + wrapped(x + (corner & 1), int(n))] = head;
       }
     });
-    if (here.load()) any.store(true, std::memory_order_relaxed);
-    else heads.clear();
+    if (here.load())
+      any.store(true, std::memory_order_relaxed);
+    else
+      heads.clear();
   });
   if (wrong.load()) fault_ = "dynamic waves: a pressure that is no number was taken for none";
   return any.load();
@@ -247,15 +268,18 @@ void DynamicWaves::step(double dt, double to_end_s, std::span<const WaveSource> 
   // Waves of 1e12 m are as wrong as what is no number; those of 1e-30 m cost more than they are worth.
   for (int i = 0; i < levels(); ++i) {
     const double energy = levels_[std::size_t(i)].energy_m2();
-    if (!(energy < 1e24)) fault_ = "dynamic waves: level " + std::to_string(i) + " held what is no number, and was cleared";
+    if (!(energy < 1e24))
+      fault_ = "dynamic waves: level " + std::to_string(i) + " held what is no number, and was cleared";
     if (!(energy < 1e24) || energy < 1e-60) levels_[std::size_t(i)].clear();
   }
 }
 
-int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources, const Pressure& pressure, const InputBounds& where) {
+int DynamicWaves::advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources,
+                          const Pressure& pressure, const InputBounds& where) {
   require(seconds >= 0.0, seconds, "seconds", "0 or more");
   for (std::size_t i = 0; i < sources.size(); ++i) require(sources[i], i);
-  const bool pressed = press(placement, pressure, where), pushed = pressed || std::any_of(sources.begin(), sources.end(), pushes);
+  const bool pressed = press(placement, pressure, where),
+             pushed = pressed || std::any_of(sources.begin(), sources.end(), pushes);
   owed_s_ += seconds;
   const double dt = 1.0 / settings_.rate_hz;
   const double due = std::floor(owed_s_ / dt + 1e-9);

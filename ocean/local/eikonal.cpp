@@ -14,15 +14,19 @@ constexpr int most_rounds = 64, fine_rounds = 16;  // of four sweeps; an open be
 class Fronts {
  public:
   Fronts(const BedGrid& grid, std::span<const double> slowness, glm::dvec2 direction)
-      : grid_(grid), pitch_(std::size_t(grid.nx) + 4), way_(pitch_ * (std::size_t(grid.nz) + 4), never), step_(way_.size(), never), held_(way_.size(), 0) {
+      : grid_(grid),
+        pitch_(std::size_t(grid.nx) + 4),
+        way_(pitch_ * (std::size_t(grid.nz) + 4), never),
+        step_(way_.size(), never),
+        held_(way_.size(), 0) {
     // What comes in nearly along an edge does not come in over it.
     constexpr double least = 1e-6;
     for (int j = 0; j < grid.nz; ++j)
       for (int i = 0; i < grid.nx; ++i) {
         const std::size_t at = place(i, j);
         step_[at] = slowness[grid.node(i, j)] * grid.cell_m;
-        const bool in = (i == 0 && direction.x > least) || (i == grid.nx - 1 && direction.x < -least) || (j == 0 && direction.y > least) ||
-                        (j == grid.nz - 1 && direction.y < -least);
+        const bool in = (i == 0 && direction.x > least) || (i == grid.nx - 1 && direction.x < -least) ||
+                        (j == 0 && direction.y > least) || (j == grid.nz - 1 && direction.y < -least);
         if (in) way_[at] = glm::dot(direction, grid.cell_m * glm::dvec2(i, j)), held_[at] = 1;
       }
   }
@@ -62,7 +66,8 @@ class Fronts {
   }
 
   double first_order(std::size_t at) const {
-    const double x = std::min(way_[at - 1], way_[at + 1]), z = std::min(way_[at - pitch_], way_[at + pitch_]), f = step_[at];
+    const double x = std::min(way_[at - 1], way_[at + 1]), z = std::min(way_[at - pitch_], way_[at + pitch_]),
+                 f = step_[at];
     if (!(std::abs(x - z) < f)) return std::min(x, z) + f;
     return 0.5 * (x + z + std::sqrt(2.0 * f * f - (x - z) * (x - z)));
   }
@@ -73,7 +78,8 @@ class Fronts {
   };
   Side side(std::size_t at, std::size_t stride) const {
     const bool low = way_[at - stride] <= way_[at + stride];
-    const double near = low ? way_[at - stride] : way_[at + stride], far = low ? way_[at - 2 * stride] : way_[at + 2 * stride];
+    const double near = low ? way_[at - stride] : way_[at + stride],
+                 far = low ? way_[at - 2 * stride] : way_[at + 2 * stride];
     return far <= near ? Side{near, (4.0 * near - far) / 3.0, 1.5} : Side{near, near, 1.0};
   }
   double second_order(std::size_t at) const {
@@ -82,7 +88,8 @@ class Fronts {
     const Side x = side(at, 1), z = side(at, pitch_);
     double found = never;
     if (x.nearest < never && z.nearest < never) {
-      const double a = x.share * x.share, b = z.share * z.share, middle = (a * x.from + b * z.from) / (a + b), apart = x.from - z.from;
+      const double a = x.share * x.share, b = z.share * z.share, middle = (a * x.from + b * z.from) / (a + b),
+                   apart = x.from - z.from;
       const double square = f * f / (a + b) - a * b * apart * apart / ((a + b) * (a + b));
       if (square >= 0.0) found = middle + std::sqrt(square);
       if (found < std::max(x.nearest, z.nearest)) found = never;  // a front that comes from ahead is none
@@ -106,7 +113,8 @@ std::vector<double> bent_fronts(const BedGrid& grid, std::span<const double> slo
   std::vector<double> result(grid.size());
   for (int j = 0; j < grid.nz; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      result[grid.node(i, j)] = fronts.open(i, j) ? fronts.way(i, j) - glm::dot(direction, grid.cell_m * glm::dvec2(i, j)) : never;
+      result[grid.node(i, j)] =
+          fronts.open(i, j) ? fronts.way(i, j) - glm::dot(direction, grid.cell_m * glm::dvec2(i, j)) : never;
   return result;
 }
 

@@ -1,4 +1,5 @@
-// Two patterns of waves that a flow carries in turn (shaders/lib/flow.glsl): how long each has been on its way, and what it counts for.
+// Two patterns of waves that a flow carries in turn (shaders/lib/flow.glsl): how long each has been on its way, and
+// what it counts for.
 #pragma once
 #include <cmath>
 

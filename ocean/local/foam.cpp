@@ -15,7 +15,8 @@ namespace seascape {
 namespace {
 
 void require(bool holds, double value, const char* name, const char* range) {
-  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
+  if (!holds || !std::isfinite(value))
+    throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
 }
 
 // Less than this is none: half floats hold no less without loss, and processors are slow with much smaller numbers.
@@ -26,7 +27,8 @@ template <class T>
 struct SliceRows {
   T* texels;
   std::int64_t side, column, row;  // where the window begins
-  SliceRows(T* first, std::int64_t side_, LodIndex begin) : texels(first), side(side_), column(((begin.x % side) + side) % side), row(((begin.y % side) + side) % side) {}
+  SliceRows(T* first, std::int64_t side_, LodIndex begin)
+      : texels(first), side(side_), column(((begin.x % side) + side) % side), row(((begin.y % side) + side) % side) {}
   T& operator()(std::int64_t x, std::int64_t z) const {
     const std::int64_t c = column + x, r = row + z;
     return texels[(r < side ? r : r - side) * side + (c < side ? c : c - side)];
@@ -35,7 +37,8 @@ struct SliceRows {
 
 // Weights of four texels for a place a share f of the way from the second to the third (Catmull and Rom 1974).
 glm::vec4 cubic(float f) {
-  return 0.5f * glm::vec4(f * (f * (2.0f - f) - 1.0f), f * f * (3.0f * f - 5.0f) + 2.0f, f * (f * (4.0f - 3.0f * f) + 1.0f), f * f * (f - 1.0f));
+  return 0.5f * glm::vec4(f * (f * (2.0f - f) - 1.0f), f * f * (3.0f * f - 5.0f) + 2.0f,
+                          f * (f * (4.0f - 3.0f * f) + 1.0f), f * f * (f - 1.0f));
 }
 
 }  // namespace
@@ -76,7 +79,8 @@ std::uint32_t Foam::follow(const LodPlacement& placement, float fresh) {
   for (int i = 0; i < field_.slices(); ++i)
     if (placement.first[std::size_t(i)] != before.first[std::size_t(i)]) changed |= 1u << i;
   const double coarsest = lod_texel_m(settings_.windows, placement, field_.slices() - 1);
-  field_.follow(placement, [&](glm::dvec2, double texel, float inherited) { return texel >= coarsest ? fresh : inherited; });
+  field_.follow(placement,
+                [&](glm::dvec2, double texel, float inherited) { return texel >= coarsest ? fresh : inherited; });
   if (changed != 0 && (any() || fresh > 0.0f)) foamy_ |= changed;
   if (flow_) {
     const auto speed = [&](glm::dvec2 at, double texel) {
@@ -88,7 +92,8 @@ std::uint32_t Foam::follow(const LodPlacement& placement, float fresh) {
     if (!speed_ || !flow_still_) {
       flows_ = false;
       speed_.emplace(settings_.windows, glm::vec2(0.0f), placement);
-      for (int i = 0; i < field_.slices(); ++i) speed_->each(i, [&](LodIndex w) { speed_->texel(i, w) = speed(speed_->middle(i, w), speed_->texel_m(i)); });
+      for (int i = 0; i < field_.slices(); ++i)
+        speed_->each(i, [&](LodIndex w) { speed_->texel(i, w) = speed(speed_->middle(i, w), speed_->texel_m(i)); });
     } else {
       speed_->follow(placement, [&](glm::dvec2 at, double texel, glm::vec2) { return speed(at, texel); });
     }
@@ -103,15 +108,18 @@ void Foam::carry(int slice, double dt) {
   const SliceRows<float> to(field_.texels(slice), side, first);
   const SliceRows<const float> from(std::as_const(before_).texels(slice), side, first);
   const SliceRows<const glm::vec2> speeds(std::as_const(*speed_).texels(slice), side, first);
-  // What lies `way` texels from a texel, of before the step: of this slice, or beyond its window of the next coarser one.
+  // What lies `way` texels from a texel, of before the step: of this slice, or beyond its window of the next coarser
+  // one.
   const auto there = [&](std::int64_t x, std::int64_t z, glm::dvec2 way) {
     const glm::dvec2 at = glm::dvec2(double(x), double(z)) + way, cell = glm::floor(at);
     if (!(cell.x >= 1.0 && cell.y >= 1.0 && cell.x < double(side - 2) && cell.y < double(side - 2))) {
       if (slice + 1 >= before_.slices()) return 0.0f;
       const glm::dvec2 place = (glm::dvec2(first) + at + 0.5) * texel_m;
-      const glm::dvec2 coarse = glm::floor(place / before_.texel_m(slice + 1) - 0.5), begin(before_.first(slice + 1));  // of a long step no whole number has room for it
+      const glm::dvec2 coarse = glm::floor(place / before_.texel_m(slice + 1) - 0.5),
+                       begin(before_.first(slice + 1));  // of a long step no whole number has room for it
       const double last = double(side - 2);
-      if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last)) return 0.0f;
+      if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last))
+        return 0.0f;
       return before_.bilinear(slice + 1, place);
     }
     const glm::vec4 along = cubic(float(at.x - cell.x)), across = cubic(float(at.y - cell.y));

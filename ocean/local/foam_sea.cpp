@@ -22,15 +22,24 @@ glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double
 }  // namespace
 
 bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
-  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) || (spec.inputs && !spec.inputs->empty()) || (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
+  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) ||
+         (spec.inputs && !spec.inputs->empty()) ||
+         (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
 }
 
-FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others, std::shared_ptr<const ShoreLines> shore)
+FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others,
+                 std::shared_ptr<const ShoreLines> shore)
     : spec_(spec), breaking_(sea, quality, std::move(others), spec.settings.life_s), foam_(spec.settings) {
   flows_ = spec.flow != nullptr;
-  if (flows_) foam_.set_flow([this](glm::dvec2 place, double texel) { return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz); }, spec.flow->still());
+  if (flows_)
+    foam_.set_flow(
+        [this](glm::dvec2 place, double texel) {
+          return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz);
+        },
+        spec.flow->still());
   shift_m_ = 2.0 * breaking_.field().statistics().largest_shift_m;
-  if (shore && !shore->empty() && breaking_.field().has_curved()) shore_.emplace(std::move(shore), spec.settings.windows, breaking_.field());
+  if (shore && !shore->empty() && breaking_.field().has_curved())
+    shore_.emplace(std::move(shore), spec.settings.windows, breaking_.field());
 }
 
 void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
@@ -61,7 +70,8 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
     along.resize(per_s.size());
     FoamShore::Flow flow;
     if (flows_) flow = [this, slice = row.slice](LodIndex w) { return foam_.flow_mps(slice, w); };
-    shore_waves = shore_->row(row, breaking_.field(), breaking_.tiles(), flow, flow_phase(time_s, spec_.place.flow_period_s), along);
+    shore_waves = shore_->row(row, breaking_.field(), breaking_.tiles(), flow,
+                              flow_phase(time_s, spec_.place.flow_period_s), along);
   }
   if (waves && !flows_ && !wakes && !still_water_ && !shore_waves) {
     breaking_.add(row, breaking, per_s);
@@ -73,9 +83,12 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
       const LodIndex w(glm::floor(rest / row.texel_m));
       Breaking::Water water;
       if (flows_) water.flow_mps = foam_.flow_mps(row.slice, w);
-      if (!waves) water.kept = 0.0;
-      else if (still_water_) water.kept = double(still_water_->texel(row.slice, w).y);
-      if (wakes && double(gpu::lod_distance(glm::vec2(rest - placement.viewer))) < reach) water.shift_gradient = wakes->sea(rest, row.texel_m).shift_gradient;
+      if (!waves)
+        water.kept = 0.0;
+      else if (still_water_)
+        water.kept = double(still_water_->texel(row.slice, w).y);
+      if (wakes && double(gpu::lod_distance(glm::vec2(rest - placement.viewer))) < reach)
+        water.shift_gradient = wakes->sea(rest, row.texel_m).shift_gradient;
       if (waves && shore_waves) {
         water.shift_gradient += along[i].shift_gradient;
         water.variance = along[i].variance;
@@ -95,10 +108,11 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
         broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
         above = along[i].displacement.y;
       }
-      const bool shore = s.shore_per_s > 0.0 && double(still.x) < 2.0 * s.shore_m, surf = breaking > 0.0f && broken > 0.01;
+      const bool shore = s.shore_per_s > 0.0 && double(still.x)<2.0 * s.shore_m, surf = breaking> 0.0f && broken > 0.01;
       if (!(still.x > 0.0f) || !(shore || surf)) continue;
       // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
-      const double most = 0.39 * double(still.x), up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y + above, -most, most);
+      const double most = 0.39 * double(still.x),
+                   up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y + above, -most, most);
       if (shore) per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + up) / s.shore_m, 0.0, 1.0));
       // In a surf zone the crests break.
       if (surf) per_s[i] += breaking * float(broken) * float(std::clamp(2.0 * up / most, 0.0, 1.0));
@@ -118,7 +132,9 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
 
 std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* wakes) {
   const bool from_inputs = spec_.inputs && !spec_.inputs->empty();
-  const bool any_source = (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs || (still_water_ && (spec_.settings.shore_per_s > 0.0 || spec_.settings.breaking > 0.0));
+  const bool any_source =
+      (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs ||
+      (still_water_ && (spec_.settings.shore_per_s > 0.0 || spec_.settings.breaking > 0.0));
   if (!any_source) return foam_.step(dt, nullptr);
   const LodField<float>& field = foam_.field();
   breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
@@ -129,7 +145,9 @@ std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* w
 
 std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {
   const FoamSettings& s = spec_.settings;
-  if (!(std::abs(time_s * s.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) || !std::isfinite(viewer.y)) return 0;
+  if (!(std::abs(time_s * s.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
+      !std::isfinite(viewer.y))
+    return 0;
   const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
   const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
   // At once, so that what is drawn from where follows from the viewer alone.
@@ -139,12 +157,14 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
   if (water_) {
     const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
       const StillWater w = water_(at, texel);
-      return glm::vec3(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f, w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f,
+      return glm::vec3(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f,
+                       w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f,
                        w.surf >= 0.0 ? float(std::min(w.surf, 1.0)) : 0.0f);
     };
     if (still_water_) {
       still_water_->follow(placement, water);
-      // Other water than before comes in over a second: rows of texels as they are stored, so that none is missed while the windows move.
+      // Other water than before comes in over a second: rows of texels as they are stored, so that none is missed while
+      // the windows move.
       const std::int64_t side = still_water_->side();
       for (int n = 0; n < rows_an_update && anew_ >= 0; ++n) {
         const int slice = int(anew_ / side);
@@ -160,7 +180,9 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
     } else {
       still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
       for (int i = 0; i < still_water_->slices(); ++i)
-        still_water_->each(i, [&](LodIndex w) { still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {}); });
+        still_water_->each(i, [&](LodIndex w) {
+          still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {});
+        });
     }
   }
   if (anew) {
@@ -169,7 +191,8 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
     foam_.fill(0.0f);
     // Long steps first, then those of the rate.
     const double all = s.settle_s, fine = std::min(all, 1.0);
-    const int coarse_steps = int(std::ceil((all - fine) / settling_step_s)), fine_steps = int(std::ceil(fine * s.rate_hz));
+    const int coarse_steps = int(std::ceil((all - fine) / settling_step_s)),
+              fine_steps = int(std::ceil(fine * s.rate_hz));
     const double end = double(now) / s.rate_hz, begin = end - double(fine_steps) / s.rate_hz;
     tick_ = now;
     for (int i = coarse_steps - 1; i >= 0; --i) {

@@ -15,7 +15,8 @@ namespace {
 constexpr float least_flow_mps = 0.02f;
 }  // namespace
 
-FoamShore::FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSettings& windows, const WaveField& field) : lines_(std::move(lines)), windows_(windows) {
+FoamShore::FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSettings& windows, const WaveField& field)
+    : lines_(std::move(lines)), windows_(windows) {
   for (const auto& source : field.others()) {
     if (!source->along_curves()) continue;
     height_variance_ = source->statistics().height_variance;
@@ -33,11 +34,14 @@ FoamShore::Texel FoamShore::texel(glm::dvec2 middle, double texel_m, const Still
     surf = w.placed_surf >= 0.0 ? std::min(w.placed_surf, 1.0) : 0.0;
   }
   const double period = lines_->period_m();
-  return {glm::vec4(glm::dvec4(at.bent_m.x - period * std::floor(at.bent_m.x / period), at.bent_m.y, at.forward)), glm::vec4(at.stretch, float(at.turning_per_m), float(share), float(surf))};
+  return {glm::vec4(glm::dvec4(at.bent_m.x - period * std::floor(at.bent_m.x / period), at.bent_m.y, at.forward)),
+          glm::vec4(at.stretch, float(at.turning_per_m), float(share), float(surf))};
 }
 
 void FoamShore::follow(const LodPlacement& placement, const StillWaterAt& water) {
-  if (field_) return field_->follow(placement, [&](glm::dvec2 middle, double texel_m, const Texel&) { return texel(middle, texel_m, water); });
+  if (field_)
+    return field_->follow(
+        placement, [&](glm::dvec2 middle, double texel_m, const Texel&) { return texel(middle, texel_m, water); });
   field_.emplace(windows_, Texel{}, placement);
   for (int i = 0; i < windows_.slices; ++i)
     for_each_row(windows_.resolution, [&](int z) {
@@ -45,7 +49,8 @@ void FoamShore::follow(const LodPlacement& placement, const StillWaterAt& water)
     });
 }
 
-bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow, const FlowPhase& phase, std::span<Moved> moved) const {
+bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow,
+                    const FlowPhase& phase, std::span<Moved> moved) const {
   const LodIndex first(glm::floor(row.first_m / row.texel_m));
   bool any = false;
   ShorePart part;
@@ -73,7 +78,8 @@ bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles&
       for (const ShorePart& one : part.carried(field, velocity, phase)) one.add(field, tiles, sum);
     }
     const double squared = part.share * part.share;
-    moved[i] = {sum.displacement, sum.shift_gradient, sum.divergence_moment, squared * of_divergence, squared * height_variance_, double(texel.waves.w)};
+    moved[i] = {sum.displacement,        sum.shift_gradient,         sum.divergence_moment,
+                squared * of_divergence, squared * height_variance_, double(texel.waves.w)};
   }
   return any;
 }

@@ -1,4 +1,5 @@
-// Waves along curves as foam takes them: where each texel of its windows lies along them, and what they do to the water there.
+// Waves along curves as foam takes them: where each texel of its windows lies along them, and what they do to the water
+// there.
 #pragma once
 #include <functional>
 #include <memory>
@@ -13,7 +14,8 @@
 
 namespace seascape {
 
-// Texels keep the place itself, found when they come into a window, where a surface reads between those of the place windows (shore_field.h).
+// Texels keep the place itself, found when they come into a window, where a surface reads between those of the place
+// windows (shore_field.h).
 class FoamShore {
  public:
   // `field`: has the waves (WaveField::has_curved).
@@ -22,7 +24,9 @@ class FoamShore {
   // Moves the windows.
   void follow(const LodPlacement& placement, const StillWaterAt& water);
   // Other water than before at one texel.
-  void take(int slice, LodIndex w, const StillWaterAt& water) { field_->texel(slice, w) = texel(field_->middle(slice, w), field_->texel_m(slice), water); }
+  void take(int slice, LodIndex w, const StillWaterAt& water) {
+    field_->texel(slice, w) = texel(field_->middle(slice, w), field_->texel_m(slice), water);
+  }
 
   // All texels are found anew in the next follow().
   void forget() { field_.reset(); }
@@ -34,9 +38,11 @@ class FoamShore {
     double whole_variance = 0.0;                        // of it, of all of these waves there
     double height_variance = 0.0, surf = 0.0;           // m^2; the share of it that breaks
   };
-  // Of a row's texels at the time of the tiles, carried by `flow_mps` where that is not null. Gives whether they come to any of them; if not, nothing is written.
+  // Of a row's texels at the time of the tiles, carried by `flow_mps` where that is not null. Gives whether they come
+  // to any of them; if not, nothing is written.
   using Flow = std::function<glm::vec2(LodIndex w)>;
-  bool row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow_mps, const FlowPhase& phase, std::span<Moved> moved) const;
+  bool row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow_mps,
+           const FlowPhase& phase, std::span<Moved> moved) const;
   double largest_shift_m() const { return largest_shift_m_; }
 
  private:

@@ -1,4 +1,5 @@
-// A field kept in windows around the viewer (lod_windows.h), on the processor: moved with the viewer, doubled with the height, read at any place.
+// A field kept in windows around the viewer (lod_windows.h), on the processor: moved with the viewer, doubled with the
+// height, read at any place.
 #pragma once
 #include <cmath>
 #include <vector>
@@ -15,12 +16,13 @@ auto lod_bilinear(glm::vec2 f, const At& at) {
   return low + (high - low) * f.y;
 }
 
-// T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or changed,
-// whichever way the window goes: texels lie where their number modulo the resolution says, slices where their octave modulo the number
-// of slices does.
+// T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or
+// changed, whichever way the window goes: texels lie where their number modulo the resolution says, slices where their
+// octave modulo the number of slices does.
 //
-// Error of what is read between texels, for a wave of n texels, relative and rms along one axis: sqrt(1 - 2 s^4 + (2 + cos(2 pi / n)) /
-// 3), s = sin(pi / n) / (pi / n): 21 % at n = 4, 5.6 % at 8, 1.4 % at 16; of a field f at most texel^2 / 8 (max |f_xx| + max |f_zz|).
+// Error of what is read between texels, for a wave of n texels, relative and rms along one axis: sqrt(1 - 2 s^4 + (2 +
+// cos(2 pi / n)) / 3), s = sin(pi / n) / (pi / n): 21 % at n = 4, 5.6 % at 8, 1.4 % at 16; of a field f at most texel^2
+// / 8 (max |f_xx| + max |f_zz|).
 template <class T>
 class LodField {
  public:
@@ -32,9 +34,10 @@ class LodField {
     windows_ = lod_windows(settings_, placement_, placement_.viewer);
   }
 
-  // Moves the windows. What leaves one is lost, and so is, if all texels double, what only the finest had. A texel that comes in gets
-  // fill(middle, texel, inherited): its middle (dvec2, m), its side (m) and what the next coarser slice has there, or `outside` where
-  // none does; of a slice that was not there before, inherited is the mean of the finer texels, or what lies between the coarser ones.
+  // Moves the windows. What leaves one is lost, and so is, if all texels double, what only the finest had. A texel that
+  // comes in gets fill(middle, texel, inherited): its middle (dvec2, m), its side (m) and what the next coarser slice
+  // has there, or `outside` where none does; of a slice that was not there before, inherited is the mean of the finer
+  // texels, or what lies between the coarser ones.
   template <class Fill>
   void follow(const LodPlacement& next, const Fill& fill) {
     while (placement_.scale.octave < next.scale.octave) widen(fill);
@@ -73,7 +76,9 @@ class LodField {
 
   // At a place (m), for a footprint (m), as lod_read() has it.
   T sample(glm::dvec2 place_m, double footprint_m) const {
-    const gpu::LodRead read = gpu::lod_read(windows_.reach, settings_.slices, gpu::lod_distance(glm::vec2(place_m - placement_.viewer)), float(footprint_m));
+    const gpu::LodRead read =
+        gpu::lod_read(windows_.reach, settings_.slices, gpu::lod_distance(glm::vec2(place_m - placement_.viewer)),
+                      float(footprint_m));
     if (!(read.present > 0.0f)) return outside_;
     T value = bilinear(read.fine, place_m);
     if (read.coarser > 0.0f) value = value + (bilinear(read.fine + 1, place_m) - value) * read.coarser;
@@ -105,8 +110,8 @@ class LodField {
   void enter(int slice, LodIndex w, const T& inherited, const Fill& fill) {
     texel(slice, w) = fill(middle(slice, w), texel_m(slice), inherited);
   }
-  // What the next coarser slice has at the middle of a texel. Its window covers all of the finer one's but where both are far from
-  // snapped alike.
+  // What the next coarser slice has at the middle of a texel. Its window covers all of the finer one's but where both
+  // are far from snapped alike.
   T inherited(int slice, LodIndex w) const {
     if (slice + 1 >= settings_.slices) return outside_;
     const LodIndex low(glm::floor(middle(slice, w) / texel_m(slice + 1) - 0.5));
@@ -124,7 +129,12 @@ class LodField {
     each(last, [&](LodIndex w) {
       const LodIndex low = w * std::int64_t(2), high = low + std::int64_t(1);
       const bool known = inside(first(finer), low) && inside(first(finer), high);
-      enter(last, w, known ? (texel(finer, low) + texel(finer, low + LodIndex(1, 0)) + texel(finer, low + LodIndex(0, 1)) + texel(finer, high)) * 0.25f : outside_, fill);
+      enter(last, w,
+            known ? (texel(finer, low) + texel(finer, low + LodIndex(1, 0)) + texel(finer, low + LodIndex(0, 1)) +
+                     texel(finer, high)) *
+                        0.25f
+                  : outside_,
+            fill);
     });
   }
   template <class Fill>

@@ -13,7 +13,8 @@ namespace {
 constexpr double most_texels = 1125899906842624.0;  // 2^50: a half, a quarter and an eighth of a texel are still exact
 
 bool reachable(const LodWindowSettings& settings, glm::dvec2 viewer) {
-  return std::abs(viewer.x) <= most_texels * settings.texel_m && std::abs(viewer.y) <= most_texels * settings.texel_m;  // no for NaN
+  return std::abs(viewer.x) <= most_texels * settings.texel_m &&
+         std::abs(viewer.y) <= most_texels * settings.texel_m;  // no for NaN
 }
 
 double octaves_of(const LodWindowSettings& settings, double height_m) {
@@ -34,7 +35,8 @@ double wrapped(std::int64_t texel, int resolution) {
 }  // namespace
 
 void validate(const LodWindowSettings& s) {
-  require(s.resolution >= 32 && s.resolution <= 2048 && s.resolution % 16 == 0, s.resolution, "resolution", "a multiple of 16 from 32 to 2048");
+  require(s.resolution >= 32 && s.resolution <= 2048 && s.resolution % 16 == 0, s.resolution, "resolution",
+          "a multiple of 16 from 32 to 2048");
   require(s.slices >= 2 && s.slices <= gpu::max_lod_slices, s.slices, "slices", "from 2 to 16");
   require(s.texel_m >= 1e-3 && s.texel_m <= 1e6, s.texel_m, "texel_m", "from 0.001 to 1000000");
   require(s.scale_height_m > 0.0, s.scale_height_m, "scale_height_m", "above 0");
@@ -42,7 +44,9 @@ void validate(const LodWindowSettings& s) {
   require(s.follow_s >= 0.0, s.follow_s, "follow_s", "0 or more");
 }
 
-LodScale lod_scale(const LodWindowSettings& settings, double height_m) { return split(settings, octaves_of(settings, height_m)); }
+LodScale lod_scale(const LodWindowSettings& settings, double height_m) {
+  return split(settings, octaves_of(settings, height_m));
+}
 
 double lod_texel_m(const LodWindowSettings& settings, const LodPlacement& placement, int slice) {
   return std::ldexp(settings.texel_m, placement.scale.octave + slice);
@@ -50,19 +54,23 @@ double lod_texel_m(const LodWindowSettings& settings, const LodPlacement& placem
 
 LodPlacement lod_placement(const LodWindowSettings& settings, glm::dvec2 viewer, LodScale scale) {
   if (!reachable(settings, viewer))
-    throw Error("viewer", text_from(viewer.x) + ", " + text_from(viewer.y) + " m is out of reach", "stay within 2^50 texels of the world's origin");
+    throw Error("viewer", text_from(viewer.x) + ", " + text_from(viewer.y) + " m is out of reach",
+                "stay within 2^50 texels of the world's origin");
   LodPlacement result{scale, viewer, {}};
   for (int i = 0; i < settings.slices; ++i) {
     const double texel = lod_texel_m(settings, result, i);
-    result.first[std::size_t(i)] = LodIndex(std::llround(viewer.x / texel), std::llround(viewer.y / texel)) - std::int64_t(settings.resolution / 2);
+    result.first[std::size_t(i)] = LodIndex(std::llround(viewer.x / texel), std::llround(viewer.y / texel)) -
+                                   std::int64_t(settings.resolution / 2);
   }
   return result;
 }
 
-// Two texels less than half the window: half a one for the snapped middle, half a one for what is read between texels, one to spare.
+// Two texels less than half the window: half a one for the snapped middle, half a one for what is read between texels,
+// one to spare.
 glm::vec4 lod_reach(const LodWindowSettings& settings, const LodPlacement& placement) {
   const double texel = lod_texel_m(settings, placement, 0), reach = (settings.resolution / 2 - 2) * texel;
-  return {float(reach), float(reach * std::exp2(settings.slices - 2 + placement.scale.blend)), float(placement.scale.blend), float(texel)};
+  return {float(reach), float(reach * std::exp2(settings.slices - 2 + placement.scale.blend)),
+          float(placement.scale.blend), float(texel)};
 }
 
 gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacement& placement, glm::dvec2 origin) {
@@ -70,7 +78,9 @@ gpu::LodWindows lod_windows(const LodWindowSettings& settings, const LodPlacemen
   for (int i = 0; i < settings.slices; ++i) {
     const double texel = lod_texel_m(settings, placement, i), side = texel * settings.resolution;
     const glm::dvec2 cell = glm::floor(origin / texel), within = origin / texel - cell;
-    const auto at = [&](double whole, double part) { return float((wrapped(std::int64_t(whole), settings.resolution) + part) / settings.resolution); };
+    const auto at = [&](double whole, double part) {
+      return float((wrapped(std::int64_t(whole), settings.resolution) + part) / settings.resolution);
+    };
     result.slice[i] = glm::vec4(at(cell.x, within.x), at(cell.y, within.y), float(1.0 / side), float(texel));
   }
   result.reach = lod_reach(settings, placement);

@@ -24,10 +24,15 @@ void validate(const PlaceSettings& s) {
 
 glm::vec4 place_outside(const PlaceSettings& s, InputTarget kind) {
   switch (kind) {
-    case InputTarget::level: return glm::vec4(float(s.level_m), 0.0f, 0.0f, 0.0f);
-    case InputTarget::flow: return glm::vec4(float(s.flow_mps * std::sin(glm::radians(s.flow_to_deg))), float(-s.flow_mps * std::cos(glm::radians(s.flow_to_deg))), 0.0f, 0.0f);
-    case InputTarget::clip: return glm::vec4(s.clip_by_default ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
-    default: return glm::vec4(0.0f);
+    case InputTarget::level:
+      return glm::vec4(float(s.level_m), 0.0f, 0.0f, 0.0f);
+    case InputTarget::flow:
+      return glm::vec4(float(s.flow_mps * std::sin(glm::radians(s.flow_to_deg))),
+                       float(-s.flow_mps * std::cos(glm::radians(s.flow_to_deg))), 0.0f, 0.0f);
+    case InputTarget::clip:
+      return glm::vec4(s.clip_by_default ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+    default:
+      return glm::vec4(0.0f);
   }
 }
 
@@ -41,7 +46,11 @@ PlaceValues<glm::vec4> place_values(std::shared_ptr<const Inputs> inputs, const 
   const glm::vec4 outside = place_outside(settings, inputs->target());
   const bool still = inputs->still();
   const InputBounds moving = inputs->bounds();
-  return {outside, [inputs = std::move(inputs), outside](glm::dvec2 middle, double texel, double time) { return inputs->value(middle, texel, time, outside); }, still, moving};
+  return {outside,
+          [inputs = std::move(inputs), outside](glm::dvec2 middle, double texel, double time) {
+            return inputs->value(middle, texel, time, outside);
+          },
+          still, moving};
 }
 
 }  // namespace seascape

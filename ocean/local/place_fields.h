@@ -1,4 +1,5 @@
-// Data that belong to places, kept in windows around the viewer: what the scene's inputs make of each kind, as the shaders read it.
+// Data that belong to places, kept in windows around the viewer: what the scene's inputs make of each kind, as the
+// shaders read it.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -26,8 +27,9 @@ class ShoreLines;  // ocean/local/shore_lines.h
 struct PlaceInputs {
   PlaceSettings settings;
   std::vector<std::shared_ptr<const Inputs>> kinds;  // each kind once at most
-  std::vector<std::shared_ptr<const Inputs>> following;  // of what lies on the water (albedo, shadow), those that go with the waves; each kind once at most
-  std::shared_ptr<const ClipVolumes> volumes;        // of clip beside its flat inputs; null where there are none
+  std::vector<std::shared_ptr<const Inputs>>
+      following;  // of what lies on the water (albedo, shadow), those that go with the waves; each kind once at most
+  std::shared_ptr<const ClipVolumes> volumes;  // of clip beside its flat inputs; null where there are none
 
   std::shared_ptr<const ShoreLines> shore = nullptr;  // along which waves run; null where none do
 
@@ -36,7 +38,8 @@ struct PlaceInputs {
   // Null where there are none.
   std::shared_ptr<const Inputs> of(InputTarget kind) const { return of(kinds, kind); }
   static std::shared_ptr<const Inputs> of(const std::vector<std::shared_ptr<const Inputs>>& kinds, InputTarget kind) {
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& inputs) { return inputs->target() == kind; });
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& inputs) { return inputs->target() == kind; });
     return found == kinds.end() ? nullptr : *found;
   }
 };
@@ -44,16 +47,18 @@ struct PlaceInputs {
 // What there is beyond all windows, and where no input is.
 glm::vec4 place_outside(const PlaceSettings& settings, InputTarget kind);
 
-// The time as of which what belongs to places is taken: in steps of 1 / rate where it changes with time (is not `still`).
+// The time as of which what belongs to places is taken: in steps of 1 / rate where it changes with time (is not
+// `still`).
 double place_time_s(const PlaceSettings& settings, bool still, double time_s);
 
 // What a field holds.
 template <class T>
 struct PlaceValues {
-  T outside;                                                                      // beyond all windows
-  std::function<T(glm::dvec2 middle_m, double texel_m, double time_s)> value;     // of a texel; asked by several threads at once
-  bool still = true;                                                              // the same at any time,
-  InputBounds moving;                                                             // or else outside of these bounds
+  T outside;  // beyond all windows
+  std::function<T(glm::dvec2 middle_m, double texel_m, double time_s)>
+      value;           // of a texel; asked by several threads at once
+  bool still = true;   // the same at any time,
+  InputBounds moving;  // or else outside of these bounds
 };
 
 // The first channel of a texel, of which a field knows the least and the most.
@@ -74,8 +79,8 @@ class PlaceField {
     find_most((1u << settings.windows.slices) - 1u);
   }
 
-  // Moves the windows to the placement, and takes what changes with time as it is at `time_s` (place_time_s). Gives the slices that
-  // have changed: bit i for slice i, all of them after a change of the octave.
+  // Moves the windows to the placement, and takes what changes with time as it is at `time_s` (place_time_s). Gives the
+  // slices that have changed: bit i for slice i, all of them after a change of the octave.
   std::uint32_t follow(const LodPlacement& placement, double time_s) {
     const int slices = field_.slices();
     const std::uint32_t all = (1u << slices) - 1u;

@@ -1,4 +1,5 @@
-// The sea with what belongs to places, on the processor: levels, currents and the bed, without windows and without a GPU.
+// The sea with what belongs to places, on the processor: levels, currents and the bed, without windows and without a
+// GPU.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,11 +14,13 @@
 
 namespace seascape {
 
-// The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl). Data of places are what lies between texels (PlaceReader), for queries as for pictures:
-// a query has the finest, a picture those of its windows. Immutable but for follow(): any number of threads may ask.
+// The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl). Data of places are what lies between
+// texels (PlaceReader), for queries as for pictures: a query has the finest, a picture those of its windows. Immutable
+// but for follow(): any number of threads may ask.
 class PlaceSea {
  public:
-  // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays, however the waves change.
+  // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays,
+  // however the waves change.
   PlaceSea(PlaceInputs inputs, const WaveField& field);
   // The same where its Shallows are there already.
   PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows);
@@ -26,7 +29,7 @@ class PlaceSea {
 
   // Whether the surface moves otherwise than the waves alone.
   bool moves() const { return level_ || flow_ || bool(shallows_) || shore_ != nullptr; }
-  double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;           // of the still water
+  double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
   bool clipped(glm::dvec3 point_m, double time_s) const;
@@ -34,22 +37,25 @@ class PlaceSea {
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.from.get(); }
 
-  // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of the tiles' time. Second moments are left out.
-  // `seen`: as a picture with these windows has it.
-  SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m, const LodPlacement* seen = nullptr) const;
+  // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of
+  // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it.
+  SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
+                const LodPlacement* seen = nullptr) const;
 
-  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds, over a bed some tens of them. Velocities have
-  // the current in them, and what comes of waves that it carries past. On land the answer is the ground, at rest.
-  void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, const QueryOptions& options = {}) const;
+  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds,
+  // over a bed some tens of them. Velocities have the current in them, and what comes of waves that it carries past. On
+  // land the answer is the ground, at rest.
+  void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+             std::span<QueryAnswer> answers, const QueryOptions& options = {}) const;
 
  private:
   // A pattern of waves: where in its own places it is taken, and what it counts for.
   struct Part {
     glm::dvec2 place;
     WaveField::Filter filter;
-    double share = 1.0, lift = 1.0;                 // of its displacement; of its height
-    glm::dvec2 lift_gradient{0.0};                  // a metre
-    glm::dvec2 along{0.0}, bend{0.0};               // Refraction: the pattern's direction, and the gradient of its shift
+    double share = 1.0, lift = 1.0;    // of its displacement; of its height
+    glm::dvec2 lift_gradient{0.0};     // a metre
+    glm::dvec2 along{0.0}, bend{0.0};  // Refraction: the pattern's direction, and the gradient of its shift
   };
   // All of a rest position's, and what stands still there.
   struct Here {
@@ -81,10 +87,13 @@ class PlaceSea {
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   // Clipped over a bed: that is the surface.
   bool dry(const Here& here, glm::dvec3 displacement) const;
-  PlaceReading reading(const Asked& asked) const { return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen); }
+  PlaceReading reading(const Asked& asked) const {
+    return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
+  }
   glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
-  QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place, const QueryOptions& options, Readers& readers) const;
+  QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place,
+                     const QueryOptions& options, Readers& readers) const;
   PlaceSettings settings_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
   std::shared_ptr<const ClipVolumes> volumes_;  // null: none
@@ -94,8 +103,8 @@ class PlaceSea {
   std::optional<PlaceValues<ShoreTexel>> along_curves_;
 };
 
-// How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts for `first` and the second for the
-// rest, to be as high as either (shaders/lib/flow.glsl).
+// How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts
+// for `first` and the second for the rest, to be as high as either (shaders/lib/flow.glsl).
 double flow_height(double longest_m, double shortest_m, double way_m, double first);
 
 }  // namespace seascape

@@ -14,8 +14,8 @@ void validate(const RainSettings& s) {
   require(true, s.drop_height_m, "drop_height_m", "finite");
 }
 
-void add_rain(const RainSettings& s, std::int64_t first, std::int64_t count, double rate_hz, glm::dvec2 place, double reach,
-              std::vector<WaveSource>& sources) {
+void add_rain(const RainSettings& s, std::int64_t first, std::int64_t count, double rate_hz, glm::dvec2 place,
+              double reach, std::vector<WaveSource>& sources) {
   if (!(s.drops_per_m2_s > 0.0) || s.drop_height_m == 0.0 || count <= 0) return;
   constexpr double most_expected = 0.05;
   const double a_tick = s.drops_per_m2_s / rate_hz;  // expected on a square metre
@@ -29,7 +29,10 @@ void add_rain(const RainSettings& s, std::int64_t first, std::int64_t count, dou
       for (double x = low.x; x <= high.x; ++x) {
         // Exact for every cell, however far: a double's whole numbers.
         const auto key = [](double cell) { return std::uint32_t(std::uint64_t(std::int64_t(cell))); };
-        const std::uint32_t row = std::uint32_t(uniform_number(s.seed ^ std::uint32_t(std::uint64_t(tick) >> 32), std::uint32_t(tick)) * 0x1p32) ^ key(z);
+        const std::uint32_t row =
+            std::uint32_t(uniform_number(s.seed ^ std::uint32_t(std::uint64_t(tick) >> 32), std::uint32_t(tick)) *
+                          0x1p32) ^
+            key(z);
         const std::uint32_t cell = std::uint32_t(uniform_number(row, key(x)) * 0x1p32);
         if (uniform_number(cell, 0u) >= expected) continue;
         WaveSource drop;

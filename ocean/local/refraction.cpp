@@ -33,7 +33,8 @@ void each_wave(const WaveBins& bins, int cascade, const Work& work) {
     }
 }
 
-// None along the grid's axes or diagonals, where the shelter's lines would run from node to node without a blur and leave streaks.
+// None along the grid's axes or diagonals, where the shelter's lines would run from node to node without a blur and
+// leave streaks.
 glm::dvec2 middle_of_sector(int i) { return {std::cos((i + 0.5) * sector), std::sin((i + 0.5) * sector)}; }
 
 // Variance by direction; a wave is shared between the two directions around its own.
@@ -49,18 +50,22 @@ Rose rose_of(const WaveBins& bins, int cascade) {
   return rose;
 }
 
-// Has no shift fall by more than `most` in a metre along the direction: what comes next on the way bounds it, row after row against the direction. Land bounds nothing.
+// Has no shift fall by more than `most` in a metre along the direction: what comes next on the way bounds it, row after
+// row against the direction. Land bounds nothing.
 void hold_fall(const BedGrid& grid, std::vector<double>& shift, glm::dvec2 direction, double most) {
   const bool along_x = std::abs(direction.x) >= std::abs(direction.y);
-  const double main = along_x ? direction.x : direction.y, aslant = (along_x ? direction.y : direction.x) / std::abs(main);
-  const int rows = along_x ? grid.nx : grid.nz, columns = along_x ? grid.nz : grid.nx, on = main > 0.0 ? 1 : -1, side = aslant > 0.0 ? 1 : -1;
+  const double main = along_x ? direction.x : direction.y,
+               aslant = (along_x ? direction.y : direction.x) / std::abs(main);
+  const int rows = along_x ? grid.nx : grid.nz, columns = along_x ? grid.nz : grid.nx, on = main > 0.0 ? 1 : -1,
+            side = aslant > 0.0 ? 1 : -1;
   const double share = std::abs(aslant), fall = most * grid.cell_m / std::abs(main);
   for (int n = 1; n < rows; ++n)
     for (int c = 0; c < columns; ++c) {
       const int row = on > 0 ? rows - 1 - n : n, beside = std::clamp(c + side, 0, columns - 1);
       const auto node = [&](int i, int j) { return along_x ? grid.node(i, j) : grid.node(j, i); };
       const double straight = shift[node(row + on, c)], skew = shift[node(row + on, beside)];
-      const double next = straight < never && skew < never ? straight + (skew - straight) * share : std::min(straight, skew);
+      const double next =
+          straight < never && skew < never ? straight + (skew - straight) * share : std::min(straight, skew);
       double& here = shift[node(row, c)];
       if (here < never) here = std::min(here, next + fall);
     }
@@ -68,7 +73,8 @@ void hold_fall(const BedGrid& grid, std::vector<double>& shift, glm::dvec2 direc
 
 void validate(const RefractionSettings& settings) {
   if (settings.cells < 16 || settings.cells > 2048)
-    throw Error("refraction", fmt::format("cells: {} is not from 16 to 2048", settings.cells), "choose 256 unless the shallows are very wide");
+    throw Error("refraction", fmt::format("cells: {} is not from 16 to 2048", settings.cells),
+                "choose 256 unless the shallows are very wide");
   if (!(settings.margin_waves >= 0.0 && settings.margin_waves <= 100.0))
     throw Error("refraction", fmt::format("margin_waves: {} is not from 0 to 100", settings.margin_waves), "choose 2");
 }
@@ -107,8 +113,8 @@ void Refraction::lay_grid(const InputBounds& shallows, const RefractionSettings&
   grid_.nz = std::max(int(std::ceil(all.y / grid_.cell_m - 1e-9)), 2) + 1;
 }
 
-Refraction::Refraction(const SeaState& sea, const WaveBins& bins, const ShallowWater& water, const InputBounds& shallows, const DepthOfPlace& depth_m,
-                       const RefractionSettings& settings) {
+Refraction::Refraction(const SeaState& sea, const WaveBins& bins, const ShallowWater& water,
+                       const InputBounds& shallows, const DepthOfPlace& depth_m, const RefractionSettings& settings) {
   validate(settings);
   shelters_.resize(std::size_t(bins.cascades) + 1);
   const int bent = std::min(bins.cascades, bent_cascades);
@@ -123,27 +129,34 @@ Refraction::Refraction(const SeaState& sea, const WaveBins& bins, const ShallowW
   for (int j = 0; j < grid_.nz; ++j)
     for (int i = 0; i < grid_.nx; ++i)
       if (const glm::dvec2 at = grid_.place(i, j); !std::isfinite(depth[grid_.node(i, j)]))
-        throw Error("sea_depth", fmt::format("the depth at x {:.1f} m, z {:.1f} m is no number or infinite", at.x, at.y), "give the bed finite heights");
+        throw Error("sea_depth",
+                    fmt::format("the depth at x {:.1f} m, z {:.1f} m is no number or infinite", at.x, at.y),
+                    "give the bed finite heights");
 
   tbb::parallel_for(0, bent, [&](int cascade) {
     const MeanWave& wave = waves_[std::size_t(cascade)];
     if (!(wave.wave_number > 0.0) || wave.direction == glm::dvec2(0.0)) return;
     std::vector<double> slowness(grid_.size());
     for (std::size_t n = 0; n < slowness.size(); ++n)
-      slowness[n] = depth[n] > 0.0 ? std::min(airy_wave_number(wave.frequency, sea.gravity_mps2, depth[n]) / wave.wave_number, most_shortening) : never;
+      slowness[n] = depth[n] > 0.0
+                        ? std::min(airy_wave_number(wave.frequency, sea.gravity_mps2, depth[n]) / wave.wave_number,
+                                   most_shortening)
+                        : never;
     std::vector<double> delay = bent_fronts(grid_, slowness, wave.direction);
     hold_fall(grid_, delay, wave.direction, most_drawing_out);
     Field& field = shifts_[std::size_t(cascade)];
     field.resize(grid_.size());
     std::vector<std::uint8_t> known(grid_.size());
-    for (std::size_t n = 0; n < delay.size(); ++n) known[n] = delay[n] < never, field[n] = known[n] ? float(delay[n]) : 0.0f;
+    for (std::size_t n = 0; n < delay.size(); ++n)
+      known[n] = delay[n] < never, field[n] = known[n] ? float(delay[n]) : 0.0f;
     // By the water around alone: what stands before a breakwater and behind it has nothing to do with one another.
     Field weight(known.begin(), known.end());
     smooth(grid_, field);
     smooth(grid_, weight);
     for (std::size_t n = 0; n < field.size(); ++n) field[n] = known[n] ? field[n] / weight[n] : 0.0f;
     fill_unknown(grid_, field, std::move(known), 0.0f);
-    for (float shift : field) most_shift_m_[std::size_t(cascade)] = std::max(most_shift_m_[std::size_t(cascade)], std::abs(double(shift)));
+    for (float shift : field)
+      most_shift_m_[std::size_t(cascade)] = std::max(most_shift_m_[std::size_t(cascade)], std::abs(double(shift)));
   });
 
   std::vector<Rose> roses;
@@ -183,7 +196,9 @@ double Refraction::kept_outside(glm::dvec2 place_m, double over_m) const {
 }
 
 double Refraction::shift(int cascade, glm::dvec2 place_m) const {
-  if (cascade >= bent_cascades || shifts_[std::size_t(cascade)].empty() || !std::isfinite(place_m.x) || !std::isfinite(place_m.y)) return 0.0;
+  if (cascade >= bent_cascades || shifts_[std::size_t(cascade)].empty() || !std::isfinite(place_m.x) ||
+      !std::isfinite(place_m.y))
+    return 0.0;
   const double most = most_shift_m_[std::size_t(cascade)];
   if (!(most > 0.0)) return 0.0;
   const double kept = kept_outside(place_m, 8.0 * most);

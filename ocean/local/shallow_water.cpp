@@ -14,8 +14,8 @@ constexpr int nodes = 2048;
 const double first = std::log(least_depth_m), step = (std::log(most_depth_m) - first) / (nodes - 1);
 constexpr double power = 6.0;
 
-// Linear theory depends on x = w^2 h / g alone: k h as k / (w^2 / g), the wave number over the deep's, and the speed of energy over
-// the deep's g / 2 w.
+// Linear theory depends on x = w^2 h / g alone: k h as k / (w^2 / g), the wave number over the deep's, and the speed of
+// energy over the deep's g / 2 w.
 struct Airy {
   double wave_number, group_speed;
 };
@@ -24,10 +24,10 @@ Airy airy(double x) {
   return {kh / x, 2.0 * std::sqrt(x) * airy_group_speed(kh, 1.0, 1.0)};
 }
 
-// Waves of a cascade by their frequency: ln(w^2 / g) in steps as wide as the depths' table has them, so that all sums over waves and depths meet the
-// same few values of x. A wave is shared between the two frequencies around its own.
+// Waves of a cascade by their frequency: ln(w^2 / g) in steps as wide as the depths' table has them, so that all sums
+// over waves and depths meet the same few values of x. A wave is shared between the two frequencies around its own.
 struct Waves {
-  int from = 0;  // of the first of the following
+  int from = 0;                      // of the first of the following
   std::vector<double> flux, number;  // variance times cg0 / (g / 2 w), and variance over k0 / (w^2 / g)
   double variance = 0.0;
 
@@ -50,7 +50,8 @@ struct Waves {
   std::size_t index(int place) {
     if (flux.empty()) from = place;
     if (place < from) {
-      flux.insert(flux.begin(), std::size_t(from - place), 0.0), number.insert(number.begin(), std::size_t(from - place), 0.0);
+      flux.insert(flux.begin(), std::size_t(from - place), 0.0),
+          number.insert(number.begin(), std::size_t(from - place), 0.0);
       from = place;
     }
     const auto i = std::size_t(place - from);
@@ -70,7 +71,8 @@ Waves waves_of(const SeaState& sea, const WaveBins& bins, int index) {
       const glm::dvec2 a(bins.at(index, mx, mz).amplitude);
       by_square[std::size_t(mx * mx + mz * mz)] += 0.5 * glm::dot(a, a);
     }
-  for (std::size_t square = 1; square < by_square.size(); ++square) result.add(k_step * std::sqrt(double(square)), by_square[square], sea);
+  for (std::size_t square = 1; square < by_square.size(); ++square)
+    result.add(k_step * std::sqrt(double(square)), by_square[square], sea);
   return result;
 }
 }  // namespace
@@ -81,7 +83,8 @@ OtherWaves other_waves(const TileSources& sources) {
     const double of_one = source->statistics().height_variance;
     variance += of_one;
     const std::span<const Laying> layings = source->layings();
-    for (const Laying& laying : layings) length += of_one / double(layings.size()) * 0.5 * std::log(laying.longest_m * laying.shortest_m);
+    for (const Laying& laying : layings)
+      length += of_one / double(layings.size()) * 0.5 * std::log(laying.longest_m * laying.shortest_m);
   }
   return variance > 0.0 ? OtherWaves{std::exp(length / variance), 4.0 * std::sqrt(variance)} : OtherWaves{};
 }
@@ -90,7 +93,8 @@ ShallowWater::ShallowWater(const SeaState& sea, const WaveBins& bins, OtherWaves
   std::vector<Waves> trains;
   for (int i = 0; i < bins.cascades; ++i) trains.push_back(waves_of(sea, bins, i));
   trains.emplace_back();
-  if (others.wavelength_m > 0.0) trains.back().add(2.0 * std::numbers::pi / others.wavelength_m, others.height_m * others.height_m / 16.0, sea);
+  if (others.wavelength_m > 0.0)
+    trains.back().add(2.0 * std::numbers::pi / others.wavelength_m, others.height_m * others.height_m / 16.0, sea);
 
   // Every x that is met: ln x = first + (node + place) step.
   int least = 0, most = 0;
@@ -115,14 +119,18 @@ ShallowWater::ShallowWater(const SeaState& sea, const WaveBins& bins, OtherWaves
       const Waves& train = trains[t];
       double flux = 0.0, number = 0.0;
       const std::size_t at = node + std::size_t(train.from - least);
-      for (std::size_t i = 0; i < train.flux.size(); ++i) flux += train.flux[i] * inverse_speed[at + i], number += train.number[i] * wave_number[at + i];
+      for (std::size_t i = 0; i < train.flux.size(); ++i)
+        flux += train.flux[i] * inverse_speed[at + i], number += train.number[i] * wave_number[at + i];
       shoaling[t] = train.variance > 0.0 ? std::min(std::sqrt(flux / train.variance), most_shoaling) : 1.0;
-      if (t < steepenings_.size()) steepenings_[t][node] = float(train.variance > 0.0 ? std::min(number / train.variance, most_steepening) : 1.0);
+      if (t < steepenings_.size())
+        steepenings_[t][node] = float(train.variance > 0.0 ? std::min(number / train.variance, most_steepening) : 1.0);
       variance += train.variance * shoaling[t] * shoaling[t];
     }
-    const double height = 4.0 * std::sqrt(variance), share = std::max(height, least_height_m) / (most_height_of_depth * depth);
+    const double height = 4.0 * std::sqrt(variance),
+                 share = std::max(height, least_height_m) / (most_height_of_depth * depth);
     // Of a share above 1 its inverse, whose power does not overflow.
-    const double kept = share < 1.0 ? std::pow(1.0 + std::pow(share, power), -1.0 / power) : std::pow(1.0 + std::pow(share, -power), -1.0 / power) / share;
+    const double kept = share < 1.0 ? std::pow(1.0 + std::pow(share, power), -1.0 / power)
+                                    : std::pow(1.0 + std::pow(share, -power), -1.0 / power) / share;
     for (std::size_t t = 0; t < trains.size(); ++t) factors_[t][node] = float(shoaling[t] * kept);
     left_[node] = float(kept * kept);
     heights_[node] = float(height * kept);

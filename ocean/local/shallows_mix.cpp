@@ -22,7 +22,8 @@ glm::dvec2 ShallowsMix::direction(int cascade) const {
   if (to == nullptr) return a;
   const glm::dvec2 b = to->direction(cascade);
   if (a == glm::dvec2(0.0) || b == glm::dvec2(0.0)) return a + b;  // what has none is not shifted
-  const double angle = share * std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)), c = std::cos(angle), s = std::sin(angle);
+  const double angle = share * std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)), c = std::cos(angle),
+               s = std::sin(angle);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 

@@ -32,11 +32,13 @@ double bend(const Curve& curve, std::size_t span, double u) {
 
 // The way along a span by the quadrature of Gauss and Legendre in five points (Abramowitz and Stegun 1964, 25.4.30).
 double way(const Curve& curve, std::size_t span, double from, double to) {
-  constexpr std::array<std::pair<double, double>, 3> nodes{{{0.0, 0.5688888888888889}, {0.5384693101056831, 0.4786286704993665}, {0.9061798459386640, 0.2369268850561891}}};
+  constexpr std::array<std::pair<double, double>, 3> nodes{
+      {{0.0, 0.5688888888888889}, {0.5384693101056831, 0.4786286704993665}, {0.9061798459386640, 0.2369268850561891}}};
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = nodes[0].second * glm::length(curve.derivative(span, middle));
   for (std::size_t i = 1; i < nodes.size(); ++i)
-    for (const double side : {-half, half}) sum += nodes[i].second * glm::length(curve.derivative(span, middle + side * nodes[i].first));
+    for (const double side : {-half, half})
+      sum += nodes[i].second * glm::length(curve.derivative(span, middle + side * nodes[i].first));
   return half * sum;
 }
 }  // namespace
@@ -70,23 +72,34 @@ void ShoreLines::add(const InputSpec& spec, const std::vector<SplinePoint>& poin
   }
   const std::vector<double> knots = centripetal_knots(places, closed);
   Line line{Curve(places, knots, closed), {}, spec.feather_m, spec.weight, 0.0, 1.0, closed};
-  const std::vector<double> half_slopes = monotone_slopes(halves, knots, closed), value_slopes = monotone_slopes(values, knots, closed);
-  for (std::size_t i = 0; i < points.size(); ++i) line.numbers.push_back({halves[i], values[i], half_slopes[i], value_slopes[i]});
+  const std::vector<double> half_slopes = monotone_slopes(halves, knots, closed),
+                            value_slopes = monotone_slopes(values, knots, closed);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    line.numbers.push_back({halves[i], values[i], half_slopes[i], value_slopes[i]});
   feather_m_ = std::min(feather_m_, spec.feather_m);
 
   const Curve& curve = line.curve;
   const std::size_t first = chords_.size(), first_vertex = vertices_.size();
   const auto vertex = [&](std::size_t span, double u) {
     const glm::dvec2 d = curve.derivative(span, u);
-    vertices_.push_back({curve.place(span, u), glm::length(d) > 0.0 ? glm::normalize(d) : glm::dvec2(1.0, 0.0), line.length_m});
+    vertices_.push_back(
+        {curve.place(span, u), glm::length(d) > 0.0 ? glm::normalize(d) : glm::dvec2(1.0, 0.0), line.length_m});
   };
   for (std::size_t span = 0; span < curve.spans(); ++span) {
     const int count = curve.chords(span, 0.004);
     for (int i = 0; i < count; ++i) {
-      const Chord chord{std::uint32_t(lines_.size()), std::uint32_t(span), double(i) / count, double(i + 1) / count, std::uint32_t(vertices_.size()), false, false};
+      const Chord chord{std::uint32_t(lines_.size()),
+                        std::uint32_t(span),
+                        double(i) / count,
+                        double(i + 1) / count,
+                        std::uint32_t(vertices_.size()),
+                        false,
+                        false};
       vertex(span, chord.u);
       line.length_m += way(curve, span, chord.u, chord.v);
-      off_m_ = std::max(off_m_, glm::length(glm::max(glm::abs(curve.second(span, chord.u)), glm::abs(curve.second(span, chord.v)))) / (8.0 * count * count));
+      off_m_ = std::max(
+          off_m_, glm::length(glm::max(glm::abs(curve.second(span, chord.u)), glm::abs(curve.second(span, chord.v)))) /
+                      (8.0 * count * count));
       chords_.push_back(chord);
     }
   }
@@ -100,7 +113,8 @@ void ShoreLines::add(const InputSpec& spec, const std::vector<SplinePoint>& poin
   } else {
     chords_[first].first = chords_.back().last = true;
   }
-  // The most that the curve bends in a chord is known to both of its ends, so that what lies between them is never less than the bend, and has no steps.
+  // The most that the curve bends in a chord is known to both of its ends, so that what lies between them is never less
+  // than the bend, and has no steps.
   for (std::size_t c = first; c < chords_.size(); ++c) {
     const Chord& chord = chords_[c];
     for (int i = 0; i <= 8; ++i) {
@@ -153,16 +167,20 @@ bool ShoreLines::foot(const Chord& chord, glm::dvec2 p, double footprint, Foot& 
   const double h = line.curve.knot(chord.span + 1) - line.curve.knot(chord.span);
   foot.half_m = hermite(n.half_m, m.half_m, n.half_slope * h, m.half_slope * h, u);
   foot.right_m = glm::dot(p - at, right_of(forward));
-  const double across = std::abs(foot.right_m), to_end = past_m > 0.0 ? -past_m : std::min(foot.along_m, line.length_m - foot.along_m);
-  const double part = (u - chord.u) / (chord.v - chord.u), left = a.left + part * (b.left - a.left), right = a.right + part * (b.right - a.right);
+  const double across = std::abs(foot.right_m),
+               to_end = past_m > 0.0 ? -past_m : std::min(foot.along_m, line.length_m - foot.along_m);
+  const double part = (u - chord.u) / (chord.v - chord.u), left = a.left + part * (b.left - a.left),
+               right = a.right + part * (b.right - a.right);
   double strength = line.weight * hermite(n.value, m.value, n.value_slope * h, m.value_slope * h, u);
   strength *= smoothstep(0.3, 1.0, 1.0 - (foot.right_m > 0.0 ? right : left) * across);
   if (!line.closed) strength *= soft_share(to_end, line.feather_m, footprint);
-  const double share = strength * soft_share(foot.half_m - across, line.feather_m, footprint) * band_factor(foot.half_m, line.feather_m, footprint);
+  const double share = strength * soft_share(foot.half_m - across, line.feather_m, footprint) *
+                       band_factor(foot.half_m, line.feather_m, footprint);
   const double turned = std::max(1.0 - k * foot.right_m, 0.3);
   foot.strength = strength * std::max(1.0 - across / foot.half_m, 0.0);
   foot.beyond_m = std::max(across - foot.half_m, 0.0) + past_m;
-  foot.place = {{line.scale * foot.along_m, foot.right_m}, float(share), float(line.scale / turned), forward, k / turned};
+  foot.place = {
+      {line.scale * foot.along_m, foot.right_m}, float(share), float(line.scale / turned), forward, k / turned};
   return true;
 }
 
@@ -176,7 +194,8 @@ ShorePlace ShoreLines::at(glm::dvec2 place, double footprint_m) const {
   tree_.at(place, reach, [&](std::uint32_t i) {
     Foot one;
     if (!foot(chords_[i], place, footprint, one)) return;
-    const bool better = !found || one.strength > best.strength || (one.strength == best.strength && one.beyond_m < best.beyond_m);
+    const bool better =
+        !found || one.strength > best.strength || (one.strength == best.strength && one.beyond_m < best.beyond_m);
     second = std::max(second, better ? (found ? best.strength : 0.0) : one.strength);
     if (better) best = one;
     found = true;
@@ -187,8 +206,10 @@ ShorePlace ShoreLines::at(glm::dvec2 place, double footprint_m) const {
 }
 
 SourceStatistics ShoreLines::bent(SourceStatistics s) const {
-  // The second derivative of a share times a wave, the share a smoothstep over the feather; and 1.25 for what bends make of the wave, whose x they stretch by s where they leave smoothstep(0.3, 1, 1 / s) of it.
-  const double feather = std::max(feather_m_, 1e-3), h = std::max(s.largest_height_m, s.largest_shift_m), c = 1.25 * s.largest_curvature_per_m;
+  // The second derivative of a share times a wave, the share a smoothstep over the feather; and 1.25 for what bends
+  // make of the wave, whose x they stretch by s where they leave smoothstep(0.3, 1, 1 / s) of it.
+  const double feather = std::max(feather_m_, 1e-3), h = std::max(s.largest_height_m, s.largest_shift_m),
+               c = 1.25 * s.largest_curvature_per_m;
   s.largest_curvature_per_m = c + 3.0 / feather * std::sqrt(h * c) + 6.0 * h / (feather * feather);
   return s;
 }

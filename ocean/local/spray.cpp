@@ -38,10 +38,11 @@ namespace {
 
 constexpr double cell_m = 4.0;
 constexpr int puffs_a_throw = 3, most_trials = 32;  // of a cell in a step
-constexpr double fine_m = 0.25, least_m = 0.05;     // footprint of what breaks; height above the water where a puff begins
+constexpr double fine_m = 0.25, least_m = 0.05;  // footprint of what breaks; height above the water where a puff begins
 constexpr double least_wind_mps = 7.0, usual_wind_mps = 15.0;
 constexpr double gust_s = 0.5, most_gust = 4.0;
-constexpr double finest_m = 6e-5, coarsest_m = 2e-3, seen_from_m = 5e-4, seen_by_m = 1.2e-3;  // diameters; of drops that are told apart
+constexpr double finest_m = 6e-5, coarsest_m = 2e-3, seen_from_m = 5e-4,
+                 seen_by_m = 1.2e-3;      // diameters; of drops that are told apart
 constexpr double full_share = 2.0 / 3.0;  // of the range in which nothing is thinned
 
 double smooth(double from, double to, double x) {
@@ -54,9 +55,12 @@ using Chance = Spray::Chance;
 struct Trials {
   Chance chance;
   int count;
-  Trials(const SpraySettings& s, std::int64_t tick, std::int64_t x, std::int64_t z, double expected) : chance(Chance(s.seed).of(tick).of(x).of(z)) {
-    Chance gust = Chance(~std::uint64_t(s.seed)).of(std::int64_t(std::floor(double(tick) / s.rate_hz / gust_s))).of(x).of(z);
-    count = int(std::min(std::min(-std::log(1.0 - gust.next()), most_gust) * expected + chance.next(), double(most_trials)));
+  Trials(const SpraySettings& s, std::int64_t tick, std::int64_t x, std::int64_t z, double expected)
+      : chance(Chance(s.seed).of(tick).of(x).of(z)) {
+    Chance gust =
+        Chance(~std::uint64_t(s.seed)).of(std::int64_t(std::floor(double(tick) / s.rate_hz / gust_s))).of(x).of(z);
+    count = int(
+        std::min(std::min(-std::log(1.0 - gust.next()), most_gust) * expected + chance.next(), double(most_trials)));
   }
   Chance trial(int i) const { return chance.of(i); }
 };
@@ -78,8 +82,13 @@ void validate(const SpraySettings& s) {
   require(s.rate_hz >= 4.0 && s.rate_hz <= 60.0, s.rate_hz, "rate_hz", "from 4 to 60");
 }
 
-Spray::Spray(const SpraySettings& settings, const SeaState& sea, const WaveQuality& quality, TileSources others, double foam_life_s)
-    : settings_(settings), sea_(sea), breaking_(sea, {std::min(quality.resolution, 64), quality.cascades}, std::move(others), foam_life_s, true), profile_(sea.wind_speed_mps, sea.gravity_mps2), cells_(0) {
+Spray::Spray(const SpraySettings& settings, const SeaState& sea, const WaveQuality& quality, TileSources others,
+             double foam_life_s)
+    : settings_(settings),
+      sea_(sea),
+      breaking_(sea, {std::min(quality.resolution, 64), quality.cascades}, std::move(others), foam_life_s, true),
+      profile_(sea.wind_speed_mps, sea.gravity_mps2),
+      cells_(0) {
   validate(settings);
   const glm::dvec2 to = direction_xz(sea.wind_to_deg);
   wind_to_ = {to.x, 0.0, to.y};
@@ -125,20 +134,23 @@ void Spray::feel_air(Puff& p) const {
 // An eddy's velocity, times a strength.
 glm::dvec3 Spray::eddy(Chance& chance, double strength) const {
   const double along = 2.4 * chance.normal(), side = 1.9 * chance.normal(), up = 1.25 * chance.normal();
-  return strength * profile_.friction_mps * (along * wind_to_ + side * glm::dvec3(-wind_to_.z, 0.0, wind_to_.x) + glm::dvec3(0.0, up, 0.0));
+  return strength * profile_.friction_mps *
+         (along * wind_to_ + side * glm::dvec3(-wind_to_.z, 0.0, wind_to_.x) + glm::dvec3(0.0, up, 0.0));
 }
 
-// Of those aloft, whose place is that of now: what is under water or has lived is gone; the others feel the wind of their height.
+// Of those aloft, whose place is that of now: what is under water or has lived is gone; the others feel the wind of
+// their height.
 void Spray::land(double time_s) {
   for (std::size_t i = 0; i < puffs_.size(); ++i) places_[i] = {puffs_[i].place_m.x, puffs_[i].place_m.z};
-  query(breaking_.field(), breaking_.tiles(), std::span(places_.data(), puffs_.size()), std::span(answers_.data(), puffs_.size()),
-        {.footprint_m = fine_m, .most_iterations = 6, .tolerance_m = 0.02});
+  query(breaking_.field(), breaking_.tiles(), std::span(places_.data(), puffs_.size()),
+        std::span(answers_.data(), puffs_.size()), {.footprint_m = fine_m, .most_iterations = 6, .tolerance_m = 0.02});
   const double step = 1.0 / settings_.rate_hz;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < puffs_.size(); ++i) {
     Puff p = puffs_[i];
     const Water water = water_ ? water_(places_[i], time_s) : Water{};
-    const double above = p.place_m.y - water.still_m - water.waves * answers_[i].height_m, flown = std::min(step, p.age_s);
+    const double above = p.place_m.y - water.still_m - water.waves * answers_[i].height_m,
+                 flown = std::min(step, p.age_s);
     if (!(above >= 0.0) || p.age_s >= p.life_s) continue;
     const double before = p.above_m - p.rising_mps * flown;
     if (flown > 0.25 * step) p.rising_mps = (above - before) / flown;
@@ -150,11 +162,15 @@ void Spray::land(double time_s) {
 }
 
 Spray::Cell Spray::cell(const glm::dvec3& viewer, int i, int j) const {
-  return {std::int64_t(std::floor(viewer.x / cell_m)) - cells_ / 2 + i, std::int64_t(std::floor(viewer.z / cell_m)) - cells_ / 2 + j, std::size_t(j) * std::size_t(cells_) + std::size_t(i)};
+  return {std::int64_t(std::floor(viewer.x / cell_m)) - cells_ / 2 + i,
+          std::int64_t(std::floor(viewer.z / cell_m)) - cells_ / 2 + j,
+          std::size_t(j) * std::size_t(cells_) + std::size_t(i)};
 }
 
-// Of what breaks within a cell the share that throws up spray: on steep crests that stand out into the wind (troughs lie in their lee), and near enough.
-double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer, const WaveField::Filter& coarse) const {
+// Of what breaks within a cell the share that throws up spray: on steep crests that stand out into the wind (troughs
+// lie in their lee), and near enough.
+double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer,
+                         const WaveField::Filter& coarse) const {
   const glm::dvec2 rest = cell_m * glm::dvec2(double(c.x) + 0.5, double(c.z) + 0.5);
   const SeaSample sea = breaking_.field().sea(breaking_.tiles(), rest, coarse);
   const glm::dvec3 d = sea.displacement;
@@ -225,7 +241,8 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
       // u / (1 - J), and no faster than the wind that drives the waves.
       glm::dvec3 crest = glm::dvec3(water.x, 0.0, water.z) / std::clamp(1.0 - found->jacobian, 1.0 / 3.0, 1.0);
       if (const double speed = glm::length(crest); speed > sea_.wind_speed_mps) crest *= sea_.wind_speed_mps / speed;
-      const glm::dvec3 place = glm::dvec3(rest.x, found->water.still_m, rest.y) + found->sea.displacement * glm::dvec3(1.0, found->water.waves, 1.0);
+      const glm::dvec3 place = glm::dvec3(rest.x, found->water.still_m, rest.y) +
+                               found->sea.displacement * glm::dvec3(1.0, found->water.waves, 1.0);
       glm::dvec3 eddy = this->eddy(chance, 0.6);
       eddy.y = std::abs(eddy.y);  // the wind leaves a breaking crest
       const double speed = glm::length(crest), up = (0.7 + 0.14 * speed) * std::abs(chance.normal());
@@ -254,7 +271,8 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
 
 void Spray::step(std::int64_t tick, const glm::dvec3& viewer) {
   tick_ = tick;
-  const bool throws = per_m2_s() > 0.0 && std::abs(viewer.y) < settings_.range_m + breaking_.field().statistics().largest_height_m;
+  const bool throws =
+      per_m2_s() > 0.0 && std::abs(viewer.y) < settings_.range_m + breaking_.field().statistics().largest_height_m;
   if (!throws && puffs_.empty()) return;
   const double time_s = double(tick) / settings_.rate_hz;
   breaking_.evaluate(ticks_from_seconds(time_s));
@@ -266,9 +284,13 @@ void Spray::step(std::int64_t tick, const glm::dvec3& viewer) {
 }
 
 void Spray::update(double time_s, const glm::dvec3& viewer) {
-  if (!(std::abs(time_s * settings_.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) || !std::isfinite(viewer.y)) return;
-  const std::int64_t now = std::int64_t(std::floor(time_s * settings_.rate_hz + 1e-6)), life = std::int64_t(std::ceil(settings_.life_s * settings_.rate_hz));
-  const bool anew = !begun_ || now < tick_ || now - tick_ > life || glm::length(viewer - viewer_) > 0.5 * settings_.range_m;
+  if (!(std::abs(time_s * settings_.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
+      !std::isfinite(viewer.y))
+    return;
+  const std::int64_t now = std::int64_t(std::floor(time_s * settings_.rate_hz + 1e-6)),
+                     life = std::int64_t(std::ceil(settings_.life_s * settings_.rate_hz));
+  const bool anew =
+      !begun_ || now < tick_ || now - tick_ > life || glm::length(viewer - viewer_) > 0.5 * settings_.range_m;
   if (anew) {
     puffs_.clear();
     tick_ = now - life;
@@ -289,14 +311,17 @@ std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu:
     const glm::dvec3 from = p.place_m - viewer;
     const double distance = glm::length(from), old = p.age_s / p.life_s;
     // Eddies draw it apart, and what it hides with it; drops stay together longer.
-    const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s, thin = std::pow(p.radius_m / radius, 1.5);
+    const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s,
+                 thin = std::pow(p.radius_m / radius, 1.5);
     double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
-    hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) * smooth(0.5, 3.0, distance);
+    hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) *
+             smooth(0.5, 3.0, distance);
     if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
     if (!(hides > 0.004)) continue;
     // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that.
     const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s);
-    to[count++] = {glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)), glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
+    to[count++] = {glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)),
+                   glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
                    glm::vec2(float(p.shape), float(p.drops))};
   }
   return count;

@@ -26,7 +26,8 @@ Flight fly(const glm::dvec3& v, const glm::dvec3& air, double relaxation, double
   const bool few = q < 1e-3;
   const double carried = few ? t * (1.0 - q / 2.0 + q * q / 6.0) : relaxation * -std::expm1(-q);
   const double dropped = few ? t * t * (0.5 - q / 6.0 + q * q / 24.0) : relaxation * (t - carried);
-  return {v * carried + air * (t - carried) - glm::dvec3(0.0, gravity * dropped, 0.0), kept * v + (1.0 - kept) * air - glm::dvec3(0.0, gravity * carried, 0.0)};
+  return {v * carried + air * (t - carried) - glm::dvec3(0.0, gravity * dropped, 0.0),
+          kept * v + (1.0 - kept) * air - glm::dvec3(0.0, gravity * carried, 0.0)};
 }
 
 WindProfile::WindProfile(double wind, double gravity) {

@@ -1,4 +1,5 @@
-// Spray as the wind tears it off breaking crests: how much, how far around the viewer, how long it stays aloft. Plain values, in SI units.
+// Spray as the wind tears it off breaking crests: how much, how far around the viewer, how long it stays aloft. Plain
+// values, in SI units.
 #pragma once
 #include <cstdint>
 
@@ -14,7 +15,8 @@ struct SpraySettings {
   std::uint32_t seed = 1;  // which of the same statistics
 };
 
-// How many puffs a square metre that breaks throws up in a second, on a steep crest well above the still sea in a wind of 15 m/s.
+// How many puffs a square metre that breaks throws up in a second, on a steep crest well above the still sea in a wind
+// of 15 m/s.
 inline constexpr double spray_per_m2_s = 12.0;
 
 // Throws Error naming the setting.

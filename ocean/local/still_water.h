@@ -5,7 +5,8 @@
 
 namespace seascape {
 
-// How deep it is (m; 0 or less is land), how much of the waves' height it leaves, and how much of their energy breaks there; the same two of waves that run along curves.
+// How deep it is (m; 0 or less is land), how much of the waves' height it leaves, and how much of their energy breaks
+// there; the same two of waves that run along curves.
 struct StillWater {
   double depth_m = 1e6, waves = 1.0, surf = 0.0;
   double placed = 1.0, placed_surf = 0.0;

@@ -25,11 +25,16 @@ double after(double value, int n) { return value - n * std::floor(value / n); }
 }  // namespace
 
 double wave_share(double texels_a_wave, bool coarsest, int samples) {
-  const double rest = coarsest ? smooth(std::log(texels_a_wave * 6.0 / samples) / std::log(1.5)) : fades_in(0.5 * texels_a_wave);
+  const double rest =
+      coarsest ? smooth(std::log(texels_a_wave * 6.0 / samples) / std::log(1.5)) : fades_in(0.5 * texels_a_wave);
   return fades_in(texels_a_wave) * (1.0 - rest);
 }
 
-WaveLevel::WaveLevel(int samples) : n_(samples), band_(samples / 4), to_texels_(make_fft_plan(samples, samples / 4)), to_waves_(make_fft_plan(samples, samples)) {
+WaveLevel::WaveLevel(int samples)
+    : n_(samples),
+      band_(samples / 4),
+      to_texels_(make_fft_plan(samples, samples / 4)),
+      to_waves_(make_fft_plan(samples, samples)) {
   const std::size_t waves = std::size_t(band_) * std::size_t(band_), texels = std::size_t(n_) * std::size_t(n_ + 16);
   for (auto* list : {&modes_, &turn_, &half_turn_, &head_, &rise_}) list->resize(waves);
   for (auto* list : {&share_, &frequency_}) list->resize(waves);
@@ -75,7 +80,8 @@ void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool&
   double inside = 1.0;
   for (int axis = 0; axis < 2; ++axis)
     inside *= smooth(std::min(at[axis] - double(first[axis]), double(first[axis]) + n_ - 1 - at[axis]) / (n_ / 8));
-  const double area = inside * s.length_m * s.length_m / (pi * texel_m_ * texel_m_ * n_ * n_), head = area * s.head_m, rise = area * s.rise_mps * dt;
+  const double area = inside * s.length_m * s.length_m / (pi * texel_m_ * texel_m_ * n_ * n_), head = area * s.head_m,
+               rise = area * s.rise_mps * dt;
   if (!(std::abs(head) + std::abs(rise) > 0.0)) return;
   std::vector<std::complex<double>> along_x(std::size_t(band_), 0.0), along_z(std::size_t(band_), 0.0);
   const double x = after(at.x, n_), z = after(at.y, n_);
@@ -96,7 +102,8 @@ void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool&
       for (int i = 0; i < band_; ++i) {
         // Written out: the library's product looks for infinities, at several times the cost.
         const std::complex<double> c = along_x[std::size_t(i)];
-        to[i] += std::complex<double>(row.real() * c.real() - row.imag() * c.imag(), row.real() * c.imag() + row.imag() * c.real());
+        to[i] += std::complex<double>(row.real() * c.real() - row.imag() * c.imag(),
+                                      row.real() * c.imag() + row.imag() * c.real());
       }
     }
   }
@@ -105,7 +112,9 @@ void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool&
 // As a source of that shape: its waves are those of the texels' Fourier sum.
 void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool& heads) {
   const std::size_t n = std::size_t(n_), stride = n + 16;
-  const auto inside = [&](std::int64_t w, std::int64_t begin) { return float(smooth(std::min(double(w - begin), double(begin + n_ - 1 - w)) / (n_ / 8))); };
+  const auto inside = [&](std::int64_t w, std::int64_t begin) {
+    return float(smooth(std::min(double(w - begin), double(begin + n_ - 1 - w)) / (n_ / 8)));
+  };
   for (std::int64_t z = first.y; z < first.y + n_; ++z) {
     const std::size_t row = std::size_t(z & (n_ - 1));
     const float across = inside(z, first.y);
@@ -115,14 +124,17 @@ void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool
       im_[row * stride + column] = 0.0f;
     }
   }
-  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
   if (!heads) std::fill(head_.begin(), head_.end(), 0.0);
   heads = true;
   const double scale = 1.0 / (double(n_) * n_);
-  for (std::size_t i = 0; i < head_.size(); ++i) head_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+  for (std::size_t i = 0; i < head_.size(); ++i)
+    head_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
 }
 
-void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources, std::span<const float> head_m) {
+void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources,
+                     std::span<const float> head_m) {
   bool heads = false, rises = false;
   for (WaveSource s : sources) {
     s.place_m -= s.velocity_mps * (0.5 * dt);
@@ -147,7 +159,8 @@ void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const 
 void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> along_z, const float* open) {
   if (still_) return;
   const std::size_t n = std::size_t(n_), stride = n + 16;
-  for (std::size_t i = 0; i < modes_.size(); ++i) spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
   inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), re_.data(), im_.data(), int(stride), workspace_);
   // What is taken away is what goes back: of the rest no transform rounds anything.
   for (std::size_t z = 0; z < n; ++z) {
@@ -157,7 +170,8 @@ void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> 
       re[x] *= lost, im[x] *= lost;
     }
   }
-  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
   const double scale = 1.0 / (double(n_) * n_);
   for (std::size_t i = 0; i < modes_.size(); ++i)
     if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
@@ -165,7 +179,8 @@ void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> 
 
 void WaveLevel::add(std::span<const float> height, std::span<const float> quarter) {
   still_ = false;
-  forward_band(to_waves_, band_, height.data(), quarter.data(), n_, spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  forward_band(to_waves_, band_, height.data(), quarter.data(), n_, spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
   const double scale = 1.0 / (double(n_) * n_);
   for (std::size_t i = 0; i < modes_.size(); ++i)
     if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
@@ -174,7 +189,8 @@ void WaveLevel::add(std::span<const float> height, std::span<const float> quarte
 void WaveLevel::shift_by(glm::dvec2 by) {
   for (int j = 0; j < band_; ++j)
     for (int i = 0; i < band_; ++i)
-      modes_[std::size_t(j) * std::size_t(band_) + std::size_t(i)] *= std::polar(1.0, 2.0 * pi * ((i - band_ / 2) * by.x + (j - band_ / 2) * by.y) / n_);
+      modes_[std::size_t(j) * std::size_t(band_) + std::size_t(i)] *=
+          std::polar(1.0, 2.0 * pi * ((i - band_ / 2) * by.x + (j - band_ / 2) * by.y) / n_);
 }
 
 void WaveLevel::surface(std::span<float> height, std::span<float> quarter) const {
@@ -183,7 +199,8 @@ void WaveLevel::surface(std::span<float> height, std::span<float> quarter) const
     std::fill(quarter.begin(), quarter.end(), 0.0f);
     return;
   }
-  for (std::size_t i = 0; i < modes_.size(); ++i) spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
   inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), height.data(), quarter.data(), n_, workspace_);
 }
 

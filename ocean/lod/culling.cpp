@@ -46,8 +46,9 @@ void EyeFrusta::set(const std::vector<View>& eyes, const glm::dvec3& origin_m) {
     };
     const glm::dmat3 rotation = glm::mat3_cast(eyes[e].pose.orientation);
     // A point (x, y, z) of eye space is inside while left * -z <= x <= right * -z, likewise for y, and z <= 0.
-    for (const glm::dvec3& of_eye : {glm::dvec3(1.0, 0.0, fov.left), glm::dvec3(-1.0, 0.0, -fov.right), glm::dvec3(0.0, -1.0, -fov.up),
-                                     glm::dvec3(0.0, 1.0, fov.down), glm::dvec3(0.0, 0.0, -1.0)}) {
+    for (const glm::dvec3& of_eye :
+         {glm::dvec3(1.0, 0.0, fov.left), glm::dvec3(-1.0, 0.0, -fov.right), glm::dvec3(0.0, -1.0, -fov.up),
+          glm::dvec3(0.0, 1.0, fov.down), glm::dvec3(0.0, 0.0, -1.0)}) {
       const glm::dvec3 normal = rotation * of_eye;
       add(normal, -glm::dot(normal, position));
     }
@@ -120,7 +121,8 @@ EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t coun
       const double along = along_z ? planes[p].z : planes[p].x, other = along_z ? planes[p].x : planes[p].z;
       if (!belongs(along)) continue;
       const double inverse = std::abs(along) > level ? -1.0 / along : 0.0;
-      result.planes[result.end++] = {along, other, planes[p].offset, planes[p].up, planes[p].down, inverse, other * inverse};
+      result.planes[result.end++] = {along,          other,   planes[p].offset, planes[p].up,
+                                     planes[p].down, inverse, other * inverse};
     }
   };
   sort_in([](double along) { return along > level; });
@@ -132,8 +134,8 @@ EyeFrusta::Across EyeFrusta::across(const FrustumPlane* planes, std::size_t coun
 }
 
 namespace {
-constexpr double far_m = 1e7;  // farther than any box: what a plane as good as along an axis may rise on the way
-constexpr double spare = 1e-3;  // of a box, for what doubles lose
+constexpr double far_m = 1e7;         // farther than any box: what a plane as good as along an axis may rise on the way
+constexpr double spare = 1e-3;        // of a box, for what doubles lose
 constexpr double float_spare = 1e-6;  // of each distance: more than what sums of seven floats lose
 namespace hn = hwy::HWY_NAMESPACE;
 // Two doubles are a vector that every instruction set has: no run-time dispatch is needed.
@@ -160,13 +162,16 @@ EyeFrusta::SideBySide EyeFrusta::side_by_side(const FrustumPlane* planes) {
 bool EyeFrusta::may_see(const UprightBox& box) const {
   if (together_.empty()) return true;
   const hn::FixedTag<float, 4> d;  // as of pairs: every instruction set has it
-  const double lost_m = float_spare * (std::abs(box.x) + std::abs(box.z) + box.half_x + box.half_z + std::abs(box.low) + std::abs(box.high));
-  const auto x = hn::Set(d, float(box.x)), z = hn::Set(d, float(box.z)), half_x = hn::Set(d, float(box.half_x)), half_z = hn::Set(d, float(box.half_z));
+  const double lost_m = float_spare * (std::abs(box.x) + std::abs(box.z) + box.half_x + box.half_z + std::abs(box.low) +
+                                       std::abs(box.high));
+  const auto x = hn::Set(d, float(box.x)), z = hn::Set(d, float(box.z)), half_x = hn::Set(d, float(box.half_x)),
+             half_z = hn::Set(d, float(box.half_z));
   const auto high = hn::Set(d, float(box.high)), low = hn::Set(d, float(box.low)), least = hn::Set(d, float(-lost_m));
   for (const SideBySide& p : together_) {
     auto beyond = hn::Zero(d);
     for (std::size_t n = 0; n < planes_per_eye; n += 4) {
-      const auto across = hn::MulAdd(hn::Load(d, &p.x[n]), x, hn::MulAdd(hn::Load(d, &p.z[n]), z, hn::Load(d, &p.offset[n])));
+      const auto across =
+          hn::MulAdd(hn::Load(d, &p.x[n]), x, hn::MulAdd(hn::Load(d, &p.z[n]), z, hn::Load(d, &p.offset[n])));
       const auto size = hn::MulAdd(hn::Load(d, &p.x_size[n]), half_x, hn::Mul(hn::Load(d, &p.z_size[n]), half_z));
       const auto upright = hn::MulAdd(hn::Load(d, &p.up[n]), high, hn::Mul(hn::Load(d, &p.down[n]), low));
       beyond = hn::Or(beyond, hn::VecFromMask(d, hn::Lt(hn::Add(hn::Add(across, size), upright), least)));
@@ -176,8 +181,8 @@ bool EyeFrusta::may_see(const UprightBox& box) const {
   return false;
 }
 
-// A box is beyond a plane where along * its centre's x + rest < 0, so the plane keeps all boxes to one side of -rest / along, and rest is
-// linear in the row. Two eyes at a time, one to a lane.
+// A box is beyond a plane where along * its centre's x + rest < 0, so the plane keeps all boxes to one side of -rest /
+// along, and rest is linear in the row. Two eyes at a time, one to a lane.
 void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const {
   const std::size_t eyes = lists();
   const std::size_t ranges = eyes * static_cast<std::size_t>(std::max(rows.last - rows.first + 1, 0));
@@ -188,7 +193,8 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
   }
   const double inverse_step = 1.0 / grid.step;
   const Pair d;
-  const auto columns_from = hn::Set(d, static_cast<double>(columns.first)), columns_to = hn::Set(d, static_cast<double>(columns.last));
+  const auto columns_from = hn::Set(d, static_cast<double>(columns.first)),
+             columns_to = hn::Set(d, static_cast<double>(columns.last));
   for (std::size_t pair = 0; pair < pairs_[0].size(); ++pair) {
     const TwoEyes& two = pairs_[0][pair];
     const std::size_t first = 2 * pair, lanes = std::min<std::size_t>(eyes - first, 2);
@@ -198,8 +204,9 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
       double from = rows.first, to = rows.last;
       for (std::size_t p = eye.level; p < eye.end; ++p) {
         const Across::Plane& plane = eye.planes[p];
-        const double most = plane.across * grid.z + plane.offset + plane.up * grid.high + plane.down * grid.low + std::abs(plane.along) * grid.half_x +
-                            std::abs(plane.across) * grid.half_z + std::abs(plane.along) * far_m;
+        const double most = plane.across * grid.z + plane.offset + plane.up * grid.high + plane.down * grid.low +
+                            std::abs(plane.along) * grid.half_x + std::abs(plane.across) * grid.half_z +
+                            std::abs(plane.along) * far_m;
         const double cut = -most / plane.across * inverse_step;
         if (plane.across > 1e-9)
           from = std::max(from, cut - spare);
@@ -218,7 +225,9 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
       rest = hn::Add(rest, hn::Mul(hn::LoadU(d, p.down.data()), hn::Set(d, grid.low)));
       rest = hn::Add(rest, hn::Mul(hn::Abs(along), hn::Set(d, grid.half_x)));
       rest = hn::Add(rest, hn::Mul(hn::Abs(across), hn::Set(d, grid.half_z)));
-      return hn::Add(hn::Mul(hn::Sub(hn::Mul(rest, hn::LoadU(d, p.inverse.data())), hn::Set(d, grid.x)), hn::Set(d, inverse_step)), hn::Set(d, spared));
+      return hn::Add(
+          hn::Mul(hn::Sub(hn::Mul(rest, hn::LoadU(d, p.inverse.data())), hn::Set(d, grid.x)), hn::Set(d, inverse_step)),
+          hn::Set(d, spared));
     };
     std::array<TwoEyes::Lanes, planes_per_eye> least_cut, most_cut;
     for (std::size_t p = 0; p < two.least_count; ++p)
@@ -230,9 +239,11 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
       const auto at = hn::Set(d, static_cast<double>(row));
       auto least = columns_from, most = columns_to;
       for (std::size_t p = 0; p < two.least_count; ++p)
-        least = hn::Max(least, hn::Add(hn::LoadU(d, least_cut[p].data()), hn::Mul(hn::LoadU(d, two.least[p].slope.data()), at)));
+        least = hn::Max(
+            least, hn::Add(hn::LoadU(d, least_cut[p].data()), hn::Mul(hn::LoadU(d, two.least[p].slope.data()), at)));
       for (std::size_t p = 0; p < two.most_count; ++p)
-        most = hn::Min(most, hn::Add(hn::LoadU(d, most_cut[p].data()), hn::Mul(hn::LoadU(d, two.most[p].slope.data()), at)));
+        most = hn::Min(most,
+                       hn::Add(hn::LoadU(d, most_cut[p].data()), hn::Mul(hn::LoadU(d, two.most[p].slope.data()), at)));
       std::array<double, 2> begin, end;
       hn::StoreU(least, d, begin.data());
       hn::StoreU(most, d, end.data());
@@ -244,9 +255,11 @@ void EyeFrusta::may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, st
   }
 }
 
-// Of a plane the farthest corner of a trapezoid counts, which lies at one of its ends, t, on the inner or the outer line: along * t * scale +
-// across * border * scale + rest, which is not below 0 where along * t >= -(rest / scale + across * border).
-bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, const std::function<std::span<const BorderBand>()>& bands, std::span<BorderRange> seen) const {
+// Of a plane the farthest corner of a trapezoid counts, which lies at one of its ends, t, on the inner or the outer
+// line: along * t * scale + across * border * scale + rest, which is not below 0 where along * t >= -(rest / scale +
+// across * border).
+bool EyeFrusta::may_see(const Border& border, const BorderBand& whole,
+                        const std::function<std::span<const BorderBand>()>& bands, std::span<BorderRange> seen) const {
   const std::size_t count = lists();
   const double centre_along = border.centre[border.axis], centre_across = border.centre[1 - border.axis];
   const std::vector<Across>& eyes = across_[static_cast<std::size_t>(border.axis)];
@@ -266,7 +279,8 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, const std
   for (std::size_t pair = 0; pair < pairs_[0].size(); ++pair) {
     const TwoEyes& two = pairs_[static_cast<std::size_t>(border.axis)][pair];
     const std::size_t first = 2 * pair, lanes = std::min<std::size_t>(eyes.size() - first, 2);
-    // Of a plane what no band changes: its value at the centre, raised by what trapezoids grow, and what the border adds.
+    // Of a plane what no band changes: its value at the centre, raised by what trapezoids grow, and what the border
+    // adds.
     struct Whole {
       TwoEyes::Lanes everywhere, across;
     };
@@ -274,22 +288,28 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, const std
     const auto prepare = [&](const TwoEyes::Plane& p, Whole& to) {
       const auto along = hn::LoadU(d, p.along.data()), across = hn::LoadU(d, p.across.data());
       auto everywhere = hn::Add(hn::Mul(along, hn::Set(d, centre_along)), hn::Mul(across, hn::Set(d, centre_across)));
-      everywhere = hn::Add(hn::Add(everywhere, hn::LoadU(d, p.offset.data())), hn::Mul(hn::Add(hn::Abs(along), hn::Abs(across)), hn::Set(d, border.grow)));
+      everywhere = hn::Add(hn::Add(everywhere, hn::LoadU(d, p.offset.data())),
+                           hn::Mul(hn::Add(hn::Abs(along), hn::Abs(across)), hn::Set(d, border.grow)));
       hn::StoreU(everywhere, d, to.everywhere.data());
       hn::StoreU(hn::Mul(across, hn::Set(d, border.border)), d, to.across.data());
     };
     for (std::size_t p = 0; p < two.least_count; ++p) prepare(two.least[p], least_of[p]);
     for (std::size_t p = 0; p < two.most_count; ++p) prepare(two.most[p], most_of[p]);
     const auto ranges_of = [&](const BorderBand& band, BorderRange* to) {
-      const auto high = hn::Set(d, band.high), low = hn::Set(d, band.low), per_inner = hn::Set(d, band.per_inner), per_outer = hn::Set(d, band.per_outer);
+      const auto high = hn::Set(d, band.high), low = hn::Set(d, band.low), per_inner = hn::Set(d, band.per_inner),
+                 per_outer = hn::Set(d, band.per_outer);
       const auto cut = [&](const TwoEyes::Plane& p, const Whole& of) {
-        const auto rest = hn::Add(hn::Add(hn::LoadU(d, of.everywhere.data()), hn::Mul(hn::LoadU(d, p.up.data()), high)), hn::Mul(hn::LoadU(d, p.down.data()), low));
-        const auto farthest = hn::Add(hn::Mul(rest, hn::IfThenElse(hn::Gt(rest, zero), per_inner, per_outer)), hn::LoadU(d, of.across.data()));
+        const auto rest = hn::Add(hn::Add(hn::LoadU(d, of.everywhere.data()), hn::Mul(hn::LoadU(d, p.up.data()), high)),
+                                  hn::Mul(hn::LoadU(d, p.down.data()), low));
+        const auto farthest = hn::Add(hn::Mul(rest, hn::IfThenElse(hn::Gt(rest, zero), per_inner, per_outer)),
+                                      hn::LoadU(d, of.across.data()));
         return hn::Mul(farthest, hn::LoadU(d, p.inverse.data()));
       };
       auto least = hn::Set(d, -border.half), most = hn::Set(d, border.half);
-      for (std::size_t p = 0; p < two.least_count; ++p) least = hn::Max(least, hn::Min(cut(two.least[p], least_of[p]), hn::LoadU(d, two.least[p].limit.data())));
-      for (std::size_t p = 0; p < two.most_count; ++p) most = hn::Min(most, hn::Max(cut(two.most[p], most_of[p]), hn::LoadU(d, two.most[p].limit.data())));
+      for (std::size_t p = 0; p < two.least_count; ++p)
+        least = hn::Max(least, hn::Min(cut(two.least[p], least_of[p]), hn::LoadU(d, two.least[p].limit.data())));
+      for (std::size_t p = 0; p < two.most_count; ++p)
+        most = hn::Min(most, hn::Max(cut(two.most[p], most_of[p]), hn::LoadU(d, two.most[p].limit.data())));
       TwoEyes::Lanes from, end;
       hn::StoreU(least, d, from.data());
       hn::StoreU(most, d, end.data());
@@ -312,7 +332,8 @@ bool EyeFrusta::may_see(const Border& border, const BorderBand& whole, const std
     for (std::size_t lane = 0; lane < lanes; ++lane) sees = sees || of_whole[lane].least <= of_whole[lane].most;
     if (sees && !any) {
       all = bands();
-      for (std::size_t b = 0; b < all.size(); ++b) std::fill_n(&seen[b * count], first, nothing);  // as the eyes before have seen
+      for (std::size_t b = 0; b < all.size(); ++b)
+        std::fill_n(&seen[b * count], first, nothing);  // as the eyes before have seen
     }
     any = any || sees;
     for (std::size_t b = 0; b < all.size(); ++b) {

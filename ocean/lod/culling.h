@@ -11,8 +11,8 @@
 
 namespace seascape {
 
-// A grid of equal upright boxes, all in metres relative to EyeFrusta's origin: box (i, j), whatever whole numbers these are, has its
-// centre at (x + i * step, z + j * step).
+// A grid of equal upright boxes, all in metres relative to EyeFrusta's origin: box (i, j), whatever whole numbers these
+// are, has its centre at (x + i * step, z + j * step).
 struct BoxGrid {
   double x, z, step;
   double half_x, half_z;  // half their sides
@@ -24,7 +24,8 @@ struct BoxRange {
   int first, last;
 };
 
-// Puts ranges in order and those that meet together, in place, without empty ones: returns how many are left, apart from each other.
+// Puts ranges in order and those that meet together, in place, without empty ones: returns how many are left, apart
+// from each other.
 std::size_t join_ranges(BoxRange* ranges, std::size_t count);
 // The same of two: what the eyes of a head see of a row is nearly always much the same.
 inline std::size_t join_two(BoxRange* ranges) {
@@ -41,16 +42,18 @@ inline std::size_t join_two(BoxRange* ranges) {
   return first || second ? 1 : 0;
 }
 
-// A straight border about a centre, outside of which trapezoids lie side by side. In metres relative to EyeFrusta's origin.
+// A straight border about a centre, outside of which trapezoids lie side by side. In metres relative to EyeFrusta's
+// origin.
 struct Border {
   glm::dvec2 centre;
-  int axis;              // that it runs along: 0 x, 1 z
-  double border;         // where it lies along the other axis, from the centre
-  double half;           // its ends: t, the distance along it, from -half to half
-  double grow;           // what trapezoids are grown by to every side
+  int axis;       // that it runs along: 0 x, 1 z
+  double border;  // where it lies along the other axis, from the centre
+  double half;    // its ends: t, the distance along it, from -half to half
+  double grow;    // what trapezoids are grown by to every side
 };
 
-// A band of such trapezoids: of a point t of the border they hold what lies from an inner to an outer multiple of its distance from the centre.
+// A band of such trapezoids: of a point t of the border they hold what lies from an inner to an outer multiple of its
+// distance from the centre.
 struct BorderBand {
   double per_inner, per_outer;  // 1 over either
   double low, high;
@@ -68,10 +71,11 @@ struct UprightBox {
   double low, high;
 };
 
-// x * px + (up + down) * py + z * pz + offset >= 0 on the seen side. Of an eye: left, right, up, down, and the plane through
-// it (the near plane's distance belongs to the drawing, and zero is on the safe side of it). Where all corner rays of an
-// eye go up, or all down, along an axis, nothing beyond the eye on the other side is seen: three more. The frustum's planes
-// alone let through boxes beside and behind the eye; these complete the separating axes in the plane of the sea.
+// x * px + (up + down) * py + z * pz + offset >= 0 on the seen side. Of an eye: left, right, up, down, and the plane
+// through it (the near plane's distance belongs to the drawing, and zero is on the safe side of it). Where all corner
+// rays of an eye go up, or all down, along an axis, nothing beyond the eye on the other side is seen: three more. The
+// frustum's planes alone let through boxes beside and behind the eye; these complete the separating axes in the plane
+// of the sea.
 struct FrustumPlane {
   double x, z, offset;
   double up, down;  // the normal's y where it is positive, where it is negative
@@ -80,8 +84,8 @@ struct FrustumPlane {
 
 class EyeFrusta {
  public:
-  // Takes the eyes' poses (unit quaternions) and fields of view; positions below are relative to `origin_m`, world axes.
-  // No eyes: everything counts as seen. No allocation once as many eyes have been set before.
+  // Takes the eyes' poses (unit quaternions) and fields of view; positions below are relative to `origin_m`, world
+  // axes. No eyes: everything counts as seen. No allocation once as many eyes have been set before.
   void set(const std::vector<View>& eyes, const glm::dvec3& origin_m);
 
   // False only if no eye can see any point of the box.
@@ -90,20 +94,24 @@ class EyeFrusta {
   // Lists of one range for every eye: one eye that sees everything where there are none.
   std::size_t lists() const { return std::max<std::size_t>(across_[0].size(), 1); }
 
-  // The same for boxes of a grid: writes for each of `rows` and for each eye (lists() of them, side by side) which of its `columns` may be
-  // seen; the list grows as needed. The planes cut a row where one sum says, so that a row costs as little as one box.
+  // The same for boxes of a grid: writes for each of `rows` and for each eye (lists() of them, side by side) which of
+  // its `columns` may be seen; the list grows as needed. The planes cut a row where one sum says, so that a row costs
+  // as little as one box.
   void may_see(const BoxGrid& grid, BoxRange rows, BoxRange columns, std::vector<BoxRange>& seen) const;
 
-  // The same for bands of trapezoids: writes for each band and each eye between which t the eye sees any of it. A trapezoid from t0 to t1 may be
-  // seen only if t1 >= least and t0 <= most; least > most: nothing is. `whole` holds all bands: an eye that sees nothing of it is asked no more, and
-  // `bands` is not called if none sees any. Then nothing is written, and the answer is false.
-  bool may_see(const Border& border, const BorderBand& whole, const std::function<std::span<const BorderBand>()>& bands, std::span<BorderRange> seen) const;
+  // The same for bands of trapezoids: writes for each band and each eye between which t the eye sees any of it. A
+  // trapezoid from t0 to t1 may be seen only if t1 >= least and t0 <= most; least > most: nothing is. `whole` holds all
+  // bands: an eye that sees nothing of it is asked no more, and `bands` is not called if none sees any. Then nothing is
+  // written, and the answer is false.
+  bool may_see(const Border& border, const BorderBand& whole, const std::function<std::span<const BorderBand>()>& bands,
+               std::span<BorderRange> seen) const;
 
  private:
   static constexpr std::size_t planes_per_eye = FrustumPlane::per_eye;
 
-  // An eye's planes as they cut lines along an axis: first those whose seen side is towards more of it, from `turn` on towards less, from
-  // `level` to the end those that lie along it. Where a plane cuts, its offset counts `inverse` times and the other axis `slope` times.
+  // An eye's planes as they cut lines along an axis: first those whose seen side is towards more of it, from `turn` on
+  // towards less, from `level` to the end those that lie along it. Where a plane cuts, its offset counts `inverse`
+  // times and the other axis `slope` times.
   struct Across {
     struct Plane {
       double along, across, offset, up, down;
@@ -133,7 +141,7 @@ class EyeFrusta {
   };
   static SideBySide side_by_side(const FrustumPlane* planes);
 
-  std::vector<SideBySide> together_;  // of each eye
+  std::vector<SideBySide> together_;           // of each eye
   std::array<std::vector<Across>, 2> across_;  // lines along x, along z
   std::array<std::vector<TwoEyes>, 2> pairs_;  // the same
 };

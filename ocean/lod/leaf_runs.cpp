@@ -20,7 +20,8 @@ Patch words(int x, int z, int stride, std::uint32_t flags) {
   return hn::Load(Words(), of);
 }
 
-// Writes `some` patches, four at a time and up to four too many: most runs are shorter than what a processor takes to have guessed wrong where they end.
+// Writes `some` patches, four at a time and up to four too many: most runs are shorter than what a processor takes to
+// have guessed wrong where they end.
 HWY_INLINE gpu::PatchInstance* write_some(Patch patch, Patch on, int some, gpu::PatchInstance* to) {
   gpu::PatchInstance* const end = to + some;
   do {
@@ -33,21 +34,25 @@ HWY_INLINE gpu::PatchInstance* write_some(Patch patch, Patch on, int some, gpu::
 }
 }  // namespace
 
-void write_leaves(const LeafLevel& level, std::span<const LeafRun> runs, const glm::ivec2& least, std::uint32_t flags, std::vector<gpu::PatchInstance>& patches,
-                  std::size_t& count) {
+void write_leaves(const LeafLevel& level, std::span<const LeafRun> runs, const glm::ivec2& least, std::uint32_t flags,
+                  std::vector<gpu::PatchInstance>& patches, std::size_t& count) {
   const Words d;
   const int shift = LeafLevel::node_shift;
-  const Patch first = words(least.x, least.y, level.size / gpu::patch_quads, flags), on_x = words(level.size, 0, 0, 0u), on_z = words(0, level.size, 0, 0u);
+  const Patch first = words(least.x, least.y, level.size / gpu::patch_quads, flags), on_x = words(level.size, 0, 0, 0u),
+              on_z = words(0, level.size, 0, 0u);
   const Patch back_x = hn::Neg(on_x);
   const bool by_water = !level.seen.empty();
   std::size_t written = count;
   for (const LeafRun& run : runs) {
-    const int nearest = std::clamp(level.column, run.first, run.last), beyond = run.last - nearest + 1, before = nearest - run.first;
+    const int nearest = std::clamp(level.column, run.first, run.last), beyond = run.last - nearest + 1,
+              before = nearest - run.first;
     const std::size_t most = written + static_cast<std::size_t>(beyond + before + 2 * block);
     if (patches.size() < most) patches.resize(most + room_at_a_time);
     gpu::PatchInstance* to = &patches[written];
     const Patch at = hn::Add(hn::Add(first, hn::Mul(on_z, hn::Set(d, run.z))), hn::Mul(on_x, hn::Set(d, nearest)));
-    const std::uint8_t* const seen = by_water ? level.seen.data() + (level.first_node + (run.z >> shift) * level.pitch + (run.first >> shift)) : nullptr;
+    const std::uint8_t* const seen =
+        by_water ? level.seen.data() + (level.first_node + (run.z >> shift) * level.pitch + (run.first >> shift))
+                 : nullptr;
     bool all = true;
     if (by_water)
       for (int n = (run.last >> shift) - (run.first >> shift); n >= 0; --n) all = all && seen[n] != 0;

@@ -18,8 +18,8 @@ std::vector<std::uint16_t> patch_indices(int quads) {
   for (int first = 0; first < quads; first += band)
     for (int j = 0; j < quads; ++j)
       for (int i = first; i < std::min(first + band, quads); ++i)
-        for (const std::uint16_t v : {index(i, j), index(i, j + 1), index(i + 1, j), index(i + 1, j), index(i, j + 1),
-                                      index(i + 1, j + 1)})
+        for (const std::uint16_t v :
+             {index(i, j), index(i, j + 1), index(i + 1, j), index(i + 1, j), index(i, j + 1), index(i + 1, j + 1)})
           indices.push_back(v);
   return indices;
 }

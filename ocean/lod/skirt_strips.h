@@ -10,10 +10,12 @@
 namespace seascape {
 
 // Sets the selection's skirt_to_multiplier, skirt_to_horizon and skirt_rows for a skirt that reaches `reach_m` from the
-// tree's centre and keeps the patches' density up to `multiplier` sizes of the tree, no farther than the water's motion is seen.
+// tree's centre and keeps the patches' density up to `multiplier` sizes of the tree, no farther than the water's motion
+// is seen.
 void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, SurfaceSelection& selection);
 
-// Lists the strips that an eye may see. Keeps room to work in, and where rows lie as long as the skirt is laid the same.
+// Lists the strips that an eye may see. Keeps room to work in, and where rows lie as long as the skirt is laid the
+// same.
 class SkirtStrips {
  public:
   static constexpr std::size_t most_bands = 63;

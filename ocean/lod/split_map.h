@@ -8,8 +8,8 @@
 
 namespace seascape {
 
-// Within a level the nodes that split are those nearer than its reach, and so in each row of them an interval about the viewer's
-// own column; what balance adds keeps it one. A level is a few rows of two numbers, however far it reaches.
+// Within a level the nodes that split are those nearer than its reach, and so in each row of them an interval about the
+// viewer's own column; what balance adds keeps it one. A level is a few rows of two numbers, however far it reaches.
 class SplitMap {
  public:
   static constexpr int max_levels = TreeFrame::max_levels;
@@ -20,8 +20,8 @@ class SplitMap {
     bool holds(int x) const { return x >= first && x <= last; }
   };
 
-  // A level's nodes lie at whole multiples of their size from the tree's least corner: (x, z) below. No allocation once the
-  // levels have reached as far before.
+  // A level's nodes lie at whole multiples of their size from the tree's least corner: (x, z) below. No allocation once
+  // the levels have reached as far before.
   void find(const TreeFrame& frame);
 
   bool split(int level, int x, int z) const { return row(level, z).holds(x); }

@@ -8,8 +8,8 @@
 
 namespace seascape {
 
-std::optional<DisplacementBounds::Below> water_below(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& viewer_m,
-                                                     const NearMotion& motion) {
+std::optional<DisplacementBounds::Below> water_below(const WaveField& field, const WaveTiles& tiles,
+                                                     const glm::dvec3& viewer_m, const NearMotion& motion) {
   if (!std::isfinite(viewer_m.x + viewer_m.y + viewer_m.z)) return std::nullopt;
   constexpr int steps = 8;  // each multiplies what is left by the waves' steepness, some 0.2
   const WaveField::Filter filter = field.filter(NearMotion::footprint_m);
@@ -22,14 +22,16 @@ std::optional<DisplacementBounds::Below> water_below(const WaveField& field, con
   return result;
 }
 
-// A node is seen as soon as the box about some of its corners is, since the box about all of them holds that one: so most nodes need one corner only, that of
-// the lattice twice as wide, which four nodes share.
-void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const TreeFrame& frame, const glm::dvec2& grid_origin_m,
-                              std::span<const LeafRun> runs, std::span<LeafLevel> levels) {
-  // Larger leaves culling by bounds leaves out nearly as well: up to half the height instead, in an open sea of 2 m at low, takes a fifth longer and leaves out four patches
-  // of a hundred more.
+// A node is seen as soon as the box about some of its corners is, since the box about all of them holds that one: so
+// most nodes need one corner only, that of the lattice twice as wide, which four nodes share.
+void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta,
+                              const TreeFrame& frame, const glm::dvec2& grid_origin_m, std::span<const LeafRun> runs,
+                              std::span<LeafLevel> levels) {
+  // Larger leaves culling by bounds leaves out nearly as well: up to half the height instead, in an open sea of 2 m at
+  // low, takes a fifth longer and leaves out four patches of a hundred more.
   const double most_m = 0.4 * 4.0 * std::sqrt(field.statistics().height_variance);
-  constexpr std::size_t few = 24;  // of so many all corners are asked at once: to begin with the first would take longer
+  constexpr std::size_t few =
+      24;  // of so many all corners are asked at once: to begin with the first would take longer
   const MeshError& error = field.statistics().mesh_error;
   grids_.clear();
   std::size_t nodes = 0, corners = 0;
@@ -37,8 +39,10 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
     const double leaf_m = level.size * frame.unit_m;
     if (leaf_m > most_m) break;  // finer levels come first
     const int x0 = level.columns.first >> LeafLevel::node_shift, z0 = level.rows.first >> LeafLevel::node_shift;
-    const int columns = (level.columns.last >> LeafLevel::node_shift) - x0 + 1, rows = (level.rows.last >> LeafLevel::node_shift) - z0 + 1;
-    grids_.push_back({level.size << LeafLevel::node_shift, x0, z0, columns, rows, nodes, corners, error(LeafLevel::node_leaves * leaf_m) + 0.01});
+    const int columns = (level.columns.last >> LeafLevel::node_shift) - x0 + 1,
+              rows = (level.rows.last >> LeafLevel::node_shift) - z0 + 1;
+    grids_.push_back({level.size << LeafLevel::node_shift, x0, z0, columns, rows, nodes, corners,
+                      error(LeafLevel::node_leaves * leaf_m) + 0.01});
     nodes += static_cast<std::size_t>(columns * rows);
     corners += static_cast<std::size_t>((columns + 1) * (rows + 1));
   }
@@ -69,7 +73,8 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
         const std::ptrdiff_t at = row + x;
         if (seen_[static_cast<std::size_t>(at)] != 0) continue;
         seen_[static_cast<std::size_t>(at)] = 1;
-        left_.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(n), x, run.z >> LeafLevel::node_shift, glm::dvec3(1e30), glm::dvec3(-1e30)});
+        left_.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(n), x,
+                         run.z >> LeafLevel::node_shift, glm::dvec3(1e30), glm::dvec3(-1e30)});
       }
     }
   }
@@ -86,7 +91,8 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
     if (n > 0) {
       const Grid& finer = grids_[n - 1];
       const int in_x = 2 * x - finer.x0, in_z = 2 * z - finer.z0;
-      if (2 * finer.size == grid.size && in_x >= 0 && in_z >= 0 && in_x <= finer.columns && in_z <= finer.rows) number = of(finer, 2 * x, 2 * z);
+      if (2 * finer.size == grid.size && in_x >= 0 && in_z >= 0 && in_x <= finer.columns && in_z <= finer.rows)
+        number = of(finer, 2 * x, 2 * z);
       if (number != unknown) return number;
     }
     number = static_cast<std::uint32_t>(rest_m_.size());
@@ -116,8 +122,11 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
       }
       const double off_m = grids_[node.grid].off_m;
       const glm::dvec3 middle = 0.5 * (node.low + node.high), half = 0.5 * (node.high - node.low) + off_m;
-      const double far_x = std::abs(middle.x - frame.viewer_m.x) + half.x, far_z = std::abs(middle.z - frame.viewer_m.y) + half.z;
-      const bool seen = frusta.may_see({middle.x, middle.z, half.x, half.z, node.low.y - off_m - curvature_drop(far_x * far_x + far_z * far_z), node.high.y + off_m});
+      const double far_x = std::abs(middle.x - frame.viewer_m.x) + half.x,
+                   far_z = std::abs(middle.z - frame.viewer_m.y) + half.z;
+      const bool seen =
+          frusta.may_see({middle.x, middle.z, half.x, half.z,
+                          node.low.y - off_m - curvature_drop(far_x * far_x + far_z * far_z), node.high.y + off_m});
       seen_[node.at] = seen ? 1 : 0;
       if (!seen) *left++ = node;
     }

@@ -13,19 +13,20 @@
 
 namespace seascape {
 
-// The water beneath a viewer, by the waves that a footprint of NearMotion::footprint_m leaves, which fold nowhere: the search always
-// ends, and what it finds moves as smoothly as the water does. `viewer_m` in the world; not finite: none.
-std::optional<DisplacementBounds::Below> water_below(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& viewer_m,
-                                                     const NearMotion& motion);
+// The water beneath a viewer, by the waves that a footprint of NearMotion::footprint_m leaves, which fold nowhere: the
+// search always ends, and what it finds moves as smoothly as the water does. `viewer_m` in the world; not finite: none.
+std::optional<DisplacementBounds::Below> water_below(const WaveField& field, const WaveTiles& tiles,
+                                                     const glm::dvec3& viewer_m, const NearMotion& motion);
 
-// Finds the near leaves that no eye sees as their water stands, which culling by bounds cannot tell: the water of a node of four by four leaves lies about its
-// corners, no farther off than what a mesh of its size misses. `frusta` as the tree was culled with (relative to the grid origin), `tiles` with all waves that
-// are drawn. Looks at leaves of up to two fifths of a significant wave height. Keeps room to work in: no allocation once levels have reached as far.
+// Finds the near leaves that no eye sees as their water stands, which culling by bounds cannot tell: the water of a
+// node of four by four leaves lies about its corners, no farther off than what a mesh of its size misses. `frusta` as
+// the tree was culled with (relative to the grid origin), `tiles` with all waves that are drawn. Looks at leaves of up
+// to two fifths of a significant wave height. Keeps room to work in: no allocation once levels have reached as far.
 class WaterCulling {
  public:
   // Tells the levels which of their nodes are seen: valid until the next call.
-  void operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const TreeFrame& frame, const glm::dvec2& grid_origin_m,
-                  std::span<const LeafRun> runs, std::span<LeafLevel> levels);
+  void operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta, const TreeFrame& frame,
+                  const glm::dvec2& grid_origin_m, std::span<const LeafRun> runs, std::span<LeafLevel> levels);
 
  private:
   static constexpr std::uint32_t unknown = 0xffffffff;

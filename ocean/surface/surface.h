@@ -14,10 +14,10 @@ namespace seascape {
 struct SurfaceLook {
   bool tile_shape = false;  // tone mapping in the fragment shader
   bool foam = false;
-  bool debug = false;       // debug views are possible
+  bool debug = false;  // debug views are possible
   bool wireframe = false;
-  bool probe = false;       // write vertex positions (tests)
-  bool deferred = false;    // its pixels are lit after it is drawn, once each, and the sky with them
+  bool probe = false;     // write vertex positions (tests)
+  bool deferred = false;  // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };
 
@@ -32,7 +32,9 @@ class Surface {
  public:
   // `picture`: what the finished pixels go into. `dynamic_waves`, `place`, `foam`: null where there are none.
   Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves, const DrawnPlace* place, const DrawnFoam* foam, const Buffer& frame_ring, const SurfaceLight& light, const SurfaceLook& look);
+          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves,
+          const DrawnPlace* place, const DrawnFoam* foam, const Buffer& frame_ring, const SurfaceLight& light,
+          const SurfaceLook& look);
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);
@@ -40,8 +42,10 @@ class Surface {
   // Where draw() draws: the picture, or with look.deferred what light() will light.
   const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
   // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData.
-  // `from_air`: all eyes are above the water (Ocean::eyes_in_air); what faces away from them is then hidden by what faces them.
-  void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform, bool from_air) const;
+  // `from_air`: all eyes are above the water (Ocean::eyes_in_air); what faces away from them is then hidden by what
+  // faces them.
+  void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
+            bool from_air) const;
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
   void light(Commands& commands, std::uint32_t frame_uniform) const;
   void add_points(Uses& uses) const;
@@ -57,8 +61,10 @@ class Surface {
     const char* effect;
     std::uint32_t constant;
   };
-  static constexpr EffectCode effect_code[] = {{"waves", 7}, {"foam", 3}, {"baked", 12}, {"gerstner", 11}, {"gerstner", 28}, {"wave_particles", 8}, {"dynamic_waves", 13},
-                                                {"level", 14}, {"sea_depth", 15}, {"flow", 16}, {"clip", 17}, {"albedo", 18}, {"shadow", 19}};
+  static constexpr EffectCode effect_code[] = {
+      {"waves", 7},          {"foam", 3},           {"baked", 12}, {"gerstner", 11},  {"gerstner", 28},
+      {"wave_particles", 8}, {"dynamic_waves", 13}, {"level", 14}, {"sea_depth", 15}, {"flow", 16},
+      {"clip", 17},          {"albedo", 18},        {"shadow", 19}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }

@@ -23,13 +23,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Four texels at once, which every instruction set has: the same bits on all of them.
 using Four = hn::FixedTag<float, 4>;
 
-constexpr int reach = 3;       // texels to either side that a difference takes
-constexpr int margin = 4;      // columns kept beyond either end of a row
-constexpr int nodes = 6;       // frames
+constexpr int reach = 3;   // texels to either side that a difference takes
+constexpr int margin = 4;  // columns kept beyond either end of a row
+constexpr int nodes = 6;   // frames
 
 void require(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most))
-    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most), "give a value in that range");
+    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most),
+                "give a value in that range");
 }
 
 // Lagrange's weights of frames -2 to 3 for a time t between frames 0 and 1, and their derivatives.
@@ -64,7 +65,9 @@ float difference(At at) {
 template <class At>
 hn::Vec<Four> differences(At at) {
   const Four d;
-  const auto sum = hn::Add(hn::Sub(hn::Mul(hn::Set(d, 45.0f), hn::Sub(at(1), at(-1))), hn::Mul(hn::Set(d, 9.0f), hn::Sub(at(2), at(-2)))), hn::Sub(at(3), at(-3)));
+  const auto sum = hn::Add(
+      hn::Sub(hn::Mul(hn::Set(d, 45.0f), hn::Sub(at(1), at(-1))), hn::Mul(hn::Set(d, 9.0f), hn::Sub(at(2), at(-2)))),
+      hn::Sub(at(3), at(-3)));
   return hn::Mul(sum, hn::Set(d, 1.0f / 60.0f));
 }
 
@@ -75,12 +78,15 @@ struct Torus {
   float operator()(int x, int z) const { return texels[std::ptrdiff_t(z & (n - 1)) * n + (x & (n - 1))]; }
 };
 
-// Raises waves by the inverse of what the bilinear filter leaves of them on average, (x / sin x)^2 of half their phase a texel x an axis, as its series in s = 4 sin^2 x:
-// 1 + s / 12 + s^2 / 90 + s^3 / 560, within 0.7 % down to four texels a wave. s is minus the second difference.
+// Raises waves by the inverse of what the bilinear filter leaves of them on average, (x / sin x)^2 of half their phase
+// a texel x an axis, as its series in s = 4 sin^2 x: 1 + s / 12 + s^2 / 90 + s^3 / 560, within 0.7 % down to four
+// texels a wave. s is minus the second difference.
 void raise_axis(std::vector<float>& line, std::vector<float>& first, std::vector<float>& second) {
   const int n = int(line.size());
   const auto minus_bend = [&](const std::vector<float>& of, std::vector<float>& to) {
-    for (int i = 0; i < n; ++i) to[std::size_t(i)] = 2.0f * of[std::size_t(i)] - of[std::size_t((i + 1) & (n - 1))] - of[std::size_t((i - 1) & (n - 1))];
+    for (int i = 0; i < n; ++i)
+      to[std::size_t(i)] =
+          2.0f * of[std::size_t(i)] - of[std::size_t((i + 1) & (n - 1))] - of[std::size_t((i - 1) & (n - 1))];
   };
   minus_bend(line, first);
   for (int i = 0; i < n; ++i) line[std::size_t(i)] += first[std::size_t(i)] / 12.0f;
@@ -94,7 +100,9 @@ void raise(float* texels, int n) {
   std::vector<float> line(std::size_t(n), 0.0f), first(line), second(line);
   for (const bool across : {false, true})
     for (int i = 0; i < n; ++i) {
-      const auto at = [&](int j) -> float& { return texels[across ? std::ptrdiff_t(j) * n + i : std::ptrdiff_t(i) * n + j]; };
+      const auto at = [&](int j) -> float& {
+        return texels[across ? std::ptrdiff_t(j) * n + i : std::ptrdiff_t(i) * n + j];
+      };
       for (int j = 0; j < n; ++j) line[std::size_t(j)] = at(j);
       raise_axis(line, first, second);
       for (int j = 0; j < n; ++j) at(j) = line[std::size_t(j)];
@@ -121,14 +129,17 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
   validate(settings);
   const int n = loop_.samples;
   assert(n >= BakedLoop::least_samples && n <= BakedLoop::most_samples && std::has_single_bit(unsigned(n)));
-  assert(loop_.frames >= BakedLoop::least_frames && loop_.texels.size() == std::size_t(loop_.frames) * loop_.frame_floats());
+  assert(loop_.frames >= BakedLoop::least_frames &&
+         loop_.texels.size() == std::size_t(loop_.frames) * loop_.frame_floats());
   const float by = float(settings.weight * settings.scale);
   for (float& value : loop_.texels) value *= by;
   loop_.side_m *= settings.scale;
   const double rate = std::abs(settings.speed) / std::sqrt(settings.scale);
   if (rate > 0.0) {
-    // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody waits for.
-    loop_ticks_ = std::llround(std::clamp(loop_.frames / loop_.fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
+    // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody
+    // waits for.
+    loop_ticks_ =
+        std::llround(std::clamp(loop_.frames / loop_.fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
     turns_ = loop_turns(1, loop_ticks_);
     frames_a_second_ = double(loop_.frames) * gpu::ticks_per_second / double(loop_ticks_);
     if (settings.speed < 0.0) turns_ = std::uint64_t(0) - turns_, frames_a_second_ = -frames_a_second_;
@@ -147,7 +158,9 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
     const std::ptrdiff_t plane = std::ptrdiff_t(n) * n;
     const Torus height{first + plane, n};
     const auto slope = [&](int x, int z) {
-      return glm::dvec2(difference([&](int i) { return height(x + i, z); }), difference([&](int i) { return height(x, z + i); })) / texel;
+      return glm::dvec2(difference([&](int i) { return height(x + i, z); }),
+                        difference([&](int i) { return height(x, z + i); })) /
+             texel;
     };
     for (int z = 0; z < n; ++z)
       for (int x = 0; x < n; ++x) {
@@ -161,7 +174,8 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
         const glm::dvec2 s = slope(x, z);
         sums.raised_slope += glm::dot(s, s);
         sums.highest = std::max(sums.highest, double(std::abs(height(x, z))));
-        sums.furthest = std::max(sums.furthest, std::hypot(double(first[z * n + x]), double(first[2 * plane + z * n + x])));
+        sums.furthest =
+            std::max(sums.furthest, std::hypot(double(first[z * n + x]), double(first[2 * plane + z * n + x])));
       }
   });
   Sums all;
@@ -184,18 +198,25 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
 
 double Baked::period_s() const { return double(loop_ticks_) / gpu::ticks_per_second; }
 
-std::size_t Baked::workspace_floats(bool) const { return 3 * std::size_t(loop_.samples) * std::size_t(loop_.samples + 2 * margin); }
+std::size_t Baked::workspace_floats(bool) const {
+  return 3 * std::size_t(loop_.samples) * std::size_t(loop_.samples + 2 * margin);
+}
 
-void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const {
+void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
+                     std::span<float> workspace) const {
   const int n = loop_.samples;
   assert(workspace.size() >= workspace_floats(velocity) && levels.size() == std::size_t(std::bit_width(unsigned(n))));
   // Where in the loop, in frames: exact at any time, since a turn is 2^64.
   const std::uint64_t phase = turns_ * std::uint64_t(ticks), low = (phase & 0xffffffffu) * unsigned(loop_.frames);
-  const std::uint64_t place = (phase >> 32) * unsigned(loop_.frames) + (low >> 32);  // frames times 2^32; 32 bits more are in low
+  const std::uint64_t place =
+      (phase >> 32) * unsigned(loop_.frames) + (low >> 32);  // frames times 2^32; 32 bits more are in low
   const int frame = int(place >> 32);
-  const FrameWeights weights = frame_weights((double(place & 0xffffffffu) + double(low & 0xffffffffu) * 0x1p-32) * 0x1p-32);
+  const FrameWeights weights =
+      frame_weights((double(place & 0xffffffffu) + double(low & 0xffffffffu) * 0x1p-32) * 0x1p-32);
   std::array<const float*, nodes> frames;
-  for (int i = 0; i < nodes; ++i) frames[std::size_t(i)] = loop_.texels.data() + std::size_t((frame + i - 2 + loop_.frames) % loop_.frames) * loop_.frame_floats();
+  for (int i = 0; i < nodes; ++i)
+    frames[std::size_t(i)] =
+        loop_.texels.data() + std::size_t((frame + i - 2 + loop_.frames) % loop_.frames) * loop_.frame_floats();
   const std::ptrdiff_t stride = n + 2 * margin, plane = stride * n;
   float* const first = workspace.data() + margin;
   const Four d;
@@ -216,7 +237,9 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       if (!velocity) continue;
       glm::vec4* const to = levels[0].texels[std::size_t(WavePlane::velocity)] + std::ptrdiff_t(z) * levels[0].stride;
       for (int x = 0; x < n; x += 4) {
-        const auto rate = [&](int c) { return hn::Mul(hn::Set(d, a_second), weighed(weights.rate, (std::ptrdiff_t(c) * n + z) * n + x)); };
+        const auto rate = [&](int c) {
+          return hn::Mul(hn::Set(d, a_second), weighed(weights.rate, (std::ptrdiff_t(c) * n + z) * n + x));
+        };
         hn::StoreInterleaved4(rate(0), rate(1), rate(2), hn::Zero(d), d, &to[x].x);
       }
     }
@@ -232,14 +255,20 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       const std::ptrdiff_t to = std::ptrdiff_t(z) * levels[0].stride;
       const auto scale = hn::Set(d, texels_a_metre), share = hn::Set(d, moment_share_);
       for (int x = 0; x < n; x += 4) {
-        const auto along = [&](std::size_t c) { return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][reach] + x + i); })); };
-        const auto across = [&](std::size_t c) { return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][std::size_t(reach + i)] + x); })); };
+        const auto along = [&](std::size_t c) {
+          return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][reach] + x + i); }));
+        };
+        const auto across = [&](std::size_t c) {
+          return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][std::size_t(reach + i)] + x); }));
+        };
         const auto here = [&](std::size_t c) { return hn::LoadU(d, rows[c][reach] + x); };
         const auto hx = along(1), hz = across(1), xx = along(0), zz = across(2), divergence = hn::Add(xx, zz);
         const auto moment = [&](auto a, auto b) { return hn::Mul(share, hn::Mul(a, b)); };
-        hn::StoreInterleaved4(here(0), here(1), here(2), hn::Mul(hn::Set(d, 0.5f), hn::Add(across(0), along(2))), d, &levels[0].texels[0][to + x].x);
+        hn::StoreInterleaved4(here(0), here(1), here(2), hn::Mul(hn::Set(d, 0.5f), hn::Add(across(0), along(2))), d,
+                              &levels[0].texels[0][to + x].x);
         hn::StoreInterleaved4(hx, hz, xx, zz, d, &levels[0].texels[1][to + x].x);
-        hn::StoreInterleaved4(moment(hx, hx), moment(hz, hz), moment(hx, hz), moment(divergence, divergence), d, &levels[0].texels[2][to + x].x);
+        hn::StoreInterleaved4(moment(hx, hx), moment(hz, hz), moment(hx, hz), moment(divergence, divergence), d,
+                              &levels[0].texels[2][to + x].x);
       }
     }
     for (int level = 1; level <= 4; ++level) {
@@ -249,10 +278,12 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
         return result;
       };
       const int rows_here = strip >> level;
-      average_down(from_row(levels[std::size_t(level) - 1], 2 * rows_here * part), from_row(levels[std::size_t(level)], rows_here * part), planes, 0, n >> level, rows_here);
+      average_down(from_row(levels[std::size_t(level) - 1], 2 * rows_here * part),
+                   from_row(levels[std::size_t(level)], rows_here * part), planes, 0, n >> level, rows_here);
     }
   });
-  for (std::size_t level = 5; level < levels.size(); ++level) average_down(levels[level - 1], levels[level], planes, 0, n >> level, n >> level);
+  for (std::size_t level = 5; level < levels.size(); ++level)
+    average_down(levels[level - 1], levels[level], planes, 0, n >> level, n >> level);
 }
 
 }  // namespace seascape

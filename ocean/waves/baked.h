@@ -6,9 +6,11 @@
 
 namespace seascape {
 
-// Between frames displacement follows Lagrange's polynomial through the three before and the three after, so that a wave of w radians a frame keeps within 1 - g(w) of its amplitude at every time:
-// 0.0001 at w = 0.5, 0.004 at 1, 0.04 at 1.5 (straight lines: 0.03, 0.12, 0.27, a pulse as often as frames come). Velocity is that polynomial's derivative. Slopes are
-// differences of sixth order over texels, and second moments their squares: a loop needs only its displacement.
+// Between frames displacement follows Lagrange's polynomial through the three before and the three after, so that a
+// wave of w radians a frame keeps within 1 - g(w) of its amplitude at every time: 0.0001 at w = 0.5, 0.004 at 1, 0.04
+// at 1.5 (straight lines: 0.03, 0.12, 0.27, a pulse as often as frames come). Velocity is that polynomial's derivative.
+// Slopes are differences of sixth order over texels, and second moments their squares: a loop needs only its
+// displacement.
 class Baked final : public TileSource {
  public:
   // Throws Error as validate() does; the loop's sizes are checked by whoever read it.
@@ -20,7 +22,8 @@ class Baked final : public TileSource {
   std::span<const Laying> layings() const override { return {&laying_, 1}; }
   SourceStatistics statistics() const override { return statistics_; }
   std::size_t workspace_floats(bool velocity) const override;
-  void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const override;
+  void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
+                std::span<float> workspace) const override;
   std::size_t bytes() const override { return loop_.texels.size() * sizeof(float); }
 
   // Seconds of the sea's time until it repeats; 0 where it stands still.
@@ -31,7 +34,7 @@ class Baked final : public TileSource {
   Laying laying_;
   SourceStatistics statistics_;
   std::int64_t loop_ticks_ = 0;
-  std::uint64_t turns_ = 0;   // of the loop a tick, times 2^64
+  std::uint64_t turns_ = 0;  // of the loop a tick, times 2^64
   double frames_a_second_ = 0.0;
   float moment_share_ = 1.0f;  // of the slopes' variance over that of the texels'
   bool still_ = false;

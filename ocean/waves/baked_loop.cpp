@@ -20,12 +20,17 @@ void require(bool good, const std::string& option, const std::string& value, con
 }
 
 LoopRequest checked(const SeaState& sea, LoopRequest r) {
-  require(r.frames >= BakedLoop::least_frames && r.frames <= BakedLoop::most_frames, "--frames", text_from(r.frames), "a whole number from 8 to 1000");
+  require(r.frames >= BakedLoop::least_frames && r.frames <= BakedLoop::most_frames, "--frames", text_from(r.frames),
+          "a whole number from 8 to 1000");
   require(r.fps >= 0.1 && r.fps <= 240.0, "--fps", text_from(r.fps), "a number from 0.1 to 240");
-  require(r.samples == 64 || r.samples == 128 || r.samples == 256 || r.samples == 512, "--size", text_from(r.samples), "64, 128, 256 or 512");
-  require(r.side_m == 0.0 || (r.side_m >= 1.0 && r.side_m <= 20000.0), "--tile", text_from(r.side_m), "0 or a number from 1 to 20000 m");
+  require(r.samples == 64 || r.samples == 128 || r.samples == 256 || r.samples == 512, "--size", text_from(r.samples),
+          "64, 128, 256 or 512");
+  require(r.side_m == 0.0 || (r.side_m >= 1.0 && r.side_m <= 20000.0), "--tile", text_from(r.side_m),
+          "0 or a number from 1 to 20000 m");
   const double peak_m = longest_peak_wave_m(sea);
-  if (peak_m <= 0.0 || !(sea.depth_m > 0.0)) throw Error("bake", "the scene's sea has neither wind waves nor swell", "give it wind (--set waves.wind_speed_mps=8) or another scene");
+  if (peak_m <= 0.0 || !(sea.depth_m > 0.0))
+    throw Error("bake", "the scene's sea has neither wind waves nor swell",
+                "give it wind (--set waves.wind_speed_mps=8) or another scene");
   if (r.side_m == 0.0) r.side_m = std::clamp(3.0 * peak_m * std::sqrt(r.samples / 64.0), 1.0, 20000.0);
   return r;
 }
@@ -52,7 +57,8 @@ WaveBins bins_of_loop(const SeaState& sea, const LoopRequest& r) {
 }  // namespace
 
 LoopRecorder::LoopRecorder(const SeaState& sea, const LoopRequest& request)
-    : request_(checked(sea, request)), field_(looping(sea, request_), quality_of(request_), bins_of_loop(sea, request_)) {
+    : request_(checked(sea, request)),
+      field_(looping(sea, request_), quality_of(request_), bins_of_loop(sea, request_)) {
   const int half = bins_of(0) / 2;
   const double step = turn / request_.side_m;
   double energy = 0.0, square = 0.0;
@@ -63,15 +69,19 @@ LoopRecorder::LoopRecorder(const SeaState& sea, const LoopRequest& request)
         const double a = glm::length(glm::dvec2(bin.amplitude)) / sampled_share(mx, mz, request_.samples);
         if (a == 0.0) continue;
         const double w = wave_frequency(step * std::hypot(double(mx), double(mz)), sea.gravity_mps2, sea.depth_m);
-        const double drawn = turn * gpu::ticks_per_second * 0x1p-64 * double(std::uint64_t(bin.turns_high) << 32 | bin.turns_low);
+        const double drawn =
+            turn * gpu::ticks_per_second * 0x1p-64 * double(std::uint64_t(bin.turns_high) << 32 | bin.turns_low);
         take(0.5 * a * a, std::abs(drawn - w) / w);
       }
   };
   visit([&](double e, double off) { energy += e, square += e * off * off; });
-  visit([&](double e, double off) { if (e > 1e-3 * energy) worst_frequency_error_ = std::max(worst_frequency_error_, off); });
+  visit([&](double e, double off) {
+    if (e > 1e-3 * energy) worst_frequency_error_ = std::max(worst_frequency_error_, off);
+  });
   frequency_error_ = energy > 0.0 ? std::sqrt(square / energy) : 0.0;
   height_m_ = 4.0 * std::sqrt(energy);
-  sea_height_m_ = 4.0 * std::sqrt(sea_statistics(sea, make_wave_bins(sea, {.resolution = 128, .cascades = 5})).height_variance);
+  sea_height_m_ =
+      4.0 * std::sqrt(sea_statistics(sea, make_wave_bins(sea, {.resolution = 128, .cascades = 5})).height_variance);
 }
 
 void LoopRecorder::record(int frame, std::span<float> texels) {

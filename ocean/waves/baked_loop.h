@@ -13,8 +13,8 @@ struct BakedLoop {
   static constexpr int least_samples = 16, most_samples = 512, least_frames = 8, most_frames = 1000;
   int samples = 0, frames = 0;
   double fps = 0.0, side_m = 0.0;
-  // [frame][Dx, height, Dz][z][x], metres from rest; texel (x, z) is the water at rest at (x, z) side_m / samples. After the last frame
-  // comes the first.
+  // [frame][Dx, height, Dz][z][x], metres from rest; texel (x, z) is the water at rest at (x, z) side_m / samples.
+  // After the last frame comes the first.
   std::vector<float> texels;
   std::size_t frame_floats() const { return 3 * std::size_t(samples) * std::size_t(samples); }
 };
@@ -27,9 +27,10 @@ struct LoopRequest {
   double side_m = 0.0;  // 0: three peak waves of the sea at 64 texels a side, and with more of them as their root
 };
 
-// The waves of a sea's spectrum that one tile carries: from its side down to four texels, in a loop of frames / fps seconds. Each wave's frequency
-// w is rounded to a whole multiple of 2 pi over that time (Tessendorf 2001, section 4.2, rounds down; the nearest is at most half as far off, and never 0), so that the frame after the last
-// is the first. Sources beside the spectrum have tiles of their own and are not in it.
+// The waves of a sea's spectrum that one tile carries: from its side down to four texels, in a loop of frames / fps
+// seconds. Each wave's frequency w is rounded to a whole multiple of 2 pi over that time (Tessendorf 2001, section 4.2,
+// rounds down; the nearest is at most half as far off, and never 0), so that the frame after the last is the first.
+// Sources beside the spectrum have tiles of their own and are not in it.
 class LoopRecorder {
  public:
   // Throws Error naming the option (--frames, --fps, --size, --tile) or the sea's setting.
@@ -38,7 +39,8 @@ class LoopRecorder {
   // One frame: frame_floats() of a BakedLoop of this request.
   void record(int frame, std::span<float> texels);
 
-  // Root mean square, by energy, of what rounding made of the frequencies, over themselves; and the most of any wave that has a thousandth of the energy.
+  // Root mean square, by energy, of what rounding made of the frequencies, over themselves; and the most of any wave
+  // that has a thousandth of the energy.
   double frequency_error() const { return frequency_error_; }
   double worst_frequency_error() const { return worst_frequency_error_; }
   // 4 standard deviations of the loop's height, and of all waves of the sea.

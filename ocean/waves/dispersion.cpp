@@ -31,7 +31,7 @@ double airy_group_speed(double k, double gravity_mps2, double depth_m) {
   if (!(k > 0.0)) return std::sqrt(gravity_mps2 * depth_m);
   const double kh = k * depth_m, t = tanh_of(kh);
   if (kh < shallow) return std::sqrt(gravity_mps2) * std::sqrt(depth_m);  // k t may be less than any double
-  if (t == 1.0) return 0.5 * std::sqrt(gravity_mps2 / k);  // deep: k h may be more than any double
+  if (t == 1.0) return 0.5 * std::sqrt(gravity_mps2 / k);                 // deep: k h may be more than any double
   // sech^2 = 1 - tanh^2 loses its digits in deep water, where it no longer counts.
   return 0.5 * std::sqrt(gravity_mps2 / (k * t)) * (t + kh * (1.0 - t) * (1.0 + t));
 }
@@ -39,7 +39,9 @@ double airy_group_speed(double k, double gravity_mps2, double depth_m) {
 double airy_wave_number(double w, double gravity_mps2, double depth_m) {
   if (!(w > 0.0) || !(depth_m > 0.0)) return 0.0;
   const double x2 = w * w * depth_m / gravity_mps2;
-  if (x2 < shallow * shallow) return w / std::sqrt(gravity_mps2) / std::sqrt(depth_m);  // below, powers of x2 lose their digits, and then all of it
+  if (x2 < shallow * shallow)
+    return w / std::sqrt(gravity_mps2) /
+           std::sqrt(depth_m);                       // below, powers of x2 lose their digits, and then all of it
   if (!(x2 < 1e300)) return w * (w / gravity_mps2);  // and above, all of them
   constexpr double beta = 2.4908;
   // 1 - exp(-x^beta), with its digits kept where the water is very shallow.

@@ -11,12 +11,13 @@ namespace seascape {
 namespace {
 constexpr double oldest = 0.84, youngest = 5.0;
 constexpr double karman = 0.4;
-constexpr double longest_number = 1e100;  // rad/m: beyond, squares of speeds are more than any double, and long since there are no waves
-constexpr double most_drag_root = 0.05;  // u* / U10 grows no more in a hurricane: drag 2.5e-3 (Donelan et al. 2004)
+constexpr double longest_number =
+    1e100;  // rad/m: beyond, squares of speeds are more than any double, and long since there are no waves
+constexpr double most_drag_root = 0.05;     // u* / U10 grows no more in a hurricane: drag 2.5e-3 (Donelan et al. 2004)
 constexpr double viscosity_m2_s = 1.05e-6;  // of sea water at 20 degrees C
 
-// u* of a wind over waves of an age: roughness z0 = 3.7e-5 (U10^2 / g) age^0.9 (eq. 66, after Donelan et al. 1993) in a logarithmic
-// profile.
+// u* of a wind over waves of an age: roughness z0 = 3.7e-5 (U10^2 / g) age^0.9 (eq. 66, after Donelan et al. 1993) in a
+// logarithmic profile.
 double friction_velocity(double wind, double age, double gravity) {
   const double roughness = 3.7e-5 * wind * wind / gravity * std::pow(age, 0.9);
   return wind * karman / std::max(std::log(10.0 / roughness), karman / most_drag_root);

@@ -27,10 +27,11 @@ std::size_t floats_2d(const FftPlan& plan) {
                      (in_place(plan) ? 0 : 2 * plan.band * middle_stride(plan)));
 }
 
-void inverse_fft_2d(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride,
-                    float* workspace) {
+void inverse_fft_2d(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im,
+                    int stride, float* workspace) {
   const int n = plan.n, band = plan.band, lanes = int(hn::Lanes(Wide()));
-  float* columns = workspace + (line - std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(workspace) / sizeof(float)) % line) % line;
+  float* columns =
+      workspace + (line - std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(workspace) / sizeof(float)) % line) % line;
   const std::ptrdiff_t work = column_work<Wide>(plan);
   float* rows = columns + work * (in_place(plan) ? plan.repeats : 1);
   float* middle_re = in_place(plan) ? re : rows + row_work(plan);  // [mz + band/2][x]
@@ -38,16 +39,20 @@ void inverse_fft_2d(const FftPlan& plan, const float* spectrum_re, const float* 
   const std::ptrdiff_t middle = in_place(plan) ? stride : middle_stride(plan);
   // Rows first: of these there are only as many as the band has, and each has to be transposed within.
   for (std::ptrdiff_t i = 0; i < band; ++i)
-    transform_row(plan, spectrum_re + i * band, spectrum_im + i * band, middle_re + i * middle, middle_im + i * middle, rows);
+    transform_row(plan, spectrum_re + i * band, spectrum_im + i * band, middle_re + i * middle, middle_im + i * middle,
+                  rows);
   for (int x = 0; x < n; x += lanes) {
     if (in_place(plan)) {
-      for (int r = 0; r < plan.repeats; ++r) columns_in<Wide>(plan, r, middle_re + x, middle_im + x, middle, columns + r * work);
+      for (int r = 0; r < plan.repeats; ++r)
+        columns_in<Wide>(plan, r, middle_re + x, middle_im + x, middle, columns + r * work);
       for (std::ptrdiff_t r = 0; r < plan.repeats; ++r)
-        columns_out<Wide>(plan, int(r), columns + r * work, re + r * stride + x, im + r * stride + x, plan.repeats * std::ptrdiff_t(stride));
+        columns_out<Wide>(plan, int(r), columns + r * work, re + r * stride + x, im + r * stride + x,
+                          plan.repeats * std::ptrdiff_t(stride));
     } else {
       for (std::ptrdiff_t r = 0; r < plan.repeats; ++r) {
         columns_in<Wide>(plan, int(r), middle_re + x, middle_im + x, middle, columns);
-        columns_out<Wide>(plan, int(r), columns, re + r * stride + x, im + r * stride + x, plan.repeats * std::ptrdiff_t(stride));
+        columns_out<Wide>(plan, int(r), columns, re + r * stride + x, im + r * stride + x,
+                          plan.repeats * std::ptrdiff_t(stride));
       }
     }
   }
@@ -84,7 +89,8 @@ FftPlan make_fft_plan(int n, int band) {
     for (int j = 0; j < plan.core; ++j)
       put(&plan.outer[std::size_t(2) * r * plan.core], plan.core, j, double((j < band / 2 ? j : j - band) * r) / n);
   for (int q1 = 0; q1 < radix_1; ++q1)
-    for (int j2 = 0; j2 < radix_2; ++j2) put(plan.inner.data(), plan.core, q1 * radix_2 + j2, double(q1 * j2) / plan.core);
+    for (int j2 = 0; j2 < radix_2; ++j2)
+      put(plan.inner.data(), plan.core, q1 * radix_2 + j2, double(q1 * j2) / plan.core);
   return plan;
 }
 
@@ -92,8 +98,8 @@ FftPlan make_fft_plan(int n) { return make_fft_plan(n, std::min(n, 64)); }
 
 std::size_t inverse_fft_floats(const FftPlan& plan) { return HWY_DYNAMIC_DISPATCH(floats_2d)(plan); }
 
-void inverse_fft(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im, int stride,
-                 std::span<float> workspace) {
+void inverse_fft(const FftPlan& plan, const float* spectrum_re, const float* spectrum_im, float* re, float* im,
+                 int stride, std::span<float> workspace) {
   assert(workspace.size() >= inverse_fft_floats(plan));
   HWY_DYNAMIC_DISPATCH(inverse_fft_2d)(plan, spectrum_re, spectrum_im, re, im, stride, workspace.data());
 }

@@ -1,5 +1,5 @@
-// Butterflies of radix 4, 8 and 16 in registers, what they read and where they leave it, for the instruction set that Highway compiles
-// this for.
+// Butterflies of radix 4, 8 and 16 in registers, what they read and where they leave it, for the instruction set that
+// Highway compiles this for.
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -32,10 +32,14 @@ HWY_INLINE Complex<V> operator-(Complex<V> a, Complex<V> b) {
 // a + i^Quarters b.
 template <int Quarters, class V>
 HWY_INLINE Complex<V> plus_quarters(Complex<V> a, Complex<V> b) {
-  if constexpr (Quarters == 0) return a + b;
-  else if constexpr (Quarters == 1) return {hn::Sub(a.re, b.im), hn::Add(a.im, b.re)};
-  else if constexpr (Quarters == 2) return a - b;
-  else return {hn::Add(a.re, b.im), hn::Sub(a.im, b.re)};
+  if constexpr (Quarters == 0)
+    return a + b;
+  else if constexpr (Quarters == 1)
+    return {hn::Sub(a.re, b.im), hn::Add(a.im, b.re)};
+  else if constexpr (Quarters == 2)
+    return a - b;
+  else
+    return {hn::Add(a.re, b.im), hn::Sub(a.im, b.re)};
 }
 template <class V>
 HWY_INLINE Complex<V> plus_i(Complex<V> a, Complex<V> b) {
@@ -64,24 +68,26 @@ HWY_INLINE void dft_4(Complex<V>& a, Complex<V>& b, Complex<V>& c, Complex<V>& d
   d = minus_i(diff_ac, diff_bd);
 }
 
-// Cosines and sines of factors: one for all lanes where the lanes are different transforms, one a lane where they are different
-// values of one.
+// Cosines and sines of factors: one for all lanes where the lanes are different transforms, one a lane where they are
+// different values of one.
 enum class Lay { columns, row };
 template <Lay L, class D>
 HWY_INLINE hn::Vec<D> factor(D d, const float* at) {
-  if constexpr (L == Lay::columns) return hn::Set(d, *at);
-  else return hn::LoadU(d, at);
+  if constexpr (L == Lay::columns)
+    return hn::Set(d, *at);
+  else
+    return hn::LoadU(d, at);
 }
 
-// What the first stage reads: value k of R is the sum of its `Fold` values, each `Quarters` quarter turns further than the last, turned
-// where Turn. In memory the most negative wave number comes first. Functions, not lambdas: GCC leaves lambdas of this size out of
-// line, which costs a third of the transform.
+// What the first stage reads: value k of R is the sum of its `Fold` values, each `Quarters` quarter turns further than
+// the last, turned where Turn. In memory the most negative wave number comes first. Functions, not lambdas: GCC leaves
+// lambdas of this size out of line, which costs a third of the transform.
 template <class D, Lay L, int R, int Fold, int Quarters, bool Turn>
 struct Inputs {
   using V = hn::Vec<D>;
   const float* HWY_RESTRICT re;
   const float* HWY_RESTRICT im;
-  std::ptrdiff_t gap;           // floats from one value to the next
+  std::ptrdiff_t gap;                 // floats from one value to the next
   const float* HWY_RESTRICT cosines;  // factor k at k * factor_gap
   const float* HWY_RESTRICT sines;
   int factor_gap;
@@ -115,7 +121,8 @@ struct Lines {
   }
 };
 
-// What the second stage of a row reads: vectors across rows of a matrix whose blocks of 4 x 4 are transposed already (see row_core).
+// What the second stage of a row reads: vectors across rows of a matrix whose blocks of 4 x 4 are transposed already
+// (see row_core).
 template <class D>
 struct Blocks {
   using V = hn::Vec<D>;
@@ -125,8 +132,10 @@ struct Blocks {
   template <int N>
   HWY_INLINE hn::Vec<hn::FixedTag<float, N>> gathered(const float* from) const {
     const hn::FixedTag<float, N> d;
-    if constexpr (N == 4) return hn::LoadU(d, from);
-    else return hn::Combine(d, gathered<N / 2>(from + N / 2 * row), gathered<N / 2>(from));
+    if constexpr (N == 4)
+      return hn::LoadU(d, from);
+    else
+      return hn::Combine(d, gathered<N / 2>(from + N / 2 * row), gathered<N / 2>(from));
   }
   HWY_INLINE Complex<V> get(int k) const {
     const std::ptrdiff_t offset = (k % 4) * row + k / 4 * 4;

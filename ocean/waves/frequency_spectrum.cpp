@@ -11,7 +11,7 @@ namespace seascape {
 namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double swell_gamma = 6.0;
-constexpr double u19_over_u10 = 1.026;  // Pierson and Moskowitz measured at 19.5 m
+constexpr double u19_over_u10 = 1.026;               // Pierson and Moskowitz measured at 19.5 m
 constexpr double pm_alpha = 0.0081, pm_beta = 0.74;  // Pierson and Moskowitz (1964)
 constexpr double fade_from = 10.0, fade_to = 40.0;   // of swell, over (w / wp)^2
 
@@ -57,7 +57,8 @@ double frequency_density(const WaveTrain& train, double gravity_mps2, double w) 
   const double sigma = w <= train.peak_rad_s ? 0.07 : 0.09;
   const double d = (w / train.peak_rad_s - 1.0) / sigma;
   const double w5 = w * w * w * w * w;
-  return kept * train.alpha * gravity_mps2 * gravity_mps2 / w5 * std::exp(-1.25 * r4 + std::log(train.gamma) * std::exp(-0.5 * d * d));
+  return kept * train.alpha * gravity_mps2 * gravity_mps2 / w5 *
+         std::exp(-1.25 * r4 + std::log(train.gamma) * std::exp(-0.5 * d * d));
 }
 
 double kitaigorodskii_factor(double w, double gravity_mps2, double depth_m) {
@@ -88,7 +89,8 @@ WaveTrain wind_train(const SeaState& sea) {
     train.alpha = pm_alpha;
     return train;
   }
-  // Past the fetch at which the peak is fully developed the sea grows no more: alpha, which falls with fetch, is held too.
+  // Past the fetch at which the peak is fully developed the sea grows no more: alpha, which falls with fetch, is held
+  // too.
   const double developed_root = 22.0 * (g / u) / developed_peak;
   const double grown = std::min(x, developed_root * developed_root * developed_root);
   train.peak_rad_s = 22.0 * (g / u) * std::pow(grown, -1.0 / 3.0);

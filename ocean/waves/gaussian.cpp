@@ -6,7 +6,8 @@
 namespace seascape {
 
 namespace {
-// A bijective mix of 64 bits in which every input bit reaches every output bit (finaliser of Stafford 2011, variant 13).
+// A bijective mix of 64 bits in which every input bit reaches every output bit (finaliser of Stafford 2011, variant
+// 13).
 std::uint64_t mix(std::uint64_t v) {
   v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
   v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
@@ -25,7 +26,8 @@ glm::dvec2 gaussian_pair(std::uint32_t seed, int cascade, int mx, int mz) {
 }
 
 double uniform_number(std::uint32_t seed, std::uint32_t key) {
-  return double(mix(mix((std::uint64_t(seed) << 32 | key) + 0x9e3779b97f4a7c15u) + 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
+  return double(mix(mix((std::uint64_t(seed) << 32 | key) + 0x9e3779b97f4a7c15u) + 0x9e3779b97f4a7c15u) >> 11) *
+         0x1p-53;
 }
 
 }  // namespace seascape

@@ -28,7 +28,8 @@ constexpr double most_ratio = 8.0;  // of the longest wave to the shortest
 
 void require(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most))
-    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most), "give a value in that range");
+    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most),
+                "give a value in that range");
 }
 
 struct Asked {
@@ -39,8 +40,11 @@ struct Asked {
 // The waves of a set, the longest first.
 std::vector<Asked> asked_of(const GerstnerSet& set, int number, std::uint32_t seed) {
   const int count = set.octaves == 0 ? 1 : set.octaves * set.waves;
-  const auto random = [&](int wave, int which) { return uniform_number(seed, std::uint32_t((number * 64 + wave) * 4 + which)); };
-  // Each wave has its own share of the spread, in an order that does not follow the wavelengths (Fisher and Yates 1938).
+  const auto random = [&](int wave, int which) {
+    return uniform_number(seed, std::uint32_t((number * 64 + wave) * 4 + which));
+  };
+  // Each wave has its own share of the spread, in an order that does not follow the wavelengths (Fisher and Yates
+  // 1938).
   std::vector<int> share(std::size_t(count), 0);
   for (int i = 0; i < count; ++i) share[std::size_t(i)] = i;
   for (int i = count - 1; i > 0; --i) std::swap(share[std::size_t(i)], share[std::size_t(random(i, 0) * (i + 1))]);
@@ -54,7 +58,8 @@ std::vector<Asked> asked_of(const GerstnerSet& set, int number, std::uint32_t se
     list.push_back({turn / length * glm::dvec2(std::sin(to), -std::cos(to)), length, random(i, 3), set.reverse});
     squares += length * length;
   }
-  // Variance is half the squares' sum, and a significant height four deviations; what comes the other way takes its part of it.
+  // Variance is half the squares' sum, and a significant height four deviations; what comes the other way takes its
+  // part of it.
   const double a_metre = 0.25 * set.height_m * std::sqrt(2.0 / (squares * (1.0 + set.reverse * set.reverse)));
   for (Asked& wave : list) wave.amplitude_m *= a_metre;
   return list;
@@ -67,12 +72,14 @@ struct Lattice {
   glm::dvec2 k(glm::dvec2 m) const { return turn / side_m * rotate_xz(m, rotation_rad); }
 };
 
-// The lattice that has the highest wave, and the others as nearly as any: their mean square distance from it, over their own vectors, by energy.
-// `turned`: at any angle.
+// The lattice that has the highest wave, and the others as nearly as any: their mean square distance from it, over
+// their own vectors, by energy. `turned`: at any angle.
 Lattice best_lattice(const std::vector<Asked>& waves, int most, bool turned) {
-  const Asked& highest = *std::max_element(waves.begin(), waves.end(), [](const Asked& a, const Asked& b) { return a.amplitude_m < b.amplitude_m; });
+  const Asked& highest = *std::max_element(
+      waves.begin(), waves.end(), [](const Asked& a, const Asked& b) { return a.amplitude_m < b.amplitude_m; });
   const auto through = [&](int mx, int mz) {
-    return Lattice{turn * std::hypot(double(mx), double(mz)) / glm::length(highest.k), turned ? std::atan2(highest.k.y, highest.k.x) - std::atan2(double(mz), double(mx)) : 0.0};
+    return Lattice{turn * std::hypot(double(mx), double(mz)) / glm::length(highest.k),
+                   turned ? std::atan2(highest.k.y, highest.k.x) - std::atan2(double(mz), double(mx)) : 0.0};
   };
   Lattice best = through(4, 0);
   const glm::dvec2 first = best.m(highest.k);
@@ -96,22 +103,27 @@ Lattice best_lattice(const std::vector<Asked>& waves, int most, bool turned) {
 }
 
 std::uint64_t turns_of(double k, double gravity_mps2, double depth_m, double loop_s) {
-  const long double w = wave_frequency(static_cast<long double>(k), static_cast<long double>(gravity_mps2), static_cast<long double>(depth_m));
+  const long double w = wave_frequency(static_cast<long double>(k), static_cast<long double>(gravity_mps2),
+                                       static_cast<long double>(depth_m));
   const long double turns_a_second = w / (2.0L * std::numbers::pi_v<long double>);
   const std::int64_t loop = std::llround(loop_s * double(gpu::ticks_per_second));
   if (loop > 0) return loop_turns(std::max<std::int64_t>(1, std::llround(turns_a_second * loop_s)), loop);
-  return static_cast<std::uint64_t>(std::round(turns_a_second * 0x1p64L / static_cast<long double>(gpu::ticks_per_second)));
+  return static_cast<std::uint64_t>(
+      std::round(turns_a_second * 0x1p64L / static_cast<long double>(gpu::ticks_per_second)));
 }
 
 [[noreturn]] void refuse_fold(double chop, double steepness) {
-  throw Error("gerstner.chop", text_from(chop) + " would fold the surface over: the steepnesses of its waves come to " + text_from(std::round(steepness * 1e3) / 1e3) + " and may come to 1",
+  throw Error("gerstner.chop",
+              text_from(chop) + " would fold the surface over: the steepnesses of its waves come to " +
+                  text_from(std::round(steepness * 1e3) / 1e3) + " and may come to 1",
               "take " + text_from(std::floor(1e3 * chop / steepness) / 1e3) + " or less, or lower or longer waves");
 }
 
 }  // namespace
 
 void validate_together(const Gerstner& everywhere, const Gerstner& shore, double chop) {
-  if (const double steepness = everywhere.steepness() + shore.steepness(); steepness > 1.0) refuse_fold(chop, steepness);
+  if (const double steepness = everywhere.steepness() + shore.steepness(); steepness > 1.0)
+    refuse_fold(chop, steepness);
 }
 
 void validate(const GerstnerSettings& s) {
@@ -131,13 +143,16 @@ void validate(const GerstnerSettings& s) {
     longest_m = std::max(longest_m, set.wavelength_m);
     shortest_m = std::min(shortest_m, set.wavelength_m / std::exp2(set.octaves));
     if (longest_m > most_ratio * shortest_m)
-      throw Error(name + "wavelength_m", text_from(set.wavelength_m) + " makes waves from " + text_from(shortest_m) + " to " + text_from(longest_m) +
-                  " m, and one tile carries three octaves", "take lengths of both sets within a factor of 8");
+      throw Error(name + "wavelength_m",
+                  text_from(set.wavelength_m) + " makes waves from " + text_from(shortest_m) + " to " +
+                      text_from(longest_m) + " m, and one tile carries three octaves",
+                  "take lengths of both sets within a factor of 8");
   }
   require(s.chop, 0.0, 2.0, "gerstner.chop");
 }
 
-Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double depth_m, double loop_s, bool shore) : shore_(shore) {
+Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double depth_m, double loop_s, bool shore)
+    : shore_(shore) {
   validate(settings);
   std::vector<Asked> asked;
   for (int i = 0; i < GerstnerSettings::sets; ++i)
@@ -146,14 +161,17 @@ Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double
   plan_ = make_fft_plan(tile, 16);
   laying_ = {1.0, 1.0, 0.0, 1.0, 1.0};
   if (asked.empty() || !(depth_m > 0.0)) return;
-  const auto spectrum = [&](const GerstnerSet& set) { return set.height_m > 0.0 && set.octaves > 0 && set.shore == shore; };
+  const auto spectrum = [&](const GerstnerSet& set) {
+    return set.height_m > 0.0 && set.octaves > 0 && set.shore == shore;
+  };
   const bool spectra = spectrum(settings.set1) || spectrum(settings.set2);
   const int reach = spectra ? most_m : most_m_alone;
   const Lattice lattice = best_lattice(asked, reach, !shore);
   laying_.side_m = lattice.side_m;
   laying_.rotation_rad = lattice.rotation_rad;
 
-  // Each wave takes the bin nearest to it, of those that no wave before it has: two in one would be one wave of another height.
+  // Each wave takes the bin nearest to it, of those that no wave before it has: two in one would be one wave of another
+  // height.
   std::vector<bool> taken(std::size_t(64 * 64), false);
   const auto place = [](int mx, int mz) { return std::size_t((mz + 32) * 64 + mx + 32); };
   taken[place(0, 0)] = true;
@@ -182,7 +200,8 @@ Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double
   plan_ = make_fft_plan(tile, std::max(16, int(std::bit_ceil(unsigned(2 * most + 1)))));
   const int band = plan_.band;
   const std::size_t bins = std::size_t(band) * std::size_t(band);
-  for (auto* list : {&table_.amplitude_re, &table_.amplitude_im, &table_.raise, &table_.kx, &table_.kz, &table_.shift_x, &table_.shift_z, &table_.frequency})
+  for (auto* list : {&table_.amplitude_re, &table_.amplitude_im, &table_.raise, &table_.kx, &table_.kz, &table_.shift_x,
+                     &table_.shift_z, &table_.frequency})
     list->assign(bins, 0.0f);
   table_.turns.assign(bins, 0);
   double moments = 0.0, of_texels = 0.0, longest_m = 0.0, shortest_m = 1e300;
@@ -221,7 +240,8 @@ Gerstner::Gerstner(const GerstnerSettings& settings, double gravity_mps2, double
     shortest_m = std::min(shortest_m, turn / k);
   }
   if (steepness_ > 1.0) refuse_fold(settings.chop, steepness_);
-  if (of_texels > 0.0) table_.moment_share = float(moments / of_texels);  // else no double holds the square of so low a wave
+  if (of_texels > 0.0)
+    table_.moment_share = float(moments / of_texels);  // else no double holds the square of so low a wave
   table_.shear_length_m = std::exp2(std::round(std::log2(float(longest_m / turn))));
   laying_.longest_m = longest_m;
   laying_.shortest_m = shortest_m;
@@ -233,12 +253,16 @@ glm::dvec2 Gerstner::drawn(const GerstnerWave& wave) const {
 
 std::size_t Gerstner::workspace_floats(bool velocity) const { return seascape::workspace_floats(plan_, velocity) + 16; }
 
-void Gerstner::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const {
-  assert(workspace.size() >= workspace_floats(velocity) && levels.size() == std::size_t(std::bit_width(unsigned(tile))));
-  float* const work = workspace.data() + (64 - reinterpret_cast<std::uintptr_t>(workspace.data()) % 64) % 64 / sizeof(float);  // a cache line's begin
+void Gerstner::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
+                        std::span<float> workspace) const {
+  assert(workspace.size() >= workspace_floats(velocity) &&
+         levels.size() == std::size_t(std::bit_width(unsigned(tile))));
+  float* const work = workspace.data() + (64 - reinterpret_cast<std::uintptr_t>(workspace.data()) % 64) % 64 /
+                                             sizeof(float);  // a cache line's begin
   constexpr int pairs_a_piece = 4;
   tbb::parallel_for(0, (row_pairs(plan_) + pairs_a_piece - 1) / pairs_a_piece, [&](int i) {
-    waves_along_x(table_, plan_, ticks, velocity, i * pairs_a_piece, std::min((i + 1) * pairs_a_piece, row_pairs(plan_)), work);
+    waves_along_x(table_, plan_, ticks, velocity, i * pairs_a_piece,
+                  std::min((i + 1) * pairs_a_piece, row_pairs(plan_)), work);
   });
   tbb::parallel_for(0, tile / strip_width, [&](int i) {
     strip_along_z(table_, plan_, work, velocity, i * strip_width, levels[0]);

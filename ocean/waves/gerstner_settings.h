@@ -5,7 +5,8 @@
 
 namespace seascape {
 
-// Waves that belong together: one, or a few an octave of wavelengths from the longest down, each as steep as the others.
+// Waves that belong together: one, or a few an octave of wavelengths from the longest down, each as steep as the
+// others.
 struct GerstnerSet {
   double height_m = 0.0;       // significant height of all of them: four standard deviations; 0: the set is not there
   double wavelength_m = 60.0;  // of the longest
@@ -14,7 +15,8 @@ struct GerstnerSet {
   int octaves = 0;             // 0: one wave; else wavelengths down to wavelength_m / 2^octaves
   int waves = 8;               // an octave
   double reverse = 0.0;        // of each wave's amplitude, what comes the other way: 1 gives waves that stand
-  bool shore = false;          // it runs along the scene's curves alone (ocean/local/shore_lines.h), to_deg counted from straight towards the shore
+  bool shore = false;  // it runs along the scene's curves alone (ocean/local/shore_lines.h), to_deg counted from
+                       // straight towards the shore
 };
 
 struct GerstnerSettings {

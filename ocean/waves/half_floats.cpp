@@ -26,8 +26,8 @@ HWY_INLINE hn::Vec<Halves> rounded(hn::Vec<Floats> value) {
   const hn::RebindToSigned<Floats> di;
   const auto bits = hn::BitCast(di, value);
   const auto magnitude = hn::And(bits, hn::Set(di, 0x7fffffff));
-  // Normal halves: the exponent's bias goes from 127 to 15, and 13 bits of the mantissa are rounded off. A carry out of the
-  // mantissa is the next exponent's first number, as it should be.
+  // Normal halves: the exponent's bias goes from 127 to 15, and 13 bits of the mantissa are rounded off. A carry out of
+  // the mantissa is the next exponent's first number, as it should be.
   const auto even = hn::And(hn::ShiftRight<13>(magnitude), hn::Set(di, 1));
   auto half = hn::ShiftRight<13>(hn::Add(hn::Add(magnitude, hn::Set(di, 0xfff - ((127 - 15) << 23))), even));
   // Below 2^-14 a half is a multiple of 2^-24, the last place of floats from 0.5 to 1: the sum with 0.5 rounds there.
@@ -65,7 +65,9 @@ namespace seascape {
 
 HWY_EXPORT(convert);
 
-void halves_from_floats(const float* from, std::uint16_t* to, std::size_t count) { HWY_DYNAMIC_DISPATCH(convert)(from, to, count); }
+void halves_from_floats(const float* from, std::uint16_t* to, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(convert)(from, to, count);
+}
 
 }  // namespace seascape
 #endif

@@ -8,9 +8,10 @@
 namespace seascape {
 
 namespace {
-constexpr double longest_side = 16937.0, longest_last = 2.47;  // sides of the first and the last tile of the longest class
-constexpr int classes = 3;                 // each half as long as the one before
-constexpr double most_left = 0.125;        // share of the variance that the shorter tiles may carry
+constexpr double longest_side = 16937.0,
+                 longest_last = 2.47;  // sides of the first and the last tile of the longest class
+constexpr int classes = 3;             // each half as long as the one before
+constexpr double most_left = 0.125;    // share of the variance that the shorter tiles may carry
 // |m| between which a tile hands over to the next.
 constexpr std::array<double, 2> fade{25.0, 31.0}, long_fade{108.0, 127.0};
 constexpr double golden_quarter = 0.9708055193627733;  // 90 degrees divided by the golden ratio: lattices never line up
@@ -47,7 +48,8 @@ double share_above(double k, const std::array<double, 2>& edge) {
 
 Ladder ladder(const SeaState& sea) {
   std::array<double, classes> hand_over;
-  for (int i = 0; i < classes; ++i) hand_over[i] = std::numbers::pi * (long_fade[0] + long_fade[1]) * std::exp2(i) / longest_side;
+  for (int i = 0; i < classes; ++i)
+    hand_over[i] = std::numbers::pi * (long_fade[0] + long_fade[1]) * std::exp2(i) / longest_side;
   int chosen = 0;
   if (longest_peak_wave_m(sea) > 0.0) {
     const auto below = share_below(sea, hand_over);

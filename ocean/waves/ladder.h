@@ -17,8 +17,8 @@ inline int tile_samples(const WaveQuality& quality, int cascade) {
   return cascade == 0 ? std::min(4 * quality.resolution, longest_tile_samples) : quality.resolution;
 }
 
-// A square periodic tile of waves. Tile coordinates are u = rotate(-rotation) (x, z) / side; a bin's world wave vector is
-// k = rotate(rotation) (2 pi m / side).
+// A square periodic tile of waves. Tile coordinates are u = rotate(-rotation) (x, z) / side; a bin's world wave vector
+// is k = rotate(rotation) (2 pi m / side).
 struct Cascade {
   double side_m;
   double rotation_rad;
@@ -29,19 +29,21 @@ struct Cascade {
 
 using Ladder = std::array<Cascade, gpu::max_cascades>;
 
-// The longest tile has one of three sides (4.3, 8.6 or 17.2 km), so that a change of wind within a class keeps every wave in its
-// place: the longest that still leaves at most an eighth of the sea's variance to the shorter tiles, which repeat within sight, and
-// 4.3 km where none does (winds below 9 m/s without a swell). The sides after it fall by a ratio of 5 to 6.5 to a last one of 1.5 to
-// 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31 and start where |m| is about 5. Throws Error as validate() does.
+// The longest tile has one of three sides (4.3, 8.6 or 17.2 km), so that a change of wind within a class keeps every
+// wave in its place: the longest that still leaves at most an eighth of the sea's variance to the shorter tiles, which
+// repeat within sight, and 4.3 km where none does (winds below 9 m/s without a swell). The sides after it fall by a
+// ratio of 5 to 6.5 to a last one of 1.5 to 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31
+// and start where |m| is about 5. Throws Error as validate() does.
 Ladder ladder(const SeaState& sea);
 
-// Share of variance, 0 to 1, that cascade `index` carries at wave number k (rad/m). Over all cascades the shares add to 1
-// below the last cascade's k_out[0].
+// Share of variance, 0 to 1, that cascade `index` carries at wave number k (rad/m). Over all cascades the shares add to
+// 1 below the last cascade's k_out[0].
 double band_share(const Ladder& ladder, int index, double k);
 
-// What the bilinear filter leaves of a wave's amplitude where it is sampled between `samples` texels a side: the best fit of a wave
-// to its own linear interpolation is sinc^2(m / samples) of it an axis. Tiles carry their waves higher by the inverse, down to four
-// texels a wave; shorter ones, which only tiles of few samples have, are raised no more than that.
+// What the bilinear filter leaves of a wave's amplitude where it is sampled between `samples` texels a side: the best
+// fit of a wave to its own linear interpolation is sinc^2(m / samples) of it an axis. Tiles carry their waves higher by
+// the inverse, down to four texels a wave; shorter ones, which only tiles of few samples have, are raised no more than
+// that.
 double sampled_share(int mx, int mz, int samples);
 
 // (x, z) turned by `angle`, from x towards z.
@@ -50,11 +52,13 @@ inline glm::dvec2 rotate_xz(glm::dvec2 v, double angle) {
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-// The longest wave that a cascade carries, in metres: its side for the first, which has the longest of all. A footprint of half of
-// it begins to fade the cascade, one of all of it leaves nothing (kept_share).
+// The longest wave that a cascade carries, in metres: its side for the first, which has the longest of all. A footprint
+// of half of it begins to fade the cascade, one of all of it leaves nothing (kept_share).
 double longest_wave(const Cascade& cascade);
 double kept_share(double longest_m, double footprint_m);
-inline double kept_share(const Cascade& cascade, double footprint_m) { return kept_share(longest_wave(cascade), footprint_m); }
+inline double kept_share(const Cascade& cascade, double footprint_m) {
+  return kept_share(longest_wave(cascade), footprint_m);
+}
 // The shortest, below which its share is none.
 double shortest_wave(const Cascade& cascade);
 

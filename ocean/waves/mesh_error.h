@@ -1,4 +1,5 @@
-// What follows from how a sea's variance is spread over wavelengths: what meshes of it miss, and how neighbouring water moves.
+// What follows from how a sea's variance is spread over wavelengths: what meshes of it miss, and how neighbouring water
+// moves.
 #pragma once
 #include <array>
 
@@ -6,7 +7,8 @@
 
 namespace seascape {
 
-// The largest of some million points, in metres, of what meshes of `spacing_m` miss with a root mean square of `rms_m` of a sea of many waves.
+// The largest of some million points, in metres, of what meshes of `spacing_m` miss with a root mean square of `rms_m`
+// of a sea of many waves.
 double largest_of_missed(double spacing_m, double rms_m);
 
 // Variances of height and shift (m^2) by quarters of an octave of the wave number.

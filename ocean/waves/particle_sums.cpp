@@ -17,7 +17,9 @@ namespace {
 constexpr int block = 512;  // particles placed by one piece of work
 
 template <class T>
-std::size_t floats_of(std::size_t count) { return (count * sizeof(T) + 63) / 64 * 16; }  // whole cache lines
+std::size_t floats_of(std::size_t count) {
+  return (count * sizeof(T) + 63) / 64 * 16;
+}  // whole cache lines
 template <class T>
 T* take(float*& from, std::size_t count) {
   T* result = reinterpret_cast<T*>(from);
@@ -34,8 +36,8 @@ double spline(double x) {  // cubic, around 0
   return x < 1.0 ? 2.0 / 3.0 - x * x + 0.5 * x * x * x : x < 2.0 ? (2.0 - x) * (2.0 - x) * (2.0 - x) / 6.0 : 0.0;
 }
 
-// The sum of splines at whole texels off that comes nearest to a particle, by least squares over a lattice of places: [row][column], rows and columns either
-// way alike.
+// The sum of splines at whole texels off that comes nearest to a particle, by least squares over a lattice of places:
+// [row][column], rows and columns either way alike.
 std::vector<float> taps_of(double radius, int reach) {
   std::vector<std::pair<int, int>> unknown;  // (a, b), a >= b >= 0, stands for all places of its symmetry
   for (int a = 0; a <= reach; ++a)
@@ -46,7 +48,8 @@ std::vector<float> taps_of(double radius, int reach) {
   for (int i = 0; i <= steps * (reach + 2); ++i)
     for (int j = 0; j <= i; ++j) {
       const double x = double(i) / steps, z = double(j) / steps, u = std::hypot(x, z) / radius;
-      const double want = u < 1.0 ? 0.5 * (1.0 + std::cos(std::numbers::pi * u)) : 0.0, weight = (i == j ? 0.5 : 1.0) * (j == 0 ? 0.5 : 1.0);
+      const double want = u < 1.0 ? 0.5 * (1.0 + std::cos(std::numbers::pi * u)) : 0.0,
+                   weight = (i == j ? 0.5 : 1.0) * (j == 0 ? 0.5 : 1.0);
       for (std::size_t k = 0; k < n; ++k) {
         const auto [a, b] = unknown[k];
         const auto either = [](double at, int by) { return by == 0 ? spline(at) : spline(at - by) + spline(at + by); };
@@ -85,16 +88,18 @@ DirectSum::DirectSum(const ParticleGrid& grid, std::size_t count)
 }
 
 std::size_t DirectSum::floats(bool velocity) const {
-  return floats_of<PlacedParticle>(count_) + floats_of<int>(std::size_t(blocks_) * std::size_t(strips_ + 1)) + (velocity ? floats_of<glm::vec2>(count_) : 0);
+  return floats_of<PlacedParticle>(count_) + floats_of<int>(std::size_t(blocks_) * std::size_t(strips_ + 1)) +
+         (velocity ? floats_of<glm::vec2>(count_) : 0);
 }
 
-void DirectSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory, const TorusField& height,
-                    const TorusField& rate) const {
+void DirectSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory,
+                    const TorusField& height, const TorusField& rate) const {
   const bool velocity = rate.first != nullptr;
   ParticleShape shape = shape_;
   shape.amplitude = amplitude;
   PlacedParticle* const placed = take<PlacedParticle>(memory, count_);
-  int* const first_of = take<int>(memory, std::size_t(blocks_) * std::size_t(strips_ + 1));  // [block][strip], where its particles begin
+  int* const first_of =
+      take<int>(memory, std::size_t(blocks_) * std::size_t(strips_ + 1));  // [block][strip], where its particles begin
   glm::vec2* const ways = velocity ? take<glm::vec2>(memory, count_) : nullptr;
   const int log2_size = std::countr_zero(unsigned(size_)), shift = 32 - log2_size;
 
@@ -105,7 +110,9 @@ void DirectSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks,
     PlacedParticle list[block];
     int next[WaveParticles::tile_samples / 16 + 1] = {};
     const auto axis = [&](std::uint32_t start, std::uint64_t turns, std::uint16_t& first, float& from) {
-      const std::uint32_t at = start + gpu::phase_turns(std::uint32_t(turns >> 32), std::uint32_t(turns), std::uint32_t(std::uint64_t(ticks) >> 32), std::uint32_t(ticks));
+      const std::uint32_t at =
+          start + gpu::phase_turns(std::uint32_t(turns >> 32), std::uint32_t(turns),
+                                   std::uint32_t(std::uint64_t(ticks) >> 32), std::uint32_t(ticks));
       const float part = float(at << log2_size) * 0x1p-32f, below = std::ceil(part - shape.radius);
       first = std::uint16_t((int(at >> shift) + int(below)) & (size_ - 1));
       from = part - below;
@@ -130,8 +137,8 @@ void DirectSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks,
     for (int i = 0; i < end - begin; ++i) placed[next[list[i].z / strip_]++] = list[i];
   });
 
-  // Each strip of rows is summed by one thread, of the particles that begin in it and in the one before, block after block: the same sums
-  // in the same order for any number of threads.
+  // Each strip of rows is summed by one thread, of the particles that begin in it and in the one before, block after
+  // block: the same sums in the same order for any number of threads.
   tbb::parallel_for(0, strips_, [&](int k) {
     const int first = k * strip_;
     clear_rows(height, first, strip_);
@@ -149,24 +156,32 @@ void DirectSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks,
 }
 
 SplinedSum::SplinedSum(const ParticleGrid& grid, std::size_t count)
-    : size_(grid.size), reach_(int(std::ceil(grid.radius))), parts_(int(std::clamp<std::size_t>(count / 2048, 1, 8))), taps_(taps_of(grid.radius, reach_)) {}
+    : size_(grid.size),
+      reach_(int(std::ceil(grid.radius))),
+      parts_(int(std::clamp<std::size_t>(count / 2048, 1, 8))),
+      taps_(taps_of(grid.radius, reach_)) {}
 
-std::size_t SplinedSum::floats(bool velocity) const { return std::size_t(parts_) * (velocity ? 2 : 1) * TorusField::floats(size_); }
+std::size_t SplinedSum::floats(bool velocity) const {
+  return std::size_t(parts_) * (velocity ? 2 : 1) * TorusField::floats(size_);
+}
 
-void SplinedSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory, const TorusField& height,
-                     const TorusField& rate) const {
+void SplinedSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory,
+                     const TorusField& height, const TorusField& rate) const {
   const bool velocity = rate.first != nullptr;
   const std::size_t field = TorusField::floats(size_);
   const auto part_of = [&](int part, bool of_rate) {
     return TorusField{size_, memory + std::size_t(part * (velocity ? 2 : 1) + of_rate) * field};
   };
-  // Parts that depend on the number of particles alone, added up in their order: the same bits for any number of threads.
+  // Parts that depend on the number of particles alone, added up in their order: the same bits for any number of
+  // threads.
   tbb::parallel_for(0, parts_, [&](int part) {
-    const std::size_t begin = particles.size() * std::size_t(part) / std::size_t(parts_), end = particles.size() * std::size_t(part + 1) / std::size_t(parts_);
+    const std::size_t begin = particles.size() * std::size_t(part) / std::size_t(parts_),
+                      end = particles.size() * std::size_t(part + 1) / std::size_t(parts_);
     clear_rows(part_of(part, false), 0, size_);
     if (velocity) clear_rows(part_of(part, true), 0, size_);
-    add_splines(particles.subspan(begin, end - begin), ticks, amplitude, velocity ? 0x1p-64f * float(gpu::ticks_per_second) * float(size_) : 0.0f,
-                part_of(part, false), velocity ? part_of(part, true) : TorusField{});
+    add_splines(particles.subspan(begin, end - begin), ticks, amplitude,
+                velocity ? 0x1p-64f * float(gpu::ticks_per_second) * float(size_) : 0.0f, part_of(part, false),
+                velocity ? part_of(part, true) : TorusField{});
   });
   const auto each_strip = [&](auto&& work) {
     tbb::parallel_for(0, size_ / 16, [&](int k) {
@@ -181,7 +196,9 @@ void SplinedSum::sum(std::span<const WaveParticle> particles, std::int64_t ticks
       wrap_row(sum, z);
     }
   });
-  each_strip([&](int k, bool of_rate) { fold_rows(part_of(0, of_rate), of_rate ? rate : height, taps_.data(), reach_, 16 * k, 16 * k + 16); });
+  each_strip([&](int k, bool of_rate) {
+    fold_rows(part_of(0, of_rate), of_rate ? rate : height, taps_.data(), reach_, 16 * k, 16 * k + 16);
+  });
 }
 
 }  // namespace seascape

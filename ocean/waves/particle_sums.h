@@ -20,7 +20,8 @@ class DirectSum {
   DirectSum(const ParticleGrid& grid, std::size_t count);
   std::size_t floats(bool velocity) const;
   // Fills the fields (rate.first null: without rates), in memory of floats(velocity).
-  void sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory, const TorusField& height, const TorusField& rate) const;
+  void sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory,
+           const TorusField& height, const TorusField& rate) const;
 
  private:
   int size_, strip_, strips_, blocks_;  // rows a strip, at least a particle's reach
@@ -28,13 +29,15 @@ class DirectSum {
   ParticleShape shape_;
 };
 
-// Splined onto the grid, four texels by four whatever the radius, and then all of them given their shape at once, by folding with taps that make it of
-// splines (least squares). Its time hardly knows the particles' number; at a radius of four texels a shape is within 1 %.
+// Splined onto the grid, four texels by four whatever the radius, and then all of them given their shape at once, by
+// folding with taps that make it of splines (least squares). Its time hardly knows the particles' number; at a radius
+// of four texels a shape is within 1 %.
 class SplinedSum {
  public:
   SplinedSum(const ParticleGrid& grid, std::size_t count);
   std::size_t floats(bool velocity) const;
-  void sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory, const TorusField& height, const TorusField& rate) const;
+  void sum(std::span<const WaveParticle> particles, std::int64_t ticks, float amplitude, float* memory,
+           const TorusField& height, const TorusField& rate) const;
 
  private:
   int size_, reach_, parts_;  // the particles are summed in so many parts, each by one thread

@@ -31,7 +31,8 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
       layer.sine = place.sine;
       layer.inverse_side = place.inverse_side;
       layer.size = size;
-      // Texel j of level 0 stands at j / size of the side, and those of the next levels in the middle of what they average.
+      // Texel j of level 0 stands at j / size of the side, and those of the next levels in the middle of what they
+      // average.
       layer.first = size + 0.5 * size / tiles.samples(i) - 0.5 + place.offset * size;
       layer.cosine_a_texel = float(place.cosine * place.inverse_side * size);
       layer.sine_a_texel = float(place.sine * place.inverse_side * size);
@@ -49,8 +50,8 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
   return plan;
 }
 
-void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers,
-           const QueryOptions& options) {
+void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+           std::span<QueryAnswer> answers, const QueryOptions& options) {
   constexpr std::size_t block = 1024;  // points that a core takes at a time: some 0.1 ms
   assert(places.size() == answers.size());
   assert(options.previous.empty() || options.previous.size() == places.size());

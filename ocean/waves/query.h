@@ -7,43 +7,45 @@
 
 namespace seascape {
 
-// The surface is the set of points p = (x, 0, z) + D(x, z, t) of rest positions (x, z). The point found is the one that stands
-// at the place asked, or nearest to it of those that the search came by.
+// The surface is the set of points p = (x, 0, z) + D(x, z, t) of rest positions (x, z). The point found is the one that
+// stands at the place asked, or nearest to it of those that the search came by.
 struct QueryAnswer {
-  double height_m = 0.0;        // of the surface at the place asked, above the still sea: that of the point found, carried over
-                                // the residual along the slope there (by at most the residual)
+  double height_m = 0.0;  // of the surface at the place asked, above the still sea: that of the point found, carried
+                          // over the residual along the slope there (by at most the residual)
   glm::dvec3 displacement{0.0};  // D of the point found, metres from its rest position
   glm::dvec3 normal{0.0, 1.0, 0.0};
-  // Orbital velocity: dD/dt at a fixed rest position, of the water particle that is at the surface there now. What floats
-  // without a will of its own moves so; drag is against this.
+  // Orbital velocity: dD/dt at a fixed rest position, of the water particle that is at the surface there now. What
+  // floats without a will of its own moves so; drag is against this.
   glm::dvec3 orbital_velocity_mps{0.0};
-  // Eulerian rate of change of the surface's height at the fixed place, as a wave staff reads it: the kinematic condition of
-  // a free surface (Lamb 1932, article 9), d eta/dt = v_y - v_x d eta/dx - v_z d eta/dz, v being the orbital velocity.
+  // Eulerian rate of change of the surface's height at the fixed place, as a wave staff reads it: the kinematic
+  // condition of a free surface (Lamb 1932, article 9), d eta/dt = v_y - v_x d eta/dx - v_z d eta/dz, v being the
+  // orbital velocity.
   double eulerian_velocity_mps = 0.0;
-  double residual_m = 0.0;   // horizontal distance between the point found and the place asked
-  // Spectral norm of grad D at the point found: what a step of the search multiplies its residual by, near there. From 1 on the
-  // search need not end.
+  double residual_m = 0.0;  // horizontal distance between the point found and the place asked
+  // Spectral norm of grad D at the point found: what a step of the search multiplies its residual by, near there. From
+  // 1 on the search need not end.
   double contraction = 0.0;
-  int iterations = 0;        // steps taken
-  bool converged = false;    // the residual is within the tolerance and the surface is not folded over at the point found
+  int iterations = 0;      // steps taken
+  bool converged = false;  // the residual is within the tolerance and the surface is not folded over at the point found
 };
 
 struct QueryOptions {
   double footprint_m = 0.0;   // size of the object asking: shorter waves are left out (WaveField::sea)
   int most_iterations = 8;    // steps x <- q - D(x), which converge at the rate sup |grad D| where that is below 1
   double tolerance_m = 1e-3;  // the search ends at the first residual that is not longer
-  // Answers of a moment ago for the same objects, in the same order, near where they are asked now; empty: none. The search starts
-  // from their displacements, and saves a step or two. May be the memory of the new answers.
+  // Answers of a moment ago for the same objects, in the same order, near where they are asked now; empty: none. The
+  // search starts from their displacements, and saves a step or two. May be the memory of the new answers.
   std::span<const QueryAnswer> previous = {};
 };
 
-// Answers for world places (x, z in metres), `answers` as long as `places`, at the time of the tiles. For another time than that
-// of the picture evaluate tiles for it (WaveField::evaluate), with velocity if velocities are asked for: without, they are 0.
-// Any number of threads at once may ask of the same tiles, as long as none evaluates them; a batch of more than some thousand
-// points takes all cores of its own. No allocation. An answer depends on its place, its previous answer, the field, the
-// tiles and the options alone: the same bits in a batch, in any order, by itself, on any thread and at any width of vectors. A
-// place that is no finite number gets an answer that says it did not converge.
-void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places, std::span<QueryAnswer> answers,
-           const QueryOptions& options = {});
+// Answers for world places (x, z in metres), `answers` as long as `places`, at the time of the tiles. For another time
+// than that of the picture evaluate tiles for it (WaveField::evaluate), with velocity if velocities are asked for:
+// without, they are 0. Any number of threads at once may ask of the same tiles, as long as none evaluates them; a batch
+// of more than some thousand points takes all cores of its own. No allocation. An answer depends on its place, its
+// previous answer, the field, the tiles and the options alone: the same bits in a batch, in any order, by itself, on
+// any thread and at any width of vectors. A place that is no finite number gets an answer that says it did not
+// converge.
+void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+           std::span<QueryAnswer> answers, const QueryOptions& options = {});
 
 }  // namespace seascape

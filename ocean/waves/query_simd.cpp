@@ -16,23 +16,28 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No multiplication is fused with an addition anywhere here: not every instruction set can, and all have to give the same bits.
+// No multiplication is fused with an addition anywhere here: not every instruction set can, and all have to give the
+// same bits.
 
-// Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level cache.
+// Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
+// cache.
 constexpr int group = 32;
 constexpr int most_layers = 2 * WaveField::most_places;
 
-// A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a displacement
-// turned about: a float holds it as well as the tiles do, so that only where the place is in a tile needs double.
+// A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a
+// displacement turned about: a float holds it as well as the tiles do, so that only where the place is in a tile needs
+// double.
 struct Group {
   alignas(64) double x[group], z[group];
   alignas(64) float way_x[group], way_z[group];
-  alignas(64) float miss_x[group], miss_z[group], residual[group];  // from the point that stands there to the place asked
+  alignas(64) float miss_x[group], miss_z[group],
+      residual[group];  // from the point that stands there to the place asked
   alignas(64) std::int32_t iterations[group];
   alignas(64) std::int32_t whole_x[most_layers][group], whole_z[most_layers][group];  // texel of the place, and
   alignas(64) float part_x[most_layers][group], part_z[most_layers][group];           // how far into it
-  // Of the four texels that a sample blends, in the order (x, z), (x + 1, z), (x, z + 1), (x + 1, z + 1): where the first of each
-  // row is, in floats from the plane's first, its bits turned over where the second is the row's first; and their weights.
+  // Of the four texels that a sample blends, in the order (x, z), (x + 1, z), (x, z + 1), (x + 1, z + 1): where the
+  // first of each row is, in floats from the plane's first, its bits turned over where the second is the row's first;
+  // and their weights.
   alignas(64) std::int32_t upper[most_layers][group], lower[most_layers][group];
   alignas(64) float weight[most_layers][4 * group];
   alignas(64) float shift[4 * group], slope[4 * group], velocity[4 * group];  // a texel a point
@@ -46,7 +51,8 @@ void place_in_tiles(const QueryPlan& plan, Group& g, int count) {
   const int lanes = int(hn::Lanes(d));
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine), inverse_side = hn::Set(d, layer.inverse_side);
+    const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine),
+               inverse_side = hn::Set(d, layer.inverse_side);
     const auto size = hn::Set(d, layer.size), first = hn::Set(d, layer.first);
     for (int i = 0; i < count; i += lanes) {
       const auto x = hn::Load(d, g.x + i), z = hn::Load(d, g.z + i);
@@ -71,7 +77,8 @@ HWY_INLINE void locate(D d, const QueryPlan& plan, Group& g, int i) {
   const auto next = hn::Set(di, 1);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel), share = hn::Set(d, layer.share);
+    const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel),
+               share = hn::Set(d, layer.share);
     const auto mask = hn::Set(di, layer.mask), stride = hn::Set(di, layer.stride);
     const auto x = hn::Add(hn::Add(hn::Mul(cosine, way_x), hn::Mul(sine, way_z)), hn::Load(d, g.part_x[l] + i));
     const auto z = hn::Add(hn::Sub(hn::Mul(cosine, way_z), hn::Mul(sine, way_x)), hn::Load(d, g.part_z[l] + i));
@@ -100,26 +107,30 @@ HWY_INLINE hn::Vec<D8> pair(D8 d, const float* texels, std::ptrdiff_t at, std::i
 
 using Plane = const float* QueryLayer::*;
 
-// The four floats of each plane at a point, summed over the layers for each of the four texels and then over these: two at a
-// time where vectors are wide enough.
+// The four floats of each plane at a point, summed over the layers for each of the four texels and then over these: two
+// at a time where vectors are wide enough.
 template <class... Planes>
-HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, float* const (&to)[sizeof...(Planes)], Planes... planes) {
+HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, float* const (&to)[sizeof...(Planes)],
+                       Planes... planes) {
   constexpr std::size_t count = sizeof...(Planes);
   const Plane plane[count] = {planes...};
   const hn::FixedTag<float, 4> d4;
 #if HWY_MAX_BYTES >= 32
   const hn::FixedTag<float, 8> d;
-  alignas(32) static constexpr std::int32_t spread_upper[8] = {0, 0, 0, 0, 1, 1, 1, 1}, spread_lower[8] = {2, 2, 2, 2, 3, 3, 3, 3};
+  alignas(32) static constexpr std::int32_t spread_upper[8] = {0, 0, 0, 0, 1, 1, 1, 1},
+                                            spread_lower[8] = {2, 2, 2, 2, 3, 3, 3, 3};
   const auto of_upper = hn::SetTableIndices(d, spread_upper), of_lower = hn::SetTableIndices(d, spread_lower);
   hn::Vec<decltype(d)> upper[count], lower[count];
   for (std::size_t p = 0; p < count; ++p) upper[p] = lower[p] = hn::Zero(d);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
     const auto weight = hn::LoadDup128(d, g.weight[l] + 4 * point);
-    const auto weight_upper = hn::TableLookupLanes(weight, of_upper), weight_lower = hn::TableLookupLanes(weight, of_lower);
+    const auto weight_upper = hn::TableLookupLanes(weight, of_upper),
+               weight_lower = hn::TableLookupLanes(weight, of_lower);
     const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
     for (std::size_t p = 0; p < count; ++p) {
-      auto above = pair(d, layer.*plane[p], at_upper, layer.mask), below = pair(d, layer.*plane[p], at_lower, layer.mask);
+      auto above = pair(d, layer.*plane[p], at_upper, layer.mask),
+           below = pair(d, layer.*plane[p], at_lower, layer.mask);
       if (HWY_UNLIKELY(!layer.plain && plane[p] != &QueryLayer::slope)) {
         const auto laid = hn::LoadDup128(d, layer.laid.data());
         above = hn::Mul(laid, above);
@@ -192,7 +203,8 @@ HWY_INLINE void search(D d, const QueryPlan& plan, Group& g, int count) {
         hn::Store(hn::IfThenElse(found, way_x, hn::Neg(shift_x)), d, g.way_x + i);
         hn::Store(hn::IfThenElse(found, way_z, hn::Neg(shift_z)), d, g.way_z + i);
         const auto iterations = hn::Load(di, g.iterations + i);
-        hn::Store(hn::IfThenElse(hn::RebindMask(di, found), iterations, hn::Add(iterations, hn::Set(di, 1))), di, g.iterations + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(di, found), iterations, hn::Add(iterations, hn::Set(di, 1))), di,
+                  g.iterations + i);
       }
       std::uint8_t bytes[8] = {};
       hn::StoreMaskBits(d, found, bytes);
@@ -217,7 +229,8 @@ HWY_INLINE void describe(D d, const QueryPlan& plan, Group& g, int count, QueryA
       sample(plan, g, i, {g.slope + 4 * i}, &QueryLayer::slope);
   }
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-  alignas(64) float height_at[hn::MaxLanes(D())], eulerian[hn::MaxLanes(D())], contraction[hn::MaxLanes(D())], least[hn::MaxLanes(D())];
+  alignas(64) float height_at[hn::MaxLanes(D())], eulerian[hn::MaxLanes(D())], contraction[hn::MaxLanes(D())],
+      least[hn::MaxLanes(D())];
   alignas(64) double normal_x[hn::MaxLanes(D())], normal_y[hn::MaxLanes(D())], normal_z[hn::MaxLanes(D())];
   for (int i = 0; i < count; i += lanes) {
     hn::Vec<D> h_x, h_z, xx, zz, shift_x, height, shift_z, xz;
@@ -271,7 +284,8 @@ HWY_INLINE void describe(D d, const QueryPlan& plan, Group& g, int count, QueryA
 }
 
 template <class D>
-HWY_INLINE void begin(D d, const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, Group& g, int count) {
+HWY_INLINE void begin(D d, const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, Group& g,
+                      int count) {
   const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
   for (int i = 0; i < padded; ++i) {
     const int p = std::min(i, count - 1);
@@ -294,8 +308,8 @@ HWY_INLINE void begin(D d, const QueryPlan& plan, const glm::dvec2* places, cons
 }
 
 template <class D>
-HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers,
-                             int count) {
+HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
+                             QueryAnswer* answers, int count) {
   Group g;
   begin(d, plan, places, previous, g, count);
   search(d, plan, g, count);
@@ -304,7 +318,8 @@ HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* place
 
 }  // namespace
 
-void answer_all(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count) {
+void answer_all(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers,
+                std::size_t count) {
   for (std::size_t i = 0; i < count; i += group) {
     const int some = int(std::min<std::size_t>(group, count - i));
     const QueryAnswer* before = previous ? previous + i : nullptr;
@@ -337,7 +352,8 @@ namespace seascape {
 
 HWY_EXPORT(answer_all);
 
-void answer_points(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers, std::size_t count) {
+void answer_points(const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, QueryAnswer* answers,
+                   std::size_t count) {
   HWY_DYNAMIC_DISPATCH(answer_all)(plan, places, previous, answers, count);
 }
 

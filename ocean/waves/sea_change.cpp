@@ -63,7 +63,7 @@ SeaBlend::SeaBlend(MadeSea from, MadeSea to, std::int64_t begin_ticks, std::int6
     : from_(std::move(from)), to_(std::move(to)), begin_(begin_ticks), end_(end_ticks), same_waves_(same_waves) {}
 
 SeaBlend::Weights SeaBlend::weights(std::int64_t ticks) const {
-  const double t = ticks >= end_ ? 1.0 : std::clamp(double(ticks - begin_) / double(end_ - begin_), 0.0, 1.0);  // at once, where it ends as it begins
+  const double t = ticks >= end_ ? 1.0 : std::clamp(double(ticks - begin_) / double(end_ - begin_), 0.0, 1.0);
   const double s = t * t * (3.0 - 2.0 * t);  // neither jumps nor jerks
   if (same_waves_) return {1.0 - s, s, s};
   if (t >= 1.0) return {0.0, 1.0, 1.0};
@@ -82,7 +82,9 @@ void SeaBlend::amplitudes(std::int64_t ticks, WaveBins& bins) const {
   });
 }
 
-double SeaBlend::chop(std::int64_t ticks) const { return std::lerp(from_.state.chop, to_.state.chop, weights(ticks).variance); }
+double SeaBlend::chop(std::int64_t ticks) const {
+  return std::lerp(from_.state.chop, to_.state.chop, weights(ticks).variance);
+}
 
 SeaStatistics SeaBlend::statistics(std::int64_t ticks) const {
   const SeaStatistics &a = from_.statistics, &b = to_.statistics;
@@ -101,8 +103,11 @@ SeaStatistics SeaBlend::statistics(std::int64_t ticks) const {
     result.near_motion.vertical_m[n] = w.from * a.near_motion.vertical_m[n] + w.to * b.near_motion.vertical_m[n];
     result.near_motion.horizontal_m[n] = w.from * a.near_motion.horizontal_m[n] + w.to * b.near_motion.horizontal_m[n];
   }
-  const auto unchopped = [](const MadeSea& sea) { return sea.state.chop > 0.0 ? sea.statistics.largest_shift_m / sea.state.chop : 0.0; };
-  if (from_.state.chop > 0.0 && to_.state.chop > 0.0) result.largest_shift_m = chop(ticks) * (w.from * unchopped(from_) + w.to * unchopped(to_));
+  const auto unchopped = [](const MadeSea& sea) {
+    return sea.state.chop > 0.0 ? sea.statistics.largest_shift_m / sea.state.chop : 0.0;
+  };
+  if (from_.state.chop > 0.0 && to_.state.chop > 0.0)
+    result.largest_shift_m = chop(ticks) * (w.from * unchopped(from_) + w.to * unchopped(to_));
   return result;
 }
 

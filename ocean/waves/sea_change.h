@@ -1,5 +1,5 @@
-// One sea becoming another over some seconds: the new waves are made on a thread of their own, then every wave passes to
-// its new amplitude in its place and phase.
+// One sea becoming another over some seconds: the new waves are made on a thread of their own, then every wave passes
+// to its new amplitude in its place and phase.
 #pragma once
 #include <condition_variable>
 #include <cstdint>
@@ -28,7 +28,8 @@ using MakePlace = std::function<std::shared_ptr<MadePlace>(const SeaState&, cons
 // Whether `to` can grow out of `from` wave by wave: gravity, depth and loop, by which waves run, are the same.
 bool grows_out_of(const SeaState& from, const SeaState& to);
 
-// Makes the waves of other seas on a thread of its own, with the ladder of the sea that is there, so that no wave moves.
+// Makes the waves of other seas on a thread of its own, with the ladder of the sea that is there, so that no wave
+// moves.
 class SeaMaker {
  public:
   SeaMaker(const Ladder& ladder, const WaveQuality& quality);
@@ -36,9 +37,8 @@ class SeaMaker {
   SeaMaker(const SeaMaker&) = delete;
   SeaMaker& operator=(const SeaMaker&) = delete;
 
-  // Asks for a sea; one asked for before and not yet made is forgotten. Throws Error as validate() does. Never waits for the
-  // making.
-  // `place`: makes what its bed makes of it; none where no bed is known.
+  // Asks for a sea; one asked for before and not yet made is forgotten. Throws Error as validate() does. Never waits
+  // for the making. `place`: makes what its bed makes of it; none where no bed is known.
   void ask(const SeaState& sea, MakePlace place = nullptr);
   // The sea asked for last, once, when it is made; never waits for the making.
   std::optional<MadeSea> take();
@@ -55,8 +55,9 @@ class SeaMaker {
   std::jthread thread_;  // last: it ends before what it uses
 };
 
-// From one sea to another between two times: a function of the time alone. Seas of one seed share each wave's phase, and its
-// amplitude goes straight from one to the other; of two seeds the waves have nothing in common, and their squares do.
+// From one sea to another between two times: a function of the time alone. Seas of one seed share each wave's phase,
+// and its amplitude goes straight from one to the other; of two seeds the waves have nothing in common, and their
+// squares do.
 class SeaBlend {
  public:
   // Both of one ladder, quality and dispersion; end_ticks > begin_ticks. `same_waves`: of one seed.

@@ -30,7 +30,8 @@ void validate(const SeaState& sea) {
   require(sea.wind_speed_mps, 0.0, 100.0, "waves.wind_speed_mps");
   require(sea.wind_to_deg, -3600.0, 3600.0, "waves.wind_to_deg");
   require(sea.fetch_m, 0.0, 1e12, "waves.fetch_m");
-  require_choice(sea.spectrum, WaveSpectrum::elfouhaily, "waves.spectrum", "pierson_moskowitz, jonswap, tma and elfouhaily");
+  require_choice(sea.spectrum, WaveSpectrum::elfouhaily, "waves.spectrum",
+                 "pierson_moskowitz, jonswap, tma and elfouhaily");
   require_choice(sea.spreading, WaveSpreading::elfouhaily, "waves.spreading",
                  "cosine_power, hasselmann, donelan_banner and elfouhaily");
   require(sea.swell_elongation, 0.0, 1.0, "waves.swell_elongation");

@@ -56,14 +56,17 @@ Missed missed(const Tile& tile, int apart, int samples) {
   Missed result;
   for (int z = 0; z < samples; z += apart)
     for (int x = 0; x < samples; x += apart) {
-      const auto corner = [&](int to_x, int to_z) { return tile.height(level, 2 * (x / apart + to_x), 2 * (z / apart + to_z)); };
+      const auto corner = [&](int to_x, int to_z) {
+        return tile.height(level, 2 * (x / apart + to_x), 2 * (z / apart + to_z));
+      };
       const double a = corner(0, 0), b = corner(1, 0), c = corner(0, 1), d = corner(1, 1);
       // From the first texel at or after the corner: as many as there are vertices apart.
       const int from = int(std::ceil(first));
       for (int j = 0; j < apart; ++j)
         for (int i = 0; i < apart; ++i) {
           const double u = (from + i - first) / apart, v = (from + j - first) / apart;
-          const double flat = u + v < 1.0 ? a + u * (b - a) + v * (c - a) : d + (1.0 - u) * (c - d) + (1.0 - v) * (b - d);
+          const double flat =
+              u + v < 1.0 ? a + u * (b - a) + v * (c - a) : d + (1.0 - u) * (c - d) + (1.0 - v) * (b - d);
           const double off = std::abs(tile.height(0, x + from + i, z + from + j) - flat);
           result.square += off * off;
           result.most = std::max(result.most, off);
@@ -87,7 +90,8 @@ MissedByTexels missed_by_texels(const TileSource& source) {
   }
   // Waves have some texels: half the spacing misses a quarter.
   result[0] = {result[1].square / 16.0, result[1].most / 4.0};
-  for (std::size_t octave = std::size_t(tile.levels()); octave < most_octaves; ++octave) result[octave] = result[octave - 1];
+  for (std::size_t octave = std::size_t(tile.levels()); octave < most_octaves; ++octave)
+    result[octave] = result[octave - 1];
   return result;
 }
 
@@ -114,9 +118,11 @@ void SourceError::add(const TileSource& source) {
       most_square += laying.size * laying.size * here.most * here.most;
       most += laying.size * here.most;
     }
-    // Of few waves or of particles more meet than of many waves, at times. What is steeper than twice any water no mesh is asked to follow.
+    // Of few waves or of particles more meet than of many waves, at times. What is steeper than twice any water no mesh
+    // is asked to follow.
     const double steepest_m = 2.0 * MeshError::most_over_spacing * spacing_m;
-    const double likely = std::min(more * std::max(largest_of_missed(spacing_m, std::sqrt(square)), std::sqrt(most_square)), steepest_m);
+    const double likely =
+        std::min(more * std::max(largest_of_missed(spacing_m, std::sqrt(square)), std::sqrt(most_square)), steepest_m);
     squares_m2_.octave_m[n] += likely * likely;
     most_m_.octave_m[n] += std::min(more * most, steepest_m);
   }
@@ -126,16 +132,20 @@ void SourceError::add(const TileSource& source) {
 void SourceError::add_along_curves(const SourceStatistics& s) {
   for (std::size_t n = 0; n < bound_m_.octave_m.size(); ++n) {
     const double spacing_m = std::ldexp(MeshError::least_spacing_m, int(n));
-    bound_m_.octave_m[n] += std::min({0.25 * s.largest_curvature_per_m * spacing_m * spacing_m, MeshError::most_over_spacing * spacing_m, s.largest_height_m});
+    bound_m_.octave_m[n] += std::min({0.25 * s.largest_curvature_per_m * spacing_m * spacing_m,
+                                      MeshError::most_over_spacing * spacing_m, s.largest_height_m});
   }
 }
 
 MeshError SourceError::with(const MeshError& waves) const {
-  constexpr double mixed = 1.12;  // measured: the largest of several kinds together pass the root of their squares by so much
+  constexpr double mixed =
+      1.12;  // measured: the largest of several kinds together pass the root of their squares by so much
   MeshError result;
   for (std::size_t n = 0; n < result.octave_m.size(); ++n) {
     const double of_waves = waves.octave_m[n];
-    result.octave_m[n] = std::min(mixed * std::sqrt(of_waves * of_waves + squares_m2_.octave_m[n]), of_waves + most_m_.octave_m[n]) + bound_m_.octave_m[n];
+    result.octave_m[n] =
+        std::min(mixed * std::sqrt(of_waves * of_waves + squares_m2_.octave_m[n]), of_waves + most_m_.octave_m[n]) +
+        bound_m_.octave_m[n];
   }
   return result;
 }

@@ -33,8 +33,12 @@ double longest_peak_wave_m(const SeaState& sea) {
 }
 
 Spectrum::Spectrum(const SeaState& sea)
-    : spectrum_(sea.spectrum), spreading_(sea.spreading), elongation_(sea.swell_elongation), gravity_(sea.gravity_mps2),
-      depth_(sea.depth_m), suppression_(sea.small_wave_suppression) {
+    : spectrum_(sea.spectrum),
+      spreading_(sea.spreading),
+      elongation_(sea.swell_elongation),
+      gravity_(sea.gravity_mps2),
+      depth_(sea.depth_m),
+      suppression_(sea.small_wave_suppression) {
   validate(sea);
   wind_ = wind_train(sea);
   swell_ = swell_of(sea);
@@ -65,7 +69,9 @@ double Spectrum::short_share(double deep_k) const {
   return smooth_step(std::log(deep_k / short_from_) / std::log(short_to_ / short_from_));
 }
 
-double Spectrum::over_peak(const WaveTrain& train, double k) const { return airy_frequency(k, gravity_, depth_) / train.peak_rad_s; }
+double Spectrum::over_peak(const WaveTrain& train, double k) const {
+  return airy_frequency(k, gravity_, depth_) / train.peak_rad_s;
+}
 
 double Spectrum::radial(int component, double k) const {
   if (!(k > 0.0) || !present(component)) return 0.0;
@@ -110,8 +116,8 @@ glm::dvec3 slope_moments(const SeaState& sea) {
   SeaState whole = sea;
   whole.small_wave_suppression = 0.0;
   const Spectrum spectrum(whole);
-  // From waves of 60 km to capillaries of a quarter of a millimetre; smooth over ln k, so trapezoids do. A spreading varies
-  // slowly: its moment is asked for at every tenth node and taken along a straight line between.
+  // From waves of 60 km to capillaries of a quarter of a millimetre; smooth over ln k, so trapezoids do. A spreading
+  // varies slowly: its moment is asked for at every tenth node and taken along a straight line between.
   constexpr double from = 1e-4, to = 2.5e4, step = 0.02;
   constexpr int coarse = 10;
   const int rows = int(std::log(to / from) / (step * coarse));
@@ -124,7 +130,8 @@ glm::dvec3 slope_moments(const SeaState& sea) {
     int known = -1;  // the row that `next` belongs to
     for (int row = 0; row < rows; ++row)
       for (int i = 0; i < coarse; ++i) {
-        const double k = from * std::exp(step * (row * coarse + i)), variance = step * k * k * k * k * spectrum.radial(c, k);
+        const double k = from * std::exp(step * (row * coarse + i)),
+                     variance = step * k * k * k * k * spectrum.radial(c, k);
         if (variance == 0.0) continue;
         if (known != row + 1) {
           here = known == row ? next : moment(row);
@@ -134,7 +141,8 @@ glm::dvec3 slope_moments(const SeaState& sea) {
         along += 0.5 * variance * (here + (next - here) * i / coarse);
       }
     // E[hx^2] = variance (1 - moment cos 2 to) / 2 since x = sin(to), z = -cos(to).
-    sum += glm::dvec3(isotropic - along * std::cos(angle), isotropic + along * std::cos(angle), -along * std::sin(angle));
+    sum +=
+        glm::dvec3(isotropic - along * std::cos(angle), isotropic + along * std::cos(angle), -along * std::sin(angle));
   }
   return sum;
 }

@@ -28,7 +28,8 @@ SpectrumTable::SpectrumTable(const Spectrum& spectrum, double k_least, double k_
     for (int c = 0; c < Spectrum::components; ++c) {
       if (radial_[c].empty()) continue;
       for (int i = from; i < to; ++i) radial_[c][i] = spectrum.radial(c, std::exp(first_ + i * step));
-      tabulate_spreading(spectrum.shape(c, std::exp(first_ + from * step)), {&spread_[c][std::size_t(row) * angles], angles});
+      tabulate_spreading(spectrum.shape(c, std::exp(first_ + from * step)),
+                         {&spread_[c][std::size_t(row) * angles], angles});
     }
   });
 }

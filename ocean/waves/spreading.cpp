@@ -15,14 +15,18 @@ constexpr int most_values = 513;
 
 // Angles from 0 to pi, what shapes ask of them, and their weights in an integral over a turn, [0, pi] being mirrored.
 struct Angles {
-  // Evenly spaced and of trapezoids; or, for integrals alone, ever closer towards pi (angle = pi (1 - v^2), v even), where a cosine
-  // to a small power has no derivative, and of Simpson's weights.
+  // Evenly spaced and of trapezoids; or, for integrals alone, ever closer towards pi (angle = pi (1 - v^2), v even),
+  // where a cosine to a small power has no derivative, and of Simpson's weights.
   explicit Angles(int n, bool gathered = false) : count(n) {
     for (int i = 0; i < n; ++i) {
       const double even = double(i) / (n - 1), v = 1.0 - even;
       const double angle = gathered ? pi * (1.0 - v * v) : pi * even, c = std::cos(angle);
       const bool end = i == 0 || i == n - 1;
-      weight[i] = gathered ? 4.0 * pi * v * (end ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) / (3.0 * (n - 1))
+      weight[i] = gathered ? 4.0 * pi * v *
+                                 (end          ? 1.0
+                                  : i % 2 == 1 ? 4.0
+                                               : 2.0) /
+                                 (3.0 * (n - 1))
                            : (end ? 1.0 : 2.0) * pi / (n - 1);
       angle_rad[i] = angle;
       // At pi the cosine of half the angle is 0; s = 0 still has to give 1 there, and 0 times infinity would not.
@@ -55,7 +59,8 @@ double raw(const SpreadingShape& shape, double angle, double log_half_cosine2, d
 }
 
 void fill(const SpreadingShape& shape, const Angles& at, double* values) {
-  for (int i = 0; i < at.count; ++i) values[i] = raw(shape, at.angle_rad[i], at.log_half_cosine2[i], at.cos2[i], at.sense[i]);
+  for (int i = 0; i < at.count; ++i)
+    values[i] = raw(shape, at.angle_rad[i], at.log_half_cosine2[i], at.cos2[i], at.sense[i]);
 }
 
 double integral(const Angles& at, const double* values) {
@@ -114,7 +119,8 @@ double second_moment(const SpreadingShape& shape) {
   return integral(fine_angles(), moments.data()) / integral(fine_angles(), values.data());
 }
 
-SpreadingShape wind_spreading(WaveSpreading model, double w_over_peak, double inverse_wave_age, double delta, double elongation) {
+SpreadingShape wind_spreading(WaveSpreading model, double w_over_peak, double inverse_wave_age, double delta,
+                              double elongation) {
   using Form = SpreadingShape::Form;
   const double r = std::max(w_over_peak, 1e-3);
   SpreadingShape shape;
@@ -124,7 +130,8 @@ SpreadingShape wind_spreading(WaveSpreading model, double w_over_peak, double in
       shape.parameter = 11.5 * std::pow(inverse_wave_age, -2.5) * std::pow(r, r <= 1.0 ? 5.0 : -2.5);
       break;
     case WaveSpreading::hasselmann:
-      shape.parameter = r < 1.05 ? 6.97 * std::pow(r, 4.06) : 9.77 * std::pow(r, -2.33 - 1.45 * (inverse_wave_age - 1.17));
+      shape.parameter =
+          r < 1.05 ? 6.97 * std::pow(r, 4.06) : 9.77 * std::pow(r, -2.33 - 1.45 * (inverse_wave_age - 1.17));
       break;
     case WaveSpreading::donelan_banner: {
       shape.form = Form::sech_squared;

@@ -77,15 +77,16 @@ struct SeaSum {
   SeaSample& to;
   void resolved(const Spot& spot) {
     const double share = spot.share;
-    const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift), slope = share * sample(tiles, spot, WavePlane::slope);
+    const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift),
+                     slope = share * sample(tiles, spot, WavePlane::slope);
     const glm::dvec4 all(*tiles.texels(spot.tile, WavePlane::moments, tiles.levels(spot.tile) - 1));
     const glm::dvec4 moments = glm::mix(all, sample(tiles, spot, WavePlane::moments), share);
     to.displacement += spot.size * glm::dvec3(shift);
     to.height_gradient += glm::dvec2(slope);
     to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
     const double divergence = slope.z + slope.w;
-    to.slope_moments += glm::dvec3(std::max(moments.x - slope.x * slope.x, 0.0), std::max(moments.y - slope.y * slope.y, 0.0),
-                                   moments.z - slope.x * slope.y);
+    to.slope_moments += glm::dvec3(std::max(moments.x - slope.x * slope.x, 0.0),
+                                   std::max(moments.y - slope.y * slope.y, 0.0), moments.z - slope.x * slope.y);
     to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
   }
   void unresolved(int tile) {
@@ -102,7 +103,9 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Place& place = places_[i];
     const double texel = place.texel_m;
-    const int last = std::countr_zero(unsigned(place.tile < quality_.cascades ? plans_[std::size_t(place.tile)].n : others_[std::size_t(place.tile - quality_.cascades)]->samples()));
+    const int last = std::countr_zero(unsigned(place.tile < quality_.cascades
+                                                   ? plans_[std::size_t(place.tile)].n
+                                                   : others_[std::size_t(place.tile - quality_.cascades)]->samples()));
     const double lod = footprint_m > texel ? std::min(std::log2(footprint_m / texel), double(last)) : 0.0;
     result.level[i] = int(lod);
     result.between[i] = float(lod - int(lod));
@@ -113,7 +116,8 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
 
 // Calls visit.resolved(spot) for each place that the footprint resolves and visit.unresolved(tile) for each other.
 template <class Visit>
-void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, bool curved, Visit visit) const {
+void WaveField::visit_places(const WaveTiles& tiles, glm::dvec2 rest, const Filter& filter, bool curved,
+                             Visit visit) const {
   assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
   for (std::size_t i = curved ? laid_ : 0; i < (curved ? places_.size() : laid_); ++i) {
     const Place& place = places_[i];
@@ -194,7 +198,8 @@ glm::dvec2 SeaSample::slope() const {
   // size held, so that a normal made of it lies in the surface's steepest direction.
   const double j = jacobian(), held = std::copysign(std::max(std::abs(j), 1e-3), j);
   return glm::dvec2((1.0 + shift_gradient.y) * height_gradient.x - shift_gradient.z * height_gradient.y,
-                    (1.0 + shift_gradient.x) * height_gradient.y - shift_gradient.z * height_gradient.x) / held;
+                    (1.0 + shift_gradient.x) * height_gradient.y - shift_gradient.z * height_gradient.x) /
+         held;
 }
 
 }  // namespace seascape

@@ -12,7 +12,8 @@ namespace seascape {
 
 namespace {
 void require(bool holds, double value, const char* name, const char* range) {
-  if (!holds || !std::isfinite(value)) throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
+  if (!holds || !std::isfinite(value))
+    throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
 }
 }  // namespace
 
@@ -39,12 +40,14 @@ bool TravellingParticles::add_ring(glm::dvec2 origin, double born_s, double ampl
 }
 
 double TravellingParticles::too_wide_after_s(const TravellingParticle& p) const {
-  return p.dispersion_rad > 0.0 ? 0.5 * settings_.radius_m / (p.dispersion_rad * settings_.speed_mps) : std::numeric_limits<double>::infinity();
+  return p.dispersion_rad > 0.0 ? 0.5 * settings_.radius_m / (p.dispersion_rad * settings_.speed_mps)
+                                : std::numeric_limits<double>::infinity();
 }
 
 void TravellingParticles::advance(double time_s) {
   if (!std::isfinite(time_s)) return;
-  // A generation at a time, until no piece is too wide. Each generation is a third as wide: as many as the distance has powers of three.
+  // A generation at a time, until no piece is too wide. Each generation is a third as wide: as many as the distance has
+  // powers of three.
   for (bool split = true; split;) {
     split = false;
     next_.clear();
@@ -55,7 +58,8 @@ void TravellingParticles::advance(double time_s) {
         taken_away_m_ += p.amplitude_m;
         continue;
       }
-      const bool wide = time_s - p.born_s > too_wide_after_s(p), room = next_.size() + 3 + left <= settings_.most_particles;
+      const bool wide = time_s - p.born_s > too_wide_after_s(p),
+                 room = next_.size() + 3 + left <= settings_.most_particles;
       full_ = full_ || (wide && !room);
       if (!wide || !room) {
         next_.push_back(p);
@@ -63,14 +67,16 @@ void TravellingParticles::advance(double time_s) {
       }
       split = true;
       const double third = p.dispersion_rad / 3.0;
-      for (const int side : {-1, 0, 1}) next_.push_back({p.origin, p.born_s, p.direction_rad + side * third, third, p.amplitude_m / 3.0});
+      for (const int side : {-1, 0, 1})
+        next_.push_back({p.origin, p.born_s, p.direction_rad + side * third, third, p.amplitude_m / 3.0});
     }
     particles_.swap(next_);
   }
 }
 
 glm::dvec2 TravellingParticles::place(const TravellingParticle& p, double time_s) const {
-  return p.origin + settings_.speed_mps * (time_s - p.born_s) * glm::dvec2(std::cos(p.direction_rad), std::sin(p.direction_rad));
+  return p.origin +
+         settings_.speed_mps * (time_s - p.born_s) * glm::dvec2(std::cos(p.direction_rad), std::sin(p.direction_rad));
 }
 
 double TravellingParticles::height_m(glm::dvec2 place_m, double time_s) const {

@@ -9,7 +9,7 @@ namespace seascape {
 
 // A piece of a front that spreads from `origin`: at time t it stands c (t - born) from there.
 struct TravellingParticle {
-  glm::dvec2 origin{0.0};   // metres; all pieces that it is split into keep it
+  glm::dvec2 origin{0.0};  // metres; all pieces that it is split into keep it
   double born_s = 0.0;
   double direction_rad = 0.0;   // of its way, from x towards z
   double dispersion_rad = 0.0;  // how wide a piece of the front it stands for; 0: a straight one, which never splits
@@ -19,24 +19,28 @@ struct TravellingParticle {
 struct TravellingSettings {
   double radius_m = 0.5;
   double speed_mps = 1.0;
-  double least_amplitude_m = 1e-4;   // what falls below is taken away
+  double least_amplitude_m = 1e-4;     // what falls below is taken away
   std::size_t most_particles = 20000;  // no piece is split beyond
 };
 
-// Yuksel, House and Keyser (2007): a piece that is wider than half a radius becomes three, a third as wide and a third as high each, of which the middle one
-// keeps its way: the sum of heights stays as it is, and a front of any width ripples by 3.5 % at most. So a ring's crest falls as 1 / distance, where that of the
-// wave equation falls as 1 / sqrt(distance); and at the moment of splitting the crest over a piece drops by up to 4.5 %. Where a particle is and when it splits follow from
-// its birth alone: steps of any length give the same particles.
+// Yuksel, House and Keyser (2007): a piece that is wider than half a radius becomes three, a third as wide and a third
+// as high each, of which the middle one keeps its way: the sum of heights stays as it is, and a front of any width
+// ripples by 3.5 % at most. So a ring's crest falls as 1 / distance, where that of the wave equation falls as 1 /
+// sqrt(distance); and at the moment of splitting the crest over a piece drops by up to 4.5 %. Where a particle is and
+// when it splits follow from its birth alone: steps of any length give the same particles.
 class TravellingParticles {
  public:
-  // Throws Error naming the setting: radius_m and speed_mps above 0, least_amplitude_m at least 0, all finite, most_particles at least 1.
+  // Throws Error naming the setting: radius_m and speed_mps above 0, least_amplitude_m at least 0, all finite,
+  // most_particles at least 1.
   explicit TravellingParticles(const TravellingSettings& settings);
 
-  // One piece of a front, or a ring of `pieces` that are `amplitude_m` high each. What is no finite number, or has no room, is refused: false.
+  // One piece of a front, or a ring of `pieces` that are `amplitude_m` high each. What is no finite number, or has no
+  // room, is refused: false.
   bool add(const TravellingParticle& particle);
   bool add_ring(glm::dvec2 origin, double born_s, double amplitude_m, int pieces);
 
-  // Splits what has become too wide and takes away what has become too low by the time. Time only goes forward: an earlier one changes nothing.
+  // Splits what has become too wide and takes away what has become too low by the time. Time only goes forward: an
+  // earlier one changes nothing.
   void advance(double time_s);
 
   std::span<const TravellingParticle> particles() const { return particles_; }

@@ -17,15 +17,16 @@ struct Crossing {
   int sign;  // 1; -1 where the surface is turned over
 };
 
-// Rest positions on a lattice about the place, in squares that are quartered as long as what lies in them may stand over the place, and then
-// in two triangles each.
+// Rest positions on a lattice about the place, in squares that are quartered as long as what lies in them may stand
+// over the place, and then in two triangles each.
 class Search {
  public:
   static constexpr int first_squares = 16, deepest = 10;
 
-  // Rest positions up to `reach_m` away, along x and along z, down to squares of `least_m`; `spread`: how far within a square water may
-  // stand beside its corners' bounds, of its side.
-  Search(const WaveField& field, const WaveTiles& tiles, const glm::dvec2& place, double reach_m, double least_m, double spread)
+  // Rest positions up to `reach_m` away, along x and along z, down to squares of `least_m`; `spread`: how far within a
+  // square water may stand beside its corners' bounds, of its side.
+  Search(const WaveField& field, const WaveTiles& tiles, const glm::dvec2& place, double reach_m, double least_m,
+         double spread)
       : field_(field), tiles_(tiles), filter_(field.filter(0.0)), place_(place), spread_(spread) {
     int halvings = 0;
     for (double side = 2.0 * reach_m / first_squares; side > least_m && halvings < deepest; side *= 0.5) ++halvings;
@@ -38,7 +39,8 @@ class Search {
       if (z > 0)
         for (std::size_t x = 0; x < first_squares; ++x) square({row[x], row[x + 1], next[x], next[x + 1]}, side);
     }
-    std::sort(crossings_.begin(), crossings_.begin() + count_, [](const Crossing& a, const Crossing& b) { return a.height_m < b.height_m; });
+    std::sort(crossings_.begin(), crossings_.begin() + count_,
+              [](const Crossing& a, const Crossing& b) { return a.height_m < b.height_m; });
   }
 
   int count() const { return count_; }
@@ -51,8 +53,8 @@ class Search {
 
  private:
   struct Corner {
-    glm::ivec2 at;    // on the lattice
-    glm::dvec2 off;   // where it stands, from the place
+    glm::ivec2 at;   // on the lattice
+    glm::dvec2 off;  // where it stands, from the place
     double height_m;
   };
 
@@ -75,16 +77,18 @@ class Search {
       return;
     }
     const int half = side / 2;
-    const Corner south = corner(c[0].at + glm::ivec2(half, 0)), west = corner(c[0].at + glm::ivec2(0, half)), middle = corner(c[0].at + half),
-                 east = corner(c[1].at + glm::ivec2(0, half)), north = corner(c[2].at + glm::ivec2(half, 0));
+    const Corner south = corner(c[0].at + glm::ivec2(half, 0)), west = corner(c[0].at + glm::ivec2(0, half)),
+                 middle = corner(c[0].at + half), east = corner(c[1].at + glm::ivec2(0, half)),
+                 north = corner(c[2].at + glm::ivec2(half, 0));
     square({c[0], south, west, middle}, half);
     square({south, c[1], middle, east}, half);
     square({west, middle, c[2], north}, half);
     square({middle, east, north, c[3]}, half);
   }
 
-  // Twice the area of the place and an edge: positive where it lies to the edge's left, in the sense of x towards z. Two triangles that share
-  // the edge get opposite numbers, and none gets nothing, so that the place lies in one of them.
+  // Twice the area of the place and an edge: positive where it lies to the edge's left, in the sense of x towards z.
+  // Two triangles that share the edge get opposite numbers, and none gets nothing, so that the place lies in one of
+  // them.
   static double beside(const Corner& from, const Corner& to) {
     const bool turned = to.at.y < from.at.y || (to.at.y == from.at.y && to.at.x < from.at.x);
     const glm::dvec2 a = turned ? to.off : from.off, b = turned ? from.off : to.off;
@@ -99,7 +103,8 @@ class Search {
       too_many_ = true;
       return;
     }
-    crossings_[std::size_t(count_++)] = {(bc * a.height_m + ca * b.height_m + ab * c.height_m) / (ab + bc + ca), ab > 0.0 ? 1 : -1};
+    crossings_[std::size_t(count_++)] = {(bc * a.height_m + ca * b.height_m + ab * c.height_m) / (ab + bc + ca),
+                                         ab > 0.0 ? 1 : -1};
   }
 
   const WaveField& field_;
@@ -152,7 +157,8 @@ WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::
     return side;
   }
   if (std::abs(place.x) + std::abs(place.y) > farthest_m) return by_query(field, tiles, at_m);
-  // Between corners the water is straight but for waves shorter than the square; the slope of their shift is chop times that of their height.
+  // Between corners the water is straight but for waves shorter than the square; the slope of their shift is chop times
+  // that of their height.
   const double shear = field.state().chop * std::sqrt(sea.slope_moments.x + sea.slope_moments.y);
   for (double spread = 0.5 + 2.0 * shear; spread < 8.0 * (0.5 + 2.0 * shear); spread *= 2.0) {
     const Search search(field, tiles, place, reach_m, 0.5 * finest_m, spread);
@@ -164,7 +170,8 @@ WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::
     side.in_water = winding != 0;
     if (side.in_water) {  // upwards to the first sheet above which is air
       int n = first_above;
-      for (; (winding -= search[n].sign) != 0; ++n) {}
+      for (; (winding -= search[n].sign) != 0; ++n) {
+      }
       side.height_m = search[n].height_m;
     } else {  // downwards to the first below which is water
       int n = first_above - 1;

@@ -26,10 +26,11 @@ struct Rule {
 constexpr Rule two{2, {-0.2886751345948129, 0.2886751345948129}, {0.5, 0.5}};
 constexpr Rule three{3, {-0.3872983346207417, 0.0, 0.3872983346207417}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
 
-// Where the spectrum is asked for a bin's cell, in the tile's own axes and in units of its wave-number step: they are the same
-// for every sea and cascade. Cells are integrated over, not sampled at their centre, since a swell may be narrower than a
-// bin. Near the origin, where everything varies fast within a cell, the cell is cut up: a peak's width is about a seventh of
-// its wave number, so from |m| = 10 on it spans more than a cell, and two nodes a side leave errors below 1e-4.
+// Where the spectrum is asked for a bin's cell, in the tile's own axes and in units of its wave-number step: they are
+// the same for every sea and cascade. Cells are integrated over, not sampled at their centre, since a swell may be
+// narrower than a bin. Near the origin, where everything varies fast within a cell, the cell is cut up: a peak's width
+// is about a seventh of its wave number, so from |m| = 10 on it spans more than a cell, and two nodes a side leave
+// errors below 1e-4.
 class Cells {
  public:
   struct Node {
@@ -48,7 +49,9 @@ class Cells {
   const Node* end(int mx, int mz) const { return nodes_.data() + offset_[place(mx, mz) + 1]; }
 
  private:
-  std::size_t place(int mx, int mz) const { return std::size_t(mz + half_) * std::size_t(2 * half_) + std::size_t(mx + half_); }
+  std::size_t place(int mx, int mz) const {
+    return std::size_t(mz + half_) * std::size_t(2 * half_) + std::size_t(mx + half_);
+  }
   void add(int mx, int mz) {
     const double m = std::hypot(double(mx), double(mz));
     if (m == 0.0 || m >= half_) return;
@@ -81,11 +84,14 @@ std::vector<std::uint64_t> turns_of(const SeaState& sea, double side_m, int half
       std::uint64_t& result = turns[std::size_t(a * a + b * b)];
       if (a + b == 0 || result != 0) continue;
       // Long double keeps all bits that a 64-bit product can use.
-      const long double k = 2.0L * std::numbers::pi_v<long double> / side_m * std::sqrt(static_cast<long double>(a * a + b * b));
-      const long double w = wave_frequency(k, static_cast<long double>(sea.gravity_mps2), static_cast<long double>(sea.depth_m));
+      const long double k =
+          2.0L * std::numbers::pi_v<long double> / side_m * std::sqrt(static_cast<long double>(a * a + b * b));
+      const long double w =
+          wave_frequency(k, static_cast<long double>(sea.gravity_mps2), static_cast<long double>(sea.depth_m));
       const long double turns_a_second = w / (2.0L * std::numbers::pi_v<long double>);
-      result = loop > 0 && w > 0 ? loop_turns(std::max<std::int64_t>(1, std::llround(turns_a_second * sea.loop_s)), loop)
-                                 : static_cast<std::uint64_t>(std::round(turns_a_second * 0x1p44L));
+      result = loop > 0 && w > 0
+                   ? loop_turns(std::max<std::int64_t>(1, std::llround(turns_a_second * sea.loop_s)), loop)
+                   : static_cast<std::uint64_t>(std::round(turns_a_second * 0x1p44L));
     }
   return turns;
 }
@@ -102,7 +108,9 @@ std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks) {
   return quotient + (rest > 0);
 }
 
-WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) { return make_wave_bins(sea, quality, ladder(sea)); }
+WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
+  return make_wave_bins(sea, quality, ladder(sea));
+}
 
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const Ladder& ladder) {
   validate(quality);
@@ -113,7 +121,8 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const L
   result.bins.assign(WaveBins::first(quality.cascades), gpu::WaveBin{});
   if (!(sea.depth_m > 0.0)) return result;
   const auto step = [&](int index) { return turn / result.ladder[index].side_m; };
-  const SpectrumTable table(spectrum, 0.25 * step(0), 0.75 * bins_of(quality.cascades - 1) * step(quality.cascades - 1));
+  const SpectrumTable table(spectrum, 0.25 * step(0),
+                            0.75 * bins_of(quality.cascades - 1) * step(quality.cascades - 1));
   struct Prepared {
     SpectrumTable::Band band;
     std::vector<std::uint64_t> turns;
@@ -138,7 +147,8 @@ WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const L
       bin.turns_low = std::uint32_t(turns);
       const double m = std::sqrt(double(m2));
       constexpr double half_diagonal = 0.7072;
-      if (step(index) * (m + half_diagonal) <= cascade.k_in[0] || step(index) * (m - half_diagonal) >= cascade.k_out[1]) continue;
+      if (step(index) * (m + half_diagonal) <= cascade.k_in[0] || step(index) * (m - half_diagonal) >= cascade.k_out[1])
+        continue;
       double density = 0.0;
       for (const Cells::Node* node = cells.begin(mx, mz); node != cells.end(mx, mz); ++node)
         density += node->weight * table(prepared[index].band, node->log_m + log_step, node->to_rad + rotation);
@@ -160,7 +170,8 @@ float moment_share(const WaveBins& bins, int cascade, int samples) {
   for (int mz = -half; mz < half; ++mz)
     for (int mx = -half; mx < half; ++mx) {
       const glm::dvec2 a(bins.at(cascade, mx, mz).amplitude);
-      const double slopes = glm::dot(a, a) * (double(mx) * mx + double(mz) * mz), share = sampled_share(mx, mz, samples);
+      const double slopes = glm::dot(a, a) * (double(mx) * mx + double(mz) * mz),
+                   share = sampled_share(mx, mz, samples);
       waves += slopes;
       texels += slopes / (share * share);
     }
@@ -169,7 +180,8 @@ float moment_share(const WaveBins& bins, int cascade, int samples) {
 
 std::int64_t ticks_from_seconds(double time_s) {
   const double ticks = time_s * double(gpu::ticks_per_second);
-  if (!(std::abs(ticks) < 0x1p62)) throw Error("time", "is not a finite number of seconds below 4e12", "give a smaller time");
+  if (!(std::abs(ticks) < 0x1p62))
+    throw Error("time", "is not a finite number of seconds below 4e12", "give a smaller time");
   return std::llround(ticks);
 }
 

@@ -18,8 +18,9 @@ gpu::WavePush push_of(const SeaState& sea, const WaveBins& bins, const WaveImage
     const double dk = 2.0 * M_PI / cascade.side_m;
     // Two fields of one transform share its rounding: the shear is carried at the size of the shift.
     const float length = std::exp2(std::round(std::log2(float(1.0 / (12.0 * dk)))));
-    push.wave_vector[i] = glm::vec4(float(dk * std::cos(cascade.rotation_rad)), float(dk * std::sin(cascade.rotation_rad)), length,
-                                    moment_share(bins, set.first + i, set.samples));
+    push.wave_vector[i] =
+        glm::vec4(float(dk * std::cos(cascade.rotation_rad)), float(dk * std::sin(cascade.rotation_rad)), length,
+                  moment_share(bins, set.first + i, set.samples));
   }
   return push;
 }
@@ -45,17 +46,20 @@ std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts) {
   return group;
 }
 
-WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages& images)
+WaveCompute::WaveCompute(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins,
+                         WaveImages& images)
     : device_(device), images_(images) {
   const EffectScope scope(device, "waves");
   fetch_sampler_ = make_sampler(device, "waves, mips", {false, true, 1.0f});
-  mips_pipeline_ = make_compute_pipeline(device, shaders, images.half_storage() ? "wave_mips_half.comp" : "wave_mips_full.comp");
+  mips_pipeline_ =
+      make_compute_pipeline(device, shaders, images.half_storage() ? "wave_mips_half.comp" : "wave_mips_full.comp");
   for (WaveImages::Set& set : images.copies_.front()) work_.push_back(make_work(device, shaders, sea, bins, set));
 }
 
-WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins,
-                                         WaveImages::Set& set) const {
-  const auto n = std::uint32_t(set.samples), cascades = std::uint32_t(set.cascades), table = std::uint32_t(bins_of(set.first));
+WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea,
+                                         const WaveBins& bins, WaveImages::Set& set) const {
+  const auto n = std::uint32_t(set.samples), cascades = std::uint32_t(set.cascades),
+             table = std::uint32_t(bins_of(set.first));
   Work work;
   work.set = &set;
   work.band = std::min(table, std::max(n, 64u));
@@ -64,7 +68,8 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
   write_drawn(bins, set, drawn.data());
   work.bins = make_filled_buffer(device, "wave bins", drawn.data(), drawn.size() * sizeof(gpu::WaveBin),
                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-  work.rows = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * work.band * n * 8, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  work.rows = Buffer(device, "wave rows", VkDeviceSize(cascades) * gpu::wave_fields * work.band * n * 8,
+                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   // Many bins are transformed 256 at a time, by 16 invocations; fewer 64 at a time, by 8.
   const bool wide = work.band >= 256;
   const std::uint32_t radix = wide ? 16 : 8, group = transform_group(radix, device.facts());
@@ -74,7 +79,9 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
   const std::vector<SpecValue> sizes{{0, table}, {1, work.band}, {2, group}};
   work.rows_pipeline = make_compute_pipeline(device, shaders, "wave_rows" + kind + ".comp", sizes);
   work.columns_pipeline = make_compute_pipeline(device, shaders, "wave_columns" + kind + format + ".comp", sizes);
-  work.rows_bindings = Bindings(device, work.rows_pipeline, {{.binding = 0, .buffer = &work.bins}, {.binding = 1, .buffer = &work.rows}}, "wave rows");
+  work.rows_bindings =
+      Bindings(device, work.rows_pipeline, {{.binding = 0, .buffer = &work.bins}, {.binding = 1, .buffer = &work.rows}},
+               "wave rows");
   work.columns_bindings = Bindings(device, work.columns_pipeline,
                                    {{.binding = 0, .buffer = &work.rows},
                                     {.binding = 1, .view = set.displacement.subview(0, 1, 0, cascades)},
@@ -88,10 +95,14 @@ WaveCompute::Work WaveCompute::make_work(Device& device, ShaderLibrary& shaders,
     step.groups = std::max(1, (set.samples >> (level + 1)) / 8);
     int i = 0;
     for (Image* image : {&set.displacement, &set.derivatives, &set.moments}) {
-      auto target = [&](int l) { return image->subview(std::uint32_t(std::min(level + l, set.levels - 1)), 1, 0, cascades); };
+      auto target = [&](int l) {
+        return image->subview(std::uint32_t(std::min(level + l, set.levels - 1)), 1, 0, cascades);
+      };
       step.bindings[i++] = Bindings(device, mips_pipeline_,
-                                    {{.binding = 0, .view = image->subview(std::uint32_t(level), 1, 0, cascades),
-                                      .sampler = fetch_sampler_.get(), .layout = VK_IMAGE_LAYOUT_GENERAL},
+                                    {{.binding = 0,
+                                      .view = image->subview(std::uint32_t(level), 1, 0, cascades),
+                                      .sampler = fetch_sampler_.get(),
+                                      .layout = VK_IMAGE_LAYOUT_GENERAL},
                                      {.binding = 1, .view = target(1)},
                                      {.binding = 2, .view = target(2)},
                                      {.binding = 3, .view = target(3)}},
@@ -108,7 +119,9 @@ void WaveCompute::take(Frame& frame, const WaveBins& bins, double chop) {
   for (Work& work : work_) {
     work.push.chop = float(chop);
     Buffer& staging = work.staging[std::size_t(frame.slot())];
-    if (!staging) staging = Buffer(device_, "wave bins, changing", work.bins.bytes(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+    if (!staging)
+      staging = Buffer(device_, "wave bins, changing", work.bins.bytes(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                       HostAccess::write);
     write_drawn(bins, *work.set, staging.mapped<gpu::WaveBin>());
   }
   Uses uses{};
@@ -143,7 +156,9 @@ void WaveCompute::update(Frame& frame, std::int64_t ticks) {
       c.bind(work.rows_pipeline, work.rows_bindings);
       c.push(work.push);
       // Eight short transforms a workgroup, one for each row and phase; or `slots` rows with all their phases.
-      const std::uint32_t groups = work.core == 64 ? work.band * std::max(1u, std::uint32_t(work.set->samples) / 64u) / 8 : work.band / work.slots;
+      const std::uint32_t groups = work.core == 64
+                                       ? work.band * std::max(1u, std::uint32_t(work.set->samples) / 64u) / 8
+                                       : work.band / work.slots;
       c.dispatch(groups, std::uint32_t(work.set->cascades), 1);
     }
   });

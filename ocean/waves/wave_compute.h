@@ -9,8 +9,8 @@
 
 namespace seascape {
 
-// Invocations of a workgroup of transforms by `radix` invocations each: eight side by side, or fewer where the device has no room for
-// them (limits of invocations and of shared memory).
+// Invocations of a workgroup of transforms by `radix` invocations each: eight side by side, or fewer where the device
+// has no room for them (limits of invocations and of shared memory).
 std::uint32_t transform_group(std::uint32_t radix, const DeviceFacts& facts);
 
 class WaveCompute {
@@ -40,7 +40,8 @@ class WaveCompute {
     std::vector<MipStep> mip_steps;
     std::array<Buffer, Frame::slots> staging;  // of the bins, while the sea changes
   };
-  Work make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins, WaveImages::Set& set) const;
+  Work make_work(Device& device, ShaderLibrary& shaders, const SeaState& sea, const WaveBins& bins,
+                 WaveImages::Set& set) const;
   Device& device_;
   const WaveImages& images_;
   Owned<VkSampler> fetch_sampler_;

@@ -22,7 +22,8 @@ namespace {
 WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int samples, int band) {
   const Cascade& cascade = bins.ladder[index];
   const double step = 2.0 * std::numbers::pi / cascade.side_m;
-  const glm::dvec2 along = rotate_xz({1.0, 0.0}, cascade.rotation_rad), across = rotate_xz({0.0, 1.0}, cascade.rotation_rad);
+  const glm::dvec2 along = rotate_xz({1.0, 0.0}, cascade.rotation_rad),
+                   across = rotate_xz({0.0, 1.0}, cascade.rotation_rad);
   WaveTable table;
   table.moment_share = moment_share(bins, index, samples);
   table.shear_length_m = std::exp2(std::round(std::log2(float(1.0 / (12.0 * step)))));
@@ -32,11 +33,13 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
     for (int mx = -band / 2; mx < band / 2; ++mx) {
       const gpu::WaveBin& bin = bins.at(index, mx, mz);
       const bool carried = mx * mx + mz * mz < samples * samples / 4;
-      const float raise = carried ? float(1.0 / (sampled[std::size_t(std::abs(mx))] * sampled[std::size_t(std::abs(mz))])) : 0.0f;
+      const float raise =
+          carried ? float(1.0 / (sampled[std::size_t(std::abs(mx))] * sampled[std::size_t(std::abs(mz))])) : 0.0f;
       const glm::vec2 amplitude = raise * bin.amplitude;
       const glm::dvec2 k = step * (double(mx) * along + double(mz) * across);
       const double length = glm::length(k);
-      const glm::dvec2 towards = length > 0.0 ? sea.chop * orbit_width(length, sea.depth_m) / length * k : glm::dvec2(0.0);
+      const glm::dvec2 towards =
+          length > 0.0 ? sea.chop * orbit_width(length, sea.depth_m) / length * k : glm::dvec2(0.0);
       table.raise.push_back(raise);
       table.amplitude_re.push_back(amplitude.x);
       table.amplitude_im.push_back(amplitude.y);
@@ -45,8 +48,10 @@ WaveTable make_table(const SeaState& sea, const WaveBins& bins, int index, int s
       table.kz.push_back(float(k.y));
       table.shift_x.push_back(float(towards.x));
       table.shift_z.push_back(float(towards.y));
-      // From the turns that it runs by, so that velocity is the displacement's rate of change at every depth and in a loop.
-      table.frequency.push_back(float(double(table.turns.back()) * 0x1p-64 * gpu::ticks_per_second * 2.0 * std::numbers::pi));
+      // From the turns that it runs by, so that velocity is the displacement's rate of change at every depth and in a
+      // loop.
+      table.frequency.push_back(
+          float(double(table.turns.back()) * 0x1p-64 * gpu::ticks_per_second * 2.0 * std::numbers::pi));
     }
   return table;
 }
@@ -56,7 +61,11 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, TileSource
     : WaveField(sea, quality, make_wave_bins(sea, quality), std::move(others)) {}
 
 WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others)
-    : sea_(sea), quality_(quality), bins_(std::move(bins)), statistics_(sea_statistics(sea, bins_)), others_(std::move(others)) {
+    : sea_(sea),
+      quality_(quality),
+      bins_(std::move(bins)),
+      statistics_(sea_statistics(sea, bins_)),
+      others_(std::move(others)) {
   std::erase_if(others_, [](const auto& source) { return source->still(); });
   assert(others_.size() <= std::size_t(most_sources));
   laid_ = std::size_t(quality.cascades);
@@ -73,7 +82,9 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
   for (std::size_t s = 0; s < others_.size(); ++s) {
     if (!others_[s]->along_curves()) laid_ = places_.size() + others_[s]->layings().size();
     for (const Laying& laying : others_[s]->layings())
-      places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m, laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size, laying.longest_m, laying.shortest_m});
+      places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m,
+                         laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size,
+                         laying.longest_m, laying.shortest_m});
   }
   assert(places_.size() <= std::size_t(most_places));
 }
@@ -93,7 +104,8 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
         table.amplitude_re[at] = table.raise[at] * amplitude.x;
         table.amplitude_im[at] = table.raise[at] * amplitude.y;
         if (!turned) continue;
-        const float k = std::hypot(table.kx[at], table.kz[at]), towards = k > 0.0f ? float(chop * orbit_width(double(k), sea_.depth_m)) / k : 0.0f;
+        const float k = std::hypot(table.kx[at], table.kz[at]),
+                    towards = k > 0.0f ? float(chop * orbit_width(double(k), sea_.depth_m)) / k : 0.0f;
         table.shift_x[at] = towards * table.kx[at];
         table.shift_z[at] = towards * table.kz[at];
       }
@@ -126,8 +138,10 @@ void WaveTiles::keep_in(const Places& places, const WaveTileLayout& layout) {
 }
 
 void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
-  bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution && int(others.size()) == layout_.sources;
-  for (std::size_t i = 0; same && i < others.size(); ++i) same = layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
+  bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution &&
+              int(others.size()) == layout_.sources;
+  for (std::size_t i = 0; same && i < others.size(); ++i)
+    same = layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
   assert(same || !given_);
   if (same || given_) return;
   layout_ = WaveTileLayout(quality, others);
@@ -166,11 +180,13 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
   if (tiles.workspace_.size() != floats) tiles.workspace_.assign(floats, 0.0f);
   const auto plane_level = [&](int cascade, int level) {
     PlaneLevel result{};
-    for (int plane = 0; plane < tiles.planes_; ++plane) result.texels[plane] = tiles.writable(cascade, WavePlane(plane), level);
+    for (int plane = 0; plane < tiles.planes_; ++plane)
+      result.texels[plane] = tiles.writable(cascade, WavePlane(plane), level);
     result.stride = tiles.stride(cascade, level);
     return result;
   };
-  // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same bits.
+  // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same
+  // bits.
   tbb::parallel_for(0, pieces[std::size_t(cascades)], [&](int i) {
     const int cascade = cascade_of(pieces, i), first = (i - pieces[std::size_t(cascade)]) * piece_pairs;
     const FftPlan& plan = plans_[cascade];
@@ -181,7 +197,8 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     const int cascade = cascade_of(strips, i), x = (i - strips[std::size_t(cascade)]) * strip_width;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x, levels[0]);
+    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x,
+                  levels[0]);
     strip_mips(plans_[cascade], velocity, x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
@@ -193,7 +210,8 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     std::array<PlaneLevel, 10> levels;
     const int tile = cascades + int(s), count = tiles.levels(tile);
     for (int level = 0; level < count; ++level) levels[std::size_t(level)] = plane_level(tile, level);
-    others_[s]->evaluate(ticks, velocity, {levels.data(), std::size_t(count)}, {tiles.workspace_.data() + of_waves, floats - of_waves});
+    others_[s]->evaluate(ticks, velocity, {levels.data(), std::size_t(count)},
+                         {tiles.workspace_.data() + of_waves, floats - of_waves});
   }
 }
 

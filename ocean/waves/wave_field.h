@@ -1,5 +1,5 @@
-// The sea on the CPU: every deterministic wave at any time, on any thread, with no GPU. The same bins, tiles, mip chain and
-// sampling as the compute shaders.
+// The sea on the CPU: every deterministic wave at any time, on any thread, with no GPU. The same bins, tiles, mip chain
+// and sampling as the compute shaders.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -38,35 +38,38 @@ struct WaveBins {
   }
 };
 
-// Bins whose |m| reaches half the tile's samples are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on the quality.
+// Bins whose |m| reaches half the tile's samples are left out (a 16^2 tile keeps |m| < 8); a kept bin never depends on
+// the quality.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality);
 // The same on the ladder of another sea, whose waves these are to grow out of.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const Ladder& ladder);
 
-// A bin's amplitude as a tile of `samples` texels a side carries it: higher by what bilinear sampling takes (sampled_share).
+// A bin's amplitude as a tile of `samples` texels a side carries it: higher by what bilinear sampling takes
+// (sampled_share).
 glm::vec2 drawn_amplitude(const gpu::WaveBin& bin, int mx, int mz, int samples);
 
 // The slope variance of a cascade's waves over that of its texels, which carry them higher.
 float moment_share(const WaveBins& bins, int cascade, int samples);
 
-// Turns a tick, times 2^64, of a wave of `turns` whole turns in `ticks` (1 to 2^47, more than turns), rounded up: the phase after
-// `ticks` is then a whole turn and less than ticks 2^-64 of one, of which phase_turns sees nothing for loops shorter than 4096 s.
+// Turns a tick, times 2^64, of a wave of `turns` whole turns in `ticks` (1 to 2^47, more than turns), rounded up: the
+// phase after `ticks` is then a whole turn and less than ticks 2^-64 of one, of which phase_turns sees nothing for
+// loops shorter than 4096 s.
 std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks);
 
 std::int64_t ticks_from_seconds(double time_s);
 
-// The largest distance in metres at which a mesh of square cells, vertices on the sea and its triangles flat, passes the sea
-// itself, of some million points, by its vertices' spacing: rises with it. All zero: unknown.
+// The largest distance in metres at which a mesh of square cells, vertices on the sea and its triangles flat, passes
+// the sea itself, of some million points, by its vertices' spacing: rises with it. All zero: unknown.
 struct MeshError {
   static constexpr double least_spacing_m = 1.0 / 128.0;
   static constexpr double most_over_spacing = 0.12;  // of any water, over the vertices' spacing
-  std::array<double, 20> octave_m{};  // of spacings of 1, 2, 4, ... times the least
+  std::array<double, 20> octave_m{};                 // of spacings of 1, 2, 4, ... times the least
   double operator()(double spacing_m) const;
   bool known() const { return octave_m.back() > 0.0; }
 };
 
-// How far the water moves against what the sea, smoothed over `footprint_m`, does at one place: standard deviations in metres of the
-// height and of the shift, of all water up to some distance from there.
+// How far the water moves against what the sea, smoothed over `footprint_m`, does at one place: standard deviations in
+// metres of the height and of the shift, of all water up to some distance from there.
 struct NearMotion {
   static constexpr double footprint_m = 8.0, least_distance_m = 0.25;
   std::array<double, 16> vertical_m{}, horizontal_m{};  // for distances of 1, 2, 4, ... times the least
@@ -90,31 +93,33 @@ class WaveTiles;  // ocean/waves/wave_tiles.h
 
 // The surface at one rest position.
 struct SeaSample {
-  glm::dvec3 displacement{0.0};  // metres, to add to (x, 0, z)
-  glm::dvec2 height_gradient{0.0};     // dh/dx, dh/dz over the rest position
-  glm::dvec3 shift_gradient{0.0};      // dDx/dx, dDz/dz, dDx/dz (= dDz/dx)
-  glm::dvec3 slope_moments{0.0};       // unresolved E[s^2] below the footprint: xx, zz, xz
-  double divergence_moment = 0.0;      // unresolved E[(dDx/dx + dDz/dz)^2] of the drawn waves below the footprint
-  glm::dvec2 slope() const;      // of the displaced surface: inverse transpose of (I + grad D) times height_gradient
-  double jacobian() const;       // det(I + grad D): 1 at rest, below 0 where the surface folds
+  glm::dvec3 displacement{0.0};     // metres, to add to (x, 0, z)
+  glm::dvec2 height_gradient{0.0};  // dh/dx, dh/dz over the rest position
+  glm::dvec3 shift_gradient{0.0};   // dDx/dx, dDz/dz, dDx/dz (= dDz/dx)
+  glm::dvec3 slope_moments{0.0};    // unresolved E[s^2] below the footprint: xx, zz, xz
+  double divergence_moment = 0.0;   // unresolved E[(dDx/dx + dDz/dz)^2] of the drawn waves below the footprint
+  glm::dvec2 slope() const;         // of the displaced surface: inverse transpose of (I + grad D) times height_gradient
+  double jacobian() const;          // det(I + grad D): 1 at rest, below 0 where the surface folds
 };
 
 // What a cascade's transforms need of its waves, planar: [mz + band/2][mx + band/2] without padding.
 struct WaveTable {
   std::vector<float> amplitude_re, amplitude_im;
-  std::vector<float> raise;             // how much higher tiles carry a wave (drawn_amplitude), 0 beyond the samples' reach
+  std::vector<float> raise;  // how much higher tiles carry a wave (drawn_amplitude), 0 beyond the samples' reach
   std::vector<std::uint64_t> turns;     // turns a tick, times 2^64
   std::vector<float> kx, kz;            // world wave vector, rad/m
   std::vector<float> shift_x, shift_z;  // chop kx / k and chop kz / k, each times the orbit's width
   std::vector<float> frequency;         // rad/s
-  // Two fields of one transform share its rounding: dDx/dz is carried at the size of Dz, times this length, a power of two.
+  // Two fields of one transform share its rounding: dDx/dz is carried at the size of Dz, times this length, a power of
+  // two.
   float shear_length_m = 1.0f;
-  // Second moments are of what sampling leaves of the tile's waves: the squares of its texels times this (drawn_amplitude).
+  // Second moments are of what sampling leaves of the tile's waves: the squares of its texels times this
+  // (drawn_amplitude).
   float moment_share = 1.0f;
 };
 
-// Every deterministic wave of a sea, ready to be evaluated at any time. Immutable but for take(): any number of threads may use one
-// field, each with its own tiles.
+// Every deterministic wave of a sea, ready to be evaluated at any time. Immutable but for take(): any number of threads
+// may use one field, each with its own tiles.
 class WaveField {
  public:
   // Throws Error as validate() does (spectrum.h). `others`: what feeds the sea beside its waves.
@@ -122,19 +127,20 @@ class WaveField {
   // A sea of given waves, made for the same quality; of `sea` the chop, gravity, depth and wind count.
   WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others = {});
 
-  // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher quality. Not
-  // while another thread uses the field.
+  // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher
+  // quality. Not while another thread uses the field.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
-  // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea, the
-  // quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of another
-  // shape.
+  // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea,
+  // the quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of
+  // another shape.
   void evaluate(std::int64_t ticks, WaveTiles& tiles) const;
 
-  // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each cascade is sampled
-  // trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile coordinates u + 0.5 / samples
-  // (texel centres at (i + 0.5) / size on every level). From half a cascade's longest wave on a
-  // footprint fades it (kept_share); one that is gone, or whose lod reaches its last level, adds only its moments.
+  // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each
+  // cascade is sampled trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile
+  // coordinates u + 0.5 / samples (texel centres at (i + 0.5) / size on every level). From half a cascade's longest
+  // wave on a footprint fades it (kept_share); one that is gone, or whose lod reaches its last level, adds only its
+  // moments.
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
   // Displacement alone, and the velocity of the water at a rest position (tiles with velocity only), sampled alike.
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, double footprint_m) const;
@@ -151,8 +157,8 @@ class WaveField {
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
-  // The same of the source that is laid along curves (TileSource::along_curves), which the others leave out, at a place of its own; nothing where there is none. What
-  // comes back is along the axes of that place.
+  // The same of the source that is laid along curves (TileSource::along_curves), which the others leave out, at a place
+  // of its own; nothing where there is none. What comes back is along the axes of that place.
   bool has_curved() const { return laid_ < places_.size(); }
   SeaSample sea_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
   glm::dvec3 displacement_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
@@ -164,11 +170,13 @@ class WaveField {
   const SeaStatistics& statistics() const { return statistics_; }
   struct Place {  // from world to tile coordinates, and what is made of the tile there
     double cosine, sine, inverse_side, texel_m;
-    int tile;                          // whose: cascades, then sources
-    double offset = 0.0, size = 1.0;   // of a laying (tile_source.h)
+    int tile;                         // whose: cascades, then sources
+    double offset = 0.0, size = 1.0;  // of a laying (tile_source.h)
     double longest_m = 0.0, shortest_m = 0.0;
   };
-  std::span<const Place> places() const { return {places_.data(), laid_}; }  // of each cascade, then of each laying of the other sources
+  std::span<const Place> places() const {
+    return {places_.data(), laid_};
+  }  // of each cascade, then of each laying of the other sources
   // Of what is laid along curves, and where a filter has its share.
   const Place& curved_place() const { return places_[laid_]; }
   std::size_t curved() const { return laid_; }

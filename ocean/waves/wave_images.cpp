@@ -17,7 +17,8 @@ glm::dvec3 tile_moments(const WaveBins& bins, int index) {
   for (int mz = -half; mz < half; ++mz)
     for (int mx = -half; mx < half; ++mx) {
       const gpu::WaveBin& bin = bins.at(index, mx, mz);
-      const double power = 0.5 * (double(bin.amplitude.x) * bin.amplitude.x + double(bin.amplitude.y) * bin.amplitude.y);
+      const double power =
+          0.5 * (double(bin.amplitude.x) * bin.amplitude.x + double(bin.amplitude.y) * bin.amplitude.y);
       const double kx = dk * (c * mx - s * mz), kz = dk * (s * mx + c * mz);
       sum += power * glm::dvec3(kx * kx, kz * kz, kx * kz);
     }
@@ -32,8 +33,7 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
   half_ = quality.half_storage || !device.facts().float32_linear;
   if (half_ && !quality.half_storage)
     spdlog::info("waves: {} cannot filter 32-bit tiles; they are stored as 16-bit floats", device.facts().name);
-  for (int c = 0; c < bins.cascades; ++c)
-    cascade_moments_.push_back(tile_moments(bins, c));
+  for (int c = 0; c < bins.cascades; ++c) cascade_moments_.push_back(tile_moments(bins, c));
 
   std::vector<ImageSpec> specs;
   for (const int first : {0, 1}) {
@@ -57,8 +57,9 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
   copies_.resize(filled_ == Filled::written ? std::size_t(Frame::slots) : 1);
   for (std::vector<Set>& sets : copies_)
     for (const ImageSpec& tile : specs)
-      sets.push_back({sets.empty() ? 0 : 1, int(tile.layers), int(tile.width), int(tile.levels), Image(device, "wave displacement", tile),
-                      Image(device, "wave derivatives", tile), Image(device, "wave moments", tile)});
+      sets.push_back({sets.empty() ? 0 : 1, int(tile.layers), int(tile.width), int(tile.levels),
+                      Image(device, "wave displacement", tile), Image(device, "wave derivatives", tile),
+                      Image(device, "wave moments", tile)});
   const EffectScope shared(device, "surface");  // every tile is sampled with them
   smooth_sampler_ = make_sampler(device, "sea, smooth", {true, true, 1.0f});
   pixel_sampler_ = make_sampler(device, "sea, pixels", {true, true, float(anisotropy)});
@@ -83,14 +84,16 @@ gpu::SeaData WaveImages::sea_data(glm::dvec2 grid_origin_m) const {
   gpu::SeaData data{};
   for (std::size_t i = 0; i < cascade_moments_.size(); ++i) {
     const Cascade& cascade = ladder_[i];
-    const double c = std::cos(cascade.rotation_rad) / cascade.side_m, s = std::sin(cascade.rotation_rad) / cascade.side_m;
+    const double c = std::cos(cascade.rotation_rad) / cascade.side_m,
+                 s = std::sin(cascade.rotation_rad) / cascade.side_m;
     const glm::dvec2 origin(c * grid_origin_m.x + s * grid_origin_m.y, -s * grid_origin_m.x + c * grid_origin_m.y);
     gpu::CascadeData& d = data.cascade[i];
     d.tile_from_rest = glm::vec4(float(c), float(s), float(-s), float(c));
     const int samples = sets()[i == 0 ? 0 : 1].samples;
     const double half_texel = 0.5 / samples;
-    d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel), float(origin.y - std::floor(origin.y) + half_texel),
-                         float(cascade.side_m / samples), float(shortest_wave(cascade)));
+    d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel),
+                         float(origin.y - std::floor(origin.y) + half_texel), float(cascade.side_m / samples),
+                         float(shortest_wave(cascade)));
     d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), float(longest_wave(cascade)));
   }
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(chop_));

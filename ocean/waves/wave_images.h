@@ -1,4 +1,5 @@
-// The sea's tiles as images that shaders sample, and what the shaders are told of them; WaveCompute or WaveUpload fills them.
+// The sea's tiles as images that shaders sample, and what the shaders are told of them; WaveCompute or WaveUpload fills
+// them.
 #pragma once
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace seascape {
 
 class WaveImages {
  public:
-  // How the images are filled: stored into by WaveCompute; by WaveUpload written where they lie, if the device samples such images, or else
-  // copied into.
+  // How the images are filled: stored into by WaveCompute; by WaveUpload written where they lie, if the device samples
+  // such images, or else copied into.
   enum class Filled { stored, written, copied };
-  WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, const SeaStatistics& statistics,
-             double anisotropy, Filled filled);
+  WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
+             const SeaStatistics& statistics, double anisotropy, Filled filled);
 
   // Other amplitudes and chop: what shaders are told of the waves' statistics.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
@@ -42,10 +43,13 @@ class WaveImages {
   void show(std::size_t copy) { shown_ = copy; }
   // Adds every image as a pass that shades uses it.
   void add_reads(Uses& uses) const;
-  VkImageLayout read_layout() const { return filled_ == Filled::written ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; }
+  VkImageLayout read_layout() const {
+    return filled_ == Filled::written ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  }
   // Adds every image as a pass uses it; `whole`: nothing of what it held is kept.
   void add_uses(Uses& uses, Access access, bool whole = false) const;
-  // Of all images of the sea (shaders/lib/sea.glsl): linear and repeating; that of pixels is anisotropic where the settings and the device have it.
+  // Of all images of the sea (shaders/lib/sea.glsl): linear and repeating; that of pixels is anisotropic where the
+  // settings and the device have it.
   VkSampler smooth_sampler() const { return smooth_sampler_.get(); }
   VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
   bool half_storage() const { return half_; }

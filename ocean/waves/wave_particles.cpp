@@ -23,16 +23,19 @@ constexpr int tile = WaveParticles::tile_samples;
 
 constexpr double sizes[gpu::max_particle_layings] = {1.0, double(gpu::particle_size_1), double(gpu::particle_size_2)};
 static_assert(gpu::max_particle_layings <= most_layings);
-constexpr double offsets[gpu::max_particle_layings] = {0.0, 0.3713, 0.7219};  // so that no place has the same tile around it at several sizes
+constexpr double offsets[gpu::max_particle_layings] = {
+    0.0, 0.3713, 0.7219};  // so that no place has the same tile around it at several sizes
 
 void require(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most))
-    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most), "give a value in that range");
+    throw Error(name, text_from(value) + " is not in the range " + text_from(least) + " to " + text_from(most),
+                "give a value in that range");
 }
 
 // Uniform in [0, 1), by counter (Stafford 2011, variant 13).
 double uniform(std::uint32_t seed, int particle, int which) {
-  std::uint64_t v = (std::uint64_t(seed) << 32 | std::uint64_t(which) << 24 | std::uint64_t(particle)) + 0x9e3779b97f4a7c15u;
+  std::uint64_t v =
+      (std::uint64_t(seed) << 32 | std::uint64_t(which) << 24 | std::uint64_t(particle)) + 0x9e3779b97f4a7c15u;
   for (int i = 0; i < 2; ++i) {
     v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
     v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
@@ -43,8 +46,11 @@ double uniform(std::uint32_t seed, int particle, int which) {
 
 // Turns a tick times 2^64 of a particle that runs `tiles_per_s` tiles a second; of whole tiles in a loop.
 std::uint64_t turns_of(double tiles_per_s, double loop_s) {
-  const std::int64_t loop = std::llround(loop_s * double(gpu::ticks_per_second)), whole = std::llround(std::abs(tiles_per_s) * loop_s);
-  const std::uint64_t turns = loop > 0 ? loop_turns(whole, loop) : std::uint64_t(std::llround(std::abs(tiles_per_s) * 0x1p64 / double(gpu::ticks_per_second)));
+  const std::int64_t loop = std::llround(loop_s * double(gpu::ticks_per_second)),
+                     whole = std::llround(std::abs(tiles_per_s) * loop_s);
+  const std::uint64_t turns =
+      loop > 0 ? loop_turns(whole, loop)
+               : std::uint64_t(std::llround(std::abs(tiles_per_s) * 0x1p64 / double(gpu::ticks_per_second)));
   return tiles_per_s < 0.0 ? std::uint64_t(0) - turns : turns;
 }
 
@@ -80,7 +86,8 @@ double amplitude_of(const WaveParticleSettings& s) {
 void validate(const WaveParticleSettings& s) {
   require(s.count, 1, 100000, "wave_particles.count");
   require(s.tile_m, 0.25, 4000.0, "wave_particles.tile_m");
-  require(s.radius_m, s.tile_m / 64.0, s.tile_m / 4.0, "wave_particles.radius_m (of tile_m " + text_from(s.tile_m) + ")");
+  require(s.radius_m, s.tile_m / 64.0, s.tile_m / 4.0,
+          "wave_particles.radius_m (of tile_m " + text_from(s.tile_m) + ")");
   require(s.height_m, 0.0, 20.0, "wave_particles.height_m");
   require(s.speed_mps, 0.0, 100.0, "wave_particles.speed_mps");
   require(s.chop, 0.0, 2.0, "wave_particles.chop");
@@ -88,12 +95,15 @@ void validate(const WaveParticleSettings& s) {
 }
 
 WaveParticles::WaveParticles(const WaveParticleSettings& settings, double gravity_mps2, double loop_s)
-    : WaveParticles(settings, made(settings, speed_of(settings, gravity_mps2), loop_s), amplitude_of(settings), speed_of(settings, gravity_mps2)) {}
+    : WaveParticles(settings, made(settings, speed_of(settings, gravity_mps2), loop_s), amplitude_of(settings),
+                    speed_of(settings, gravity_mps2)) {}
 
-WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<WaveParticle> particles, double amplitude_m)
+WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<WaveParticle> particles,
+                             double amplitude_m)
     : WaveParticles((validate(settings), settings), std::move(particles), amplitude_m, 0.0) {}
 
-WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<WaveParticle> particles, double amplitude_m, double speed_mps)
+WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<WaveParticle> particles,
+                             double amplitude_m, double speed_mps)
     : settings_(settings), particles_(std::move(particles)), amplitude_m_(amplitude_m), speed_mps_(speed_mps) {
   double crests = 0.0;
   for (const WaveParticle& p : particles_) crests += p.trough ? -1.0 : 1.0;
@@ -102,8 +112,10 @@ WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<W
   double texels = radius * tile;
   const bool many = double(particles_.size()) * texels * texels > most_on_texels * 64.0;
   for (; many ? texels >= 8.0 : texels > 16.0; texels /= 2.0) grid_ /= 2;
-  if (many) splined_ = std::make_shared<SplinedSum>(ParticleGrid{grid_, texels}, particles_.size());
-  else direct_ = std::make_shared<DirectSum>(ParticleGrid{grid_, texels}, particles_.size());
+  if (many)
+    splined_ = std::make_shared<SplinedSum>(ParticleGrid{grid_, texels}, particles_.size());
+  else
+    direct_ = std::make_shared<DirectSum>(ParticleGrid{grid_, texels}, particles_.size());
   mean_m_ = crests * amplitude_m * particle_volume * radius * radius;
   for (std::size_t i = 0; i < layings_.size(); ++i) {
     const double side = settings.tile_m * sizes[i];
@@ -112,15 +124,19 @@ WaveParticles::WaveParticles(const WaveParticleSettings& settings, std::vector<W
 }
 
 SourceStatistics WaveParticles::statistics() const {
-  // Places are drawn at random, so that variances add (Campbell 1909). Of many particles crests pass 5.26 deviations once in a million (SeaStatistics);
-  // of few they are the chance meeting of some.
+  // Places are drawn at random, so that variances add (Campbell 1909). Of many particles crests pass 5.26 deviations
+  // once in a million (SeaStatistics); of few they are the chance meeting of some.
   constexpr double crest_deviations = 5.26, met = 2.0;
-  const double squares = double(particles_.size()) * amplitude_m_ * amplitude_m_ / (settings_.tile_m * settings_.tile_m);
-  const double variance = squares * particle_variance * settings_.radius_m * settings_.radius_m, slope = squares * particle_slope_variance;
+  const double squares =
+      double(particles_.size()) * amplitude_m_ * amplitude_m_ / (settings_.tile_m * settings_.tile_m);
+  const double variance = squares * particle_variance * settings_.radius_m * settings_.radius_m,
+               slope = squares * particle_slope_variance;
   const double towards = settings_.chop * 2.0 * settings_.radius_m / std::numbers::pi;
-  const double highest = std::min(crest_deviations * std::sqrt(variance) + met * amplitude_m_, double(particles_.size()) * amplitude_m_);
+  const double highest =
+      std::min(crest_deviations * std::sqrt(variance) + met * amplitude_m_, double(particles_.size()) * amplitude_m_);
   const double steepest = amplitude_m_ * std::numbers::pi / (2.0 * settings_.radius_m);
-  const double furthest = towards * std::min(crest_deviations * std::sqrt(2.0 * slope) + met * steepest, double(particles_.size()) * steepest);
+  const double furthest = towards * std::min(crest_deviations * std::sqrt(2.0 * slope) + met * steepest,
+                                             double(particles_.size()) * steepest);
   SourceStatistics result;
   result.slope_moments = {slope, slope, 0.0};
   for (const Laying& laying : layings()) {
@@ -137,8 +153,10 @@ std::size_t WaveParticles::workspace_floats(bool velocity) const {
   return floats;
 }
 
-void WaveParticles::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels, std::span<float> workspace) const {
-  assert(workspace.size() >= workspace_floats(velocity) && levels.size() == std::size_t(std::bit_width(unsigned(tile))));
+void WaveParticles::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
+                             std::span<float> workspace) const {
+  assert(workspace.size() >= workspace_floats(velocity) &&
+         levels.size() == std::size_t(std::bit_width(unsigned(tile))));
   float* memory = workspace.data();
   const auto field = [&](int size) {
     const TorusField result{size, memory};
@@ -151,16 +169,21 @@ void WaveParticles::evaluate(std::int64_t ticks, bool velocity, std::span<const 
     tbb::parallel_for(0, fine.size / 16, [&](int k) { refine_rows(from, fine, 16 * k, 16 * k + 16); });
     return fine;
   };
-  float* const work = workspace.data() + (workspace_floats(velocity) - (splined_ ? splined_->floats(velocity) : direct_->floats(velocity)));
-  if (splined_) splined_->sum(particles_, ticks, float(amplitude_m_), work, height, rate);
-  else direct_->sum(particles_, ticks, float(amplitude_m_), work, height, rate);
+  float* const work = workspace.data() + (workspace_floats(velocity) -
+                                          (splined_ ? splined_->floats(velocity) : direct_->floats(velocity)));
+  if (splined_)
+    splined_->sum(particles_, ticks, float(amplitude_m_), work, height, rate);
+  else
+    direct_->sum(particles_, ticks, float(amplitude_m_), work, height, rate);
   while (height.size < tile) {
     height = refined(height);
     if (velocity) rate = refined(rate);
   }
 
   const int planes = velocity ? 4 : 3;
-  const ParticleTexels texels{float(tile / settings_.tile_m), float(settings_.chop * 2.0 * settings_.radius_m / std::numbers::pi), float(mean_m_), velocity};
+  const ParticleTexels texels{float(tile / settings_.tile_m),
+                              float(settings_.chop * 2.0 * settings_.radius_m / std::numbers::pi), float(mean_m_),
+                              velocity};
   // Sixteen rows and the four levels above that are theirs alone.
   tbb::parallel_for(0, tile / 16, [&](int k) {
     particle_rows(height, rate, texels, 16 * k, 16 * k + 16, levels[0]);
@@ -171,10 +194,12 @@ void WaveParticles::evaluate(std::int64_t ticks, bool velocity, std::span<const 
         return result;
       };
       const int rows = 16 >> level;
-      average_down(from_row(levels[std::size_t(level) - 1], 2 * rows * k), from_row(levels[std::size_t(level)], rows * k), planes, 0, tile >> level, rows);
+      average_down(from_row(levels[std::size_t(level) - 1], 2 * rows * k),
+                   from_row(levels[std::size_t(level)], rows * k), planes, 0, tile >> level, rows);
     }
   });
-  for (std::size_t level = 5; level < levels.size(); ++level) average_down(levels[level - 1], levels[level], planes, 0, tile >> level, tile >> level);
+  for (std::size_t level = 5; level < levels.size(); ++level)
+    average_down(levels[level - 1], levels[level], planes, 0, tile >> level, tile >> level);
 }
 
 }  // namespace seascape

@@ -1,5 +1,5 @@
-// The sea's tiles on the CPU at one time: displacement, its derivatives and their second moments, with mip chains, laid out
-// texel for texel as the GPU holds them.
+// The sea's tiles on the CPU at one time: displacement, its derivatives and their second moments, with mip chains, laid
+// out texel for texel as the GPU holds them.
 #pragma once
 
 #include <array>
@@ -18,15 +18,17 @@ namespace seascape {
 enum class WavePlane {
   shift,     // Dx, h, Dz, dDx/dz
   slope,     // dh/dx, dh/dz, dDx/dx, dDz/dz
-  moments,   // (dh/dx)^2, (dh/dz)^2, dh/dx dh/dz, (dDx/dx + dDz/dz)^2, times WaveTable::moment_share: averaged, not recomputed, in the mip chain
+  moments,   // (dh/dx)^2, (dh/dz)^2, dh/dx dh/dz, (dDx/dx + dDz/dz)^2, times WaveTable::moment_share: averaged, not
+             // recomputed, in the mip chain
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
 };
 
-// Where the texels of tiles lie, counted from their first: plane after plane, in it tile after tile (those of the cascades, then those of other sources),
-// in it level after level.
+// Where the texels of tiles lie, counted from their first: plane after plane, in it tile after tile (those of the
+// cascades, then those of other sources), in it level after level.
 struct WaveTileLayout {
   struct Level {
-    int size, stride;    // rows are `stride` texels apart, a little more than `size`: power-of-two strides cost cache aliasing
+    int size,
+        stride;  // rows are `stride` texels apart, a little more than `size`: power-of-two strides cost cache aliasing
     std::size_t offset;  // from the plane's first texel
   };
   struct Tile {
@@ -46,9 +48,9 @@ struct WaveTileLayout {
 };
 static_assert(longest_tile_samples < 1 << 10, "a tile has at most ten levels");
 
-// Filled by WaveField::evaluate. Texel (x, z) of level 0 holds the field at tile coordinates (x, z) / samples, its waves raised
-// by what sampling between texels takes (sampled_share); each level
-// after it holds averages of two by two texels, down to one texel.
+// Filled by WaveField::evaluate. Texel (x, z) of level 0 holds the field at tile coordinates (x, z) / samples, its
+// waves raised by what sampling between texels takes (sampled_share); each level after it holds averages of two by two
+// texels, down to one texel.
 class WaveTiles {
  public:
   explicit WaveTiles(bool with_velocity = false) : planes_(with_velocity ? 4 : 3) {}
@@ -66,10 +68,11 @@ class WaveTiles {
     return first_[std::size_t(tile)][std::size_t(plane)] + layout_.level(tile, level).offset;
   }
   int stride(int tile, int level) const { return layout_.level(tile, level).stride; }
-  // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own. It
-  // holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
+  // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own.
+  // It holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
   void keep_in(std::span<glm::vec4> memory);
-  // The same, a place for the planes of each tile, in which its levels lie as `layout` says (its plane_texels do not count).
+  // The same, a place for the planes of each tile, in which its levels lie as `layout` says (its plane_texels do not
+  // count).
   using Places = std::array<std::array<glm::vec4*, 4>, gpu::max_cascades + most_sources>;
   void keep_in(const Places& places, const WaveTileLayout& layout);
 
@@ -86,7 +89,8 @@ class WaveTiles {
   bool given_ = false;
   std::span<glm::vec4> memory_;
   std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
-  std::vector<float, LargePages<float>> workspace_;  // of the transforms, cascade after cascade; then of the other sources
+  std::vector<float, LargePages<float>>
+      workspace_;  // of the transforms, cascade after cascade; then of the other sources
 };
 
 }  // namespace seascape

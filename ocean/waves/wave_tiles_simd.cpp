@@ -14,8 +14,8 @@
 #ifndef SEASCAPE_WAVE_TILES_SIMD_ONCE
 #define SEASCAPE_WAVE_TILES_SIMD_ONCE
 namespace seascape {
-// The workspace of a cascade: its packed spectra transformed along x, [field][re, im][mz + band/2][x]. Rows and planes are padded
-// against cache aliasing, and begin with cache lines.
+// The workspace of a cascade: its packed spectra transformed along x, [field][re, im][mz + band/2][x]. Rows and planes
+// are padded against cache aliasing, and begin with cache lines.
 struct Workspace {
   std::ptrdiff_t row, plane, floats;
   Workspace(const FftPlan& plan, bool velocity)
@@ -71,7 +71,8 @@ HWY_INLINE hn::Vec<Ints> phases(const std::uint64_t* turns, std::uint64_t ticks)
   const hn::Repartition<std::uint64_t, Lanes> dw;
   const auto low_ticks = hn::Set(du, std::uint32_t(ticks)), high_ticks = hn::Set(du, std::uint32_t(ticks >> 32));
   const auto a = hn::BitCast(du, hn::LoadU(dw, turns)), b = hn::BitCast(du, hn::LoadU(dw, turns + hn::Lanes(dw)));
-  const auto carried = hn::ConcatOdd(du, hn::BitCast(du, hn::MulEven(b, low_ticks)), hn::BitCast(du, hn::MulEven(a, low_ticks)));
+  const auto carried =
+      hn::ConcatOdd(du, hn::BitCast(du, hn::MulEven(b, low_ticks)), hn::BitCast(du, hn::MulEven(a, low_ticks)));
   const auto low = hn::ConcatEven(du, b, a), high = hn::ConcatOdd(du, b, a);
   return hn::BitCast(Ints(), hn::Add(carried, hn::Add(hn::Mul(high, low_ticks), hn::Mul(low, high_ticks))));
 }
@@ -83,18 +84,19 @@ HWY_INLINE void turned_row(const WaveTable& table, int band, int i, std::uint64_
   for (int j = 0; j < band; j += int(hn::Lanes(d))) {
     Vector c, s;
     cos_sin_turns(phases(table.turns.data() + row + j, ticks), c, s);
-    const Vector a = hn::LoadU(d, table.amplitude_re.data() + row + j), b = hn::LoadU(d, table.amplitude_im.data() + row + j);
+    const Vector a = hn::LoadU(d, table.amplitude_re.data() + row + j),
+                 b = hn::LoadU(d, table.amplitude_im.data() + row + j);
     hn::StoreU(hn::Add(hn::Mul(a, c), hn::Mul(b, s)), d, re + j);
     hn::StoreU(hn::Sub(hn::Mul(b, c), hn::Mul(a, s)), d, im + j);
   }
   re[band] = im[band] = 0.0f;
 }
 
-// A row of the packed spectra: [field][re, im][mx + band/2], planes `width` apart. Height: H(m) = (r(m) + conj r(-m)) / 2, so that
-// the field is real. The rest are H times a factor each (a field's gradient is i k, its displacement i k / |k| times chop, which
-// narrows crests), packed as packed_fields() says. `mirror`: row -mz.
-HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocity, const float* here, const float* mirror, float* to,
-                           std::ptrdiff_t width) {
+// A row of the packed spectra: [field][re, im][mx + band/2], planes `width` apart. Height: H(m) = (r(m) + conj r(-m)) /
+// 2, so that the field is real. The rest are H times a factor each (a field's gradient is i k, its displacement i k /
+// |k| times chop, which narrows crests), packed as packed_fields() says. `mirror`: row -mz.
+HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocity, const float* here,
+                           const float* mirror, float* to, std::ptrdiff_t width) {
   const Lanes d;
   const float *mirror_re = mirror + band, *mirror_im = mirror + width + band;
   const Vector half_of = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f), length = hn::Set(d, table.shear_length_m);
@@ -130,8 +132,8 @@ HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocit
 
 std::size_t rows_scratch(const FftPlan& plan) { return std::size_t(16 * (plan.band + 16) + row_work(plan)); }
 
-void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last, float* workspace,
-                  float* scratch) {
+void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last,
+                  float* workspace, float* scratch) {
   const int band = plan.band;
   const Workspace layout(plan, velocity);
   const std::ptrdiff_t width = band + 16;
@@ -139,10 +141,12 @@ void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t tick
   for (int pair = first; pair < last; ++pair) {
     const int rows[2] = {pair, (band - pair) % band};
     for (int side = 0; side < 2; ++side)
-      turned_row(table, band, rows[side], std::uint64_t(ticks), turned + 2 * side * width, turned + (2 * side + 1) * width);
+      turned_row(table, band, rows[side], std::uint64_t(ticks), turned + 2 * side * width,
+                 turned + (2 * side + 1) * width);
     if (pair == 0) std::fill_n(turned + 2 * width, 2 * width, 0.0f);  // m = -band/2 has no mirror
     for (int side = 0; side < (pair == 0 || pair == band / 2 ? 1 : 2); ++side) {
-      packed_row(table, band, rows[side], velocity, turned + 2 * side * width, turned + 2 * (1 - side) * width, packed, width);
+      packed_row(table, band, rows[side], velocity, turned + 2 * side * width, turned + 2 * (1 - side) * width, packed,
+                 width);
       float* to = workspace + rows[side] * layout.row;
       for (int field = 0; field < packed_fields(velocity); ++field)
         transform_row(plan, packed + 2 * field * width, packed + (2 * field + 1) * width, to + 2 * field * layout.plane,
@@ -156,11 +160,12 @@ using Strip = hn::CappedTag<float, 8>;
 constexpr int pair_planes = 4;  // [field of two][re, im]
 
 std::size_t strip_scratch(const FftPlan& plan) {
-  return std::size_t(column_work<Strip>(plan) + std::ptrdiff_t(pair_planes) * plan.core * std::ptrdiff_t(hn::MaxLanes(Strip())));
+  return std::size_t(column_work<Strip>(plan) +
+                     std::ptrdiff_t(pair_planes) * plan.core * std::ptrdiff_t(hn::MaxLanes(Strip())));
 }
 
-void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x, const PlaneLevel& level,
-             float* scratch) {
+void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x,
+             const PlaneLevel& level, float* scratch) {
   const Strip d;
   constexpr int lanes = int(hn::MaxLanes(Strip()));
   const Workspace layout(plan, velocity);
@@ -186,7 +191,8 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
             const auto divergence = hn::Add(c, e);
             hn::StoreInterleaved4(a, b, c, e, d, plane(WavePlane::slope));
             const auto moment = [&](auto one, auto other) HWY_ATTR { return hn::Mul(hn::Mul(one, other), share); };
-            hn::StoreInterleaved4(moment(a, a), moment(b, b), moment(a, b), moment(divergence, divergence), d, plane(WavePlane::moments));
+            hn::StoreInterleaved4(moment(a, a), moment(b, b), moment(a, b), moment(divergence, divergence), d,
+                                  plane(WavePlane::moments));
           } else {
             hn::StoreInterleaved4(a, b, c, hn::Zero(d), d, plane(WavePlane::velocity));
           }
@@ -242,9 +248,12 @@ float* scratch_of(std::size_t floats) {
 }
 }  // namespace
 
-std::size_t workspace_floats(const FftPlan& plan, bool velocity) { return std::size_t(Workspace(plan, velocity).floats); }
+std::size_t workspace_floats(const FftPlan& plan, bool velocity) {
+  return std::size_t(Workspace(plan, velocity).floats);
+}
 
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last, float* workspace) {
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last,
+                   float* workspace) {
   float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(rows_scratch)(plan));
   HWY_DYNAMIC_DISPATCH(rows_along_x)(table, plan, ticks, velocity, first, last, workspace, scratch);
 }
@@ -253,7 +262,8 @@ void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int 
   HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
 }
 
-void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x, const PlaneLevel& level) {
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x,
+                   const PlaneLevel& level) {
   float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
   HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, level, scratch);
 }

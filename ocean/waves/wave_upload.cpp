@@ -8,18 +8,23 @@
 
 namespace seascape {
 
-WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, WaveImages& images)
+WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
+                       WaveImages& images)
     : field_(sea, quality, bins), images_(images), held_(images.copies().size()) {
   const EffectScope scope(device, "waves");
-  if (images.filled() == WaveImages::Filled::written) find_levels(WaveTileLayout(quality));
-  else make_copies(device, WaveTileLayout(quality));
+  if (images.filled() == WaveImages::Filled::written)
+    find_levels(WaveTileLayout(quality));
+  else
+    make_copies(device, WaveTileLayout(quality));
 }
 
 void WaveUpload::make_copies(Device& device, const WaveTileLayout& layout) {
   // Half floats keep the layout of the floats that they were converted from, padding and all.
   const std::size_t texel = bytes_per_texel(images_.sets()[0].displacement.spec().format);
-  for (Buffer& staging : staging_)  // cached, since the field reads levels there for the next: coarser ones are their averages
-    staging = Buffer(device, "wave staging", planes * layout.plane_texels * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::read);
+  for (Buffer& staging :
+       staging_)  // cached, since the field reads levels there for the next: coarser ones are their averages
+    staging = Buffer(device, "wave staging", planes * layout.plane_texels * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                     HostAccess::read);
   for (const WaveImages::Set& set : images_.sets())
     for (int plane = 0; plane < planes; ++plane) {
       copies_.push_back({&set.image(WavePlane(plane)), {}});
@@ -48,13 +53,15 @@ void WaveUpload::find_levels(const WaveTileLayout& layout) {
         WaveTileLayout::Tile& tile = image_layout_.tiles[std::size_t(cascade)];
         for (int plane = 0; plane < planes; ++plane)
           for (int level = 0; level < set.levels; ++level) {
-            const Image::HostTexels texels = set.image(WavePlane(plane)).host_texels(std::uint32_t(level), std::uint32_t(layer));
+            const Image::HostTexels texels =
+                set.image(WavePlane(plane)).host_texels(std::uint32_t(level), std::uint32_t(layer));
             levels_[copy].push_back({cascade, level, WavePlane(plane), texels});
             if (images_.half_storage()) continue;
             glm::vec4*& first = places_[copy][std::size_t(cascade)][std::size_t(plane)];
             auto* const here = reinterpret_cast<glm::vec4*>(texels.first);
             if (level == 0) first = here;
-            tile.level[std::size_t(level)] = {set.samples >> level, int(texels.row_bytes / sizeof(glm::vec4)), std::size_t(here - first)};
+            tile.level[std::size_t(level)] = {set.samples >> level, int(texels.row_bytes / sizeof(glm::vec4)),
+                                              std::size_t(here - first)};
           }
       }
 }
@@ -94,7 +101,8 @@ void WaveUpload::write(std::size_t copy, std::int64_t ticks) {
   field_.evaluate(ticks, tiles_);
   constexpr int piece = 32;  // rows
   std::size_t pieces = 0;
-  for (const Level& l : levels_[copy]) pieces += std::size_t((tiles_.samples(l.cascade) >> l.level) + piece - 1) / piece;
+  for (const Level& l : levels_[copy])
+    pieces += std::size_t((tiles_.samples(l.cascade) >> l.level) + piece - 1) / piece;
   tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t i) {
     for (const Level& l : levels_[copy]) {
       const int size = tiles_.samples(l.cascade) >> l.level;
@@ -105,7 +113,8 @@ void WaveUpload::write(std::size_t copy, std::int64_t ticks) {
       }
       for (int z = int(i) * piece; z < std::min(size, (int(i) + 1) * piece); ++z)
         halves_from_floats(&tiles_.texels(l.cascade, l.plane, l.level)[z * tiles_.stride(l.cascade, l.level)].x,
-                           reinterpret_cast<std::uint16_t*>(l.texels.first + std::size_t(z) * l.texels.row_bytes), 4 * std::size_t(size));
+                           reinterpret_cast<std::uint16_t*>(l.texels.first + std::size_t(z) * l.texels.row_bytes),
+                           4 * std::size_t(size));
       return;
     }
   });
@@ -119,7 +128,8 @@ void WaveUpload::copy(Frame& frame, std::int64_t ticks) {
     const std::size_t texels = planes * tiles_.layout().plane_texels, pieces = (texels + piece - 1) / piece;
     tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t i) {
       const std::size_t first = i * piece, count = std::min(piece, texels - first);
-      halves_from_floats(&tiles_.texels(0, WavePlane::shift, 0)[first].x, staging.mapped<std::uint16_t>() + 4 * first, 4 * count);
+      halves_from_floats(&tiles_.texels(0, WavePlane::shift, 0)[first].x, staging.mapped<std::uint16_t>() + 4 * first,
+                         4 * count);
     });
   } else {
     tiles_.keep_in({staging.mapped<glm::vec4>(), staging.bytes() / sizeof(glm::vec4)});

@@ -1,5 +1,5 @@
-// Fills the sea's tiles from the wave field: computed on the processor, where the images lie if the device samples such images, or
-// else in staging memory that is copied.
+// Fills the sea's tiles from the wave field: computed on the processor, where the images lie if the device samples such
+// images, or else in staging memory that is copied.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,8 +18,9 @@ class WaveUpload {
   // `images` were made to be written or copied into, for the same sea and quality; they must outlive this.
   WaveUpload(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, WaveImages& images);
 
-  // Computes all tiles for the time and has them in the images; nothing when images already hold it. The processor's part is done
-  // while the GPU still draws the frame before, since each frame in flight has images or staging memory of its own.
+  // Computes all tiles for the time and has them in the images; nothing when images already hold it. The processor's
+  // part is done while the GPU still draws the frame before, since each frame in flight has images or staging memory of
+  // its own.
   void update(Frame& frame, std::int64_t ticks);
   // The water at a world x, z, at the time of the last update.
   QueryAnswer query(glm::dvec2 place_m) const;

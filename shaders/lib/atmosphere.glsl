@@ -1,4 +1,5 @@
-// The air: Rayleigh and aerosol scattering, ozone, with one bounce table for the rest (Hillaire 2020). Metres above the sea.
+// The air: Rayleigh and aerosol scattering, ozone, with one bounce table for the rest (Hillaire 2020). Metres above the
+// sea.
 #ifndef SEASCAPE_ATMOSPHERE_GLSL
 #define SEASCAPE_ATMOSPHERE_GLSL
 
@@ -37,7 +38,8 @@ bool meets_ground(vec3 origin, vec3 direction) {
 // Share of the sun's light that reaches `origin`, softened as its disc sets.
 vec3 sunlight(vec3 origin, vec3 sun, float haze) {
   const float radius = length(origin);
-  const float sine = dot(origin, sun) / radius, dip = -sqrt(max(0.0, 1.0 - air_ground * air_ground / (radius * radius)));
+  const float sine = dot(origin, sun) / radius,
+              dip = -sqrt(max(0.0, 1.0 - air_ground * air_ground / (radius * radius)));
   const float above = smoothstep(dip - 0.0047, dip + 0.0047, sine);
   if (above <= 0.0) return vec3(0.0);
   const float length_m = to_sphere(origin, sun, air_top);

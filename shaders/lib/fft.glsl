@@ -1,10 +1,11 @@
-// An inverse discrete Fourier transform of FFT_RADIX^2 points (64 or 256: `core`) by FFT_RADIX invocations with as many values
-// each: two steps in registers and one exchange through shared memory (Cooley and Tukey 1965). Included with FFT_RADIX defined,
-// 8 or 16.
+// An inverse discrete Fourier transform of FFT_RADIX^2 points (64 or 256: `core`) by FFT_RADIX invocations with as many
+// values each: two steps in registers and one exchange through shared memory (Cooley and Tukey 1965). Included with
+// FFT_RADIX defined, 8 or 16.
 //
-// A tile of N = core P samples whose waves all have |m| <= core / 2 needs no longer transform: its samples n = q P + s, for each s,
-// are the transform of length core of the bins turned by s m / N. Bins beyond that fold onto it: those of the same m modulo core are
-// added after their turn. `band`, core or a multiple of twice that, is how many bins there are.
+// A tile of N = core P samples whose waves all have |m| <= core / 2 needs no longer transform: its samples n = q P + s,
+// for each s, are the transform of length core of the bins turned by s m / N. Bins beyond that fold onto it: those of
+// the same m modulo core are added after their turn. `band`, core or a multiple of twice that, is how many bins there
+// are.
 #ifndef SEASCAPE_FFT_GLSL
 #define SEASCAPE_FFT_GLSL
 #include "shared/phase.h"
@@ -64,12 +65,24 @@ void dft(inout vec2 v[16]) {
   dft4(v[12], v[13], v[14], v[15]);
   // Result k + 4 l lies at 4 k + l.
   vec2 t;
-  t = v[1]; v[1] = v[4]; v[4] = t;
-  t = v[2]; v[2] = v[8]; v[8] = t;
-  t = v[3]; v[3] = v[12]; v[12] = t;
-  t = v[6]; v[6] = v[9]; v[9] = t;
-  t = v[7]; v[7] = v[13]; v[13] = t;
-  t = v[11]; v[11] = v[14]; v[14] = t;
+  t = v[1];
+  v[1] = v[4];
+  v[4] = t;
+  t = v[2];
+  v[2] = v[8];
+  v[8] = t;
+  t = v[3];
+  v[3] = v[12];
+  v[12] = t;
+  t = v[6];
+  v[6] = v[9];
+  v[9] = t;
+  t = v[7];
+  v[7] = v[13];
+  v[13] = t;
+  t = v[11];
+  v[11] = v[14];
+  v[14] = t;
 }
 #endif
 
@@ -78,13 +91,15 @@ void twiddles(uint lane, out vec2 w[FFT_RADIX]) {
   w[0] = vec2(1.0, 0.0);
   for (uint c = 1u; c < radix; ++c) {
     const uint top = c >= 8u ? 8u : c >= 4u ? 4u : c >= 2u ? 2u : 1u;
-    if (c == top) w[c] = cos_sin_turns(lane * c * (0xffffffffu / core + 1u));
-    else w[c] = times(w[top], w[c - top]);
+    if (c == top)
+      w[c] = cos_sin_turns(lane * c * (0xffffffffu / core + 1u));
+    else
+      w[c] = times(w[top], w[c - top]);
   }
 }
 
-// Input r of a lane is m = lane + FFT_RADIX r modulo core: its first bin's index in a table that begins at m = -band / 2. The others
-// follow every core.
+// Input r of a lane is m = lane + FFT_RADIX r modulo core: its first bin's index in a table that begins at m = -band
+// / 2. The others follow every core.
 uint bin_index(uint lane, uint r, uint band) { return (lane + radix * r + band / 2u) & (core - 1u); }
 
 // exp(2 pi i m s / N) for the first bins of a lane's inputs; N = 2^log2_n = core P, exactly reduced.
@@ -99,8 +114,8 @@ void phase_twiddles(uint lane, uint s, uint log2_n, uint band, out vec2 turn[FFT
   }
 }
 
-// The transform of a lane's inputs, given the lane's twiddles; result c of a lane is q = lane + FFT_RADIX c. `slot`: which of the
-// workgroup's transforms. Every invocation of the workgroup calls it.
+// The transform of a lane's inputs, given the lane's twiddles; result c of a lane is q = lane + FFT_RADIX c. `slot`:
+// which of the workgroup's transforms. Every invocation of the workgroup calls it.
 shared vec2 exchanged[gl_WorkGroupSize.x * (FFT_RADIX + 1)];
 void transform(uint lane, uint slot, vec2 w[FFT_RADIX], inout vec2 v[FFT_RADIX]) {
   const uint base = slot * radix * (radix + 1u);

@@ -3,7 +3,8 @@
 #ifndef SEASCAPE_SEA_GLSL
 #define SEASCAPE_SEA_GLSL
 
-// All images of the sea share two samplers, for a device allows few a stage (16 on many). Both are linear and repeat; that of pixels is anisotropic.
+// All images of the sea share two samplers, for a device allows few a stage (16 on many). Both are linear and repeat;
+// that of pixels is anisotropic.
 layout(binding = 50) uniform sampler smooth_sampler;
 layout(binding = 51) uniform sampler pixel_sampler;
 
@@ -11,9 +12,9 @@ layout(binding = 51) uniform sampler pixel_sampler;
 layout(binding = 1) uniform texture2DArray sea_longest_displacement;
 layout(binding = 2) uniform texture2DArray sea_longest_derivatives;
 layout(binding = 3) uniform texture2DArray sea_longest_moments;
-layout(binding = 9) uniform texture2DArray sea_displacement_tiles;   // Dx, h, Dz, dDx/dz
-layout(binding = 10) uniform texture2DArray sea_derivative_tiles;    // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 11) uniform texture2DArray sea_moment_tiles;        // (dh/dx)^2, (dh/dz)^2, product
+layout(binding = 9) uniform texture2DArray sea_displacement_tiles;  // Dx, h, Dz, dDx/dz
+layout(binding = 10) uniform texture2DArray sea_derivative_tiles;   // dh/dx, dh/dz, dDx/dx, dDz/dz
+layout(binding = 11) uniform texture2DArray sea_moment_tiles;       // (dh/dx)^2, (dh/dz)^2, product
 
 // How many cascades there are; what is beyond is stripped.
 layout(constant_id = 7) const int cascade_count = max_cascades;
@@ -47,10 +48,10 @@ layout(binding = 26) uniform texture2DArray dynamic_slope;  // and of derivative
 layout(constant_id = 14) const bool sea_level = false;
 layout(binding = 27) uniform texture2DArray sea_level_windows;  // the still water's height, m
 layout(constant_id = 16) const bool sea_flow = false;
-layout(binding = 29) uniform texture2DArray sea_flow_windows;   // the water's velocity along x and z, m/s
+layout(binding = 29) uniform texture2DArray sea_flow_windows;  // the water's velocity along x and z, m/s
 layout(constant_id = 15) const bool sea_bed = false;
-layout(binding = 15) uniform texture2DArray sea_bed_windows;    // BedTexel::bed (ocean/local/bed_field.h),
-layout(binding = 28) uniform texture2DArray sea_bed_waves;      // and its other two, two layers a slice
+layout(binding = 15) uniform texture2DArray sea_bed_windows;  // BedTexel::bed (ocean/local/bed_field.h),
+layout(binding = 28) uniform texture2DArray sea_bed_waves;    // and its other two, two layers a slice
 layout(constant_id = 17) const bool water_clip = false;
 
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
@@ -60,15 +61,18 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
   return vec2(dot(c.tile_from_rest.xy, rest), dot(c.tile_from_rest.zw, rest));
 }
 
-// How much of a cascade a footprint keeps: from half the cascade's longest wave on it fades, and at the whole it is gone.
+// How much of a cascade a footprint keeps: from half the cascade's longest wave on it fades, and at the whole it is
+// gone.
 float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint / c.moments.w, 0.0, 1.0); }
 
 #include "lib/place.glsl"
 #include "lib/flow.glsl"
 #include "lib/sea_bed.glsl"
 
-// `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other sources.
-void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest, float footprint) {
+// `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other
+// sources.
+void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest,
+                      float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
@@ -84,8 +88,11 @@ void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int n
 layout(constant_id = 28) const bool shore_waves = false;
 #include "lib/shore.glsl"
 
-// What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and at the whole nothing.
-float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0); }
+// What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and
+// at the whole nothing.
+float near_viewer(vec2 rest) {
+  return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0);
+}
 
 #include "lib/dynamic_waves.glsl"
 
@@ -95,36 +102,53 @@ float near_viewer(vec2 rest) { return clamp(2.0 - 2.0 * length(rest - frame.view
 vec4 sea_displacement(vec2 rest, float footprint) {
   vec4 sum = vec4(0.0);
   if (sea_bed) sea_bed_read(rest, footprint);
-  if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, footprint), rest, frame.sea.place.outside.zwzw).xy;
+  if (sea_flow)
+    flow_velocity = place_value(sea_flow_windows, place_read(rest, footprint), rest, frame.sea.place.outside.zwzw).xy;
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
-  if (cascade_count > 0) add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 1) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 2) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 2, 1.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 3) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 3, 2.0, vec4(1.0), rest, footprint);
-  if (cascade_count > 4) add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 4, 3.0, vec4(1.0), rest, footprint);
-  if (baked_layings > 0) add_displacement(sum, baked_displacement, frame.sea.baked, 5, 0.0, vec4(near_viewer(rest)), rest, footprint);
-  if (gerstner_layings > 0) add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 5, 0.0, vec4(1.0), rest, footprint);
-  if (particle_layings > 0) add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), rest, footprint);
-  if (particle_layings > 1) add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), rest, footprint);
-  if (particle_layings > 2) add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), rest, footprint);
+  if (cascade_count > 0)
+    add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 1)
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 2)
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 2, 1.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 3)
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 3, 2.0, vec4(1.0), rest, footprint);
+  if (cascade_count > 4)
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 4, 3.0, vec4(1.0), rest, footprint);
+  if (baked_layings > 0)
+    add_displacement(sum, baked_displacement, frame.sea.baked, 5, 0.0, vec4(near_viewer(rest)), rest, footprint);
+  if (gerstner_layings > 0)
+    add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 5, 0.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 0)
+    add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), rest, footprint);
+  if (particle_layings > 1)
+    add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), rest,
+                     footprint);
+  if (particle_layings > 2)
+    add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), rest,
+                     footprint);
   if (shore_waves) shore_read(place_read(rest, footprint), rest);
   if (shore_waves && sea_flow) flow_velocity = shore_vector(flow_velocity);  // nothing below asks for it
   if (shore_waves) add_shore_displacement(sum, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
   if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
-  if (sea_bed && sea_level) sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
+  if (sea_bed && sea_level)
+    sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
   if (sea_bed) sum = sea_bed_land(sum);
-  if (sea_bed && water_clip && water_clipped(rest, vec3(rest.x + sum.x, sum.y, rest.y + sum.z))) sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
+  if (sea_bed && water_clip && water_clipped(rest, vec3(rest.x + sum.x, sum.y, rest.y + sum.z)))
+    sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
   return sum;
 }
 
-// How much of a cascade's slopes the vertices carry, so that pixels need not look them up: all where its shortest wave has
-// six or more vertices and `blur`, what a pixel averages at least, is below a texel; none at four vertices or two texels.
+// How much of a cascade's slopes the vertices carry, so that pixels need not look them up: all where its shortest wave
+// has six or more vertices and `blur`, what a pixel averages at least, is below a texel; none at four vertices or two
+// texels.
 float carried(CascadeData c, float footprint, float blur) {
   return clamp(0.5 * c.origin.w / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
 }
 
-// The spacing of vertices in metres: it follows distance from the viewer alone, never the patch, so that shared vertices agree to the bit.
+// The spacing of vertices in metres: it follows distance from the viewer alone, never the patch, so that shared
+// vertices agree to the bit.
 float vertex_footprint(vec2 rest) { return vertex_spacing(frame.morph, rest / frame.skirt.z) * frame.skirt.z; }
 
 // What a pixel averages at least where `to_eye` leads to the eye, on a level sea; `pixel`: radians a pixel.
@@ -145,8 +169,8 @@ void add_carried(inout vec4 sum, texture2DArray tiles, int i, vec2 rest, float f
   sum += share * texel;
 }
 
-// Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are too short for all
-// but the nearest vertices.
+// Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are
+// too short for all but the nearest vertices.
 vec4 sea_carried(vec2 rest, float footprint, float blur) {
   vec4 sum = vec4(0.0);
   if (cascade_count > 0) add_carried(sum, sea_longest_derivatives, 0, rest, footprint, blur);
@@ -157,19 +181,20 @@ vec4 sea_carried(vec2 rest, float footprint, float blur) {
 
 // First and second moments of the surface's slope in a footprint.
 struct SeaSlopes {
-  vec2 gradient;   // mean dh/dx, dh/dz over the rest position
-  vec3 shift;      // mean dDx/dx, dDz/dz, dDx/dz
-  vec3 variance;   // of the slopes that the footprint does not resolve: xx, zz, xz
+  vec2 gradient;  // mean dh/dx, dh/dz over the rest position
+  vec3 shift;     // mean dDx/dx, dDz/dz, dDx/dz
+  vec3 variance;  // of the slopes that the footprint does not resolve: xx, zz, xz
 };
 
-// A mip level for a footprint of `texels`: whole over three quarters of the way from one level to the next, so that a driver that
-// samples on a CPU mostly reads one level instead of two; continuous.
+// A mip level for a footprint of `texels`: whole over three quarters of the way from one level to the next, so that a
+// driver that samples on a CPU mostly reads one level instead of two; continuous.
 float mip_level(float texels) {
   const float level = log2(max(texels, 1.0)), whole = floor(level);
   return whole + clamp(4.0 * (level - whole) - 1.5, 0.0, 1.0);
 }
 
-// Mean of a tile over a footprint with half axes du, dv (tile coordinates), or about that of mip level `level` without anisotropy.
+// Mean of a tile over a footprint with half axes du, dv (tile coordinates), or about that of mip level `level` without
+// anisotropy.
 vec4 tile_mean(texture2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
   if (anisotropy > 1.0) return textureGrad(sampler2DArray(tiles, pixel_sampler), at, du, dv);
   return textureLod(sampler2DArray(tiles, smooth_sampler), at, level);
@@ -184,8 +209,8 @@ vec4 pattern_mean(texture2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv
 }
 
 // `left`: the share that the vertices have not carried.
-void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray moments, CascadeData c, int number, float layer, vec2 rest, vec2 along, vec2 across,
-                float blur, float left) {
+void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray moments, CascadeData c, int number,
+                float layer, vec2 rest, vec2 along, vec2 across, float blur, float left) {
   if (left <= 0.0) return;
   const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
@@ -198,13 +223,15 @@ void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray mo
   if (sea_bed) at.xy += sea_bed_shift(c, number);
   const vec2 du = 0.5 * tile_vector(c, along), dv = 0.5 * tile_vector(c, across);
   const float level = mip_level(0.5 * blur / c.origin.z);
-  // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel aliases nothing.
+  // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel
+  // aliases nothing.
   const vec4 d = share * pattern_mean(derivatives, c, at, du, dv, level);
   vec4 drawn = d;
   if (sea_bed) drawn = sea_bed_derivatives(d, number);
   s.gradient += left * drawn.xy;
   s.shift.xy += left * drawn.zw;
-  // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to twice that.
+  // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to
+  // twice that.
   const float coarse = clamp(blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
   const vec3 m = mix(c.moments.xyz, tile_mean(moments, at, du, dv, level).xyz, share);
@@ -226,7 +253,9 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
 #include "lib/dynamic_slopes.glsl"
 
 // The height of the still water.
-float sea_level_at(vec2 rest) { return place_value(sea_level_windows, place_read(rest, 0.0), rest, frame.sea.place.outside).x; }
+float sea_level_at(vec2 rest) {
+  return place_value(sea_level_windows, place_read(rest, 0.0), rest, frame.sea.place.outside).x;
+}
 
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
@@ -244,19 +273,36 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
   if (sea_bed) sea_bed_read(rest, blur);
   if (sea_bed) s.variance *= sea_bed_more.w * sea_bed_more.w;
-  if (sea_flow) flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
-  if (cascade_count > 0) add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
-  if (cascade_count > 1) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
-  if (cascade_count > 2) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 2, 1.0, rest, along, across, blur, 1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
-  if (cascade_count > 3) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 3, 2.0, rest, along, across, blur, 1.0);
-  if (cascade_count > 4) add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 4, 3.0, rest, along, across, blur, 1.0);
+  if (sea_flow)
+    flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
+  if (cascade_count > 0)
+    add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, rest, along, across, blur,
+               1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
+  if (cascade_count > 1)
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, rest, along, across, blur,
+               1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
+  if (cascade_count > 2)
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 2, 1.0, rest, along, across, blur,
+               1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
+  if (cascade_count > 3)
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 3, 2.0, rest, along, across, blur, 1.0);
+  if (cascade_count > 4)
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 4, 3.0, rest, along, across, blur, 1.0);
   SeaSlopes part = no_slopes();
-  if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 5, 0.0, rest, along, across, blur, 1.0);
+  if (baked_layings > 0)
+    add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 5, 0.0, rest, along, across, blur, 1.0);
   if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(rest));
-  if (gerstner_layings > 0) add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 5, 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 0) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 1) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, rest, along, across, blur, 1.0);
-  if (particle_layings > 2) add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, rest, along, across, blur, 1.0);
+  if (gerstner_layings > 0)
+    add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 5, 0.0, rest, along, across, blur, 1.0);
+  if (particle_layings > 0)
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, rest, along, across, blur,
+               1.0);
+  if (particle_layings > 1)
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, rest, along, across, blur,
+               1.0);
+  if (particle_layings > 2)
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, rest, along, across, blur,
+               1.0);
   if (shore_waves) shore_read(place_read(rest, blur), rest);
   if (shore_waves && sea_flow) shore_flow = flow_velocity;
   if (shore_waves && sea_flow) flow_velocity = shore_vector(shore_flow);
@@ -272,8 +318,10 @@ float sea_jacobian(SeaSlopes s) { return (1.0 + s.shift.x) * (1.0 + s.shift.y) -
 
 // Slope of the displaced surface: the inverse transpose of (I + grad D) times the gradient over rest positions.
 vec2 sea_slope(SeaSlopes s) {
-  const float j = max(sea_jacobian(s), 0.15);  // where it folds, the slope of the steepest face that light still reaches
+  const float j =
+      max(sea_jacobian(s), 0.15);  // where it folds, the slope of the steepest face that light still reaches
   return vec2((1.0 + s.shift.y) * s.gradient.x - s.shift.z * s.gradient.y,
-              (1.0 + s.shift.x) * s.gradient.y - s.shift.z * s.gradient.x) / j;
+              (1.0 + s.shift.x) * s.gradient.y - s.shift.z * s.gradient.x) /
+         j;
 }
 #endif

@@ -2,10 +2,10 @@
 
 // How a place of the bed looks.
 struct Bed {
-  float still_depth;   // of the still water above it, m; below 0 on land
-  vec2 slope;          // of the bed
-  float film;          // of the water that stands there now, m; below 0 where it is dry
-  float water;         // share of the footprint under water
+  float still_depth;  // of the still water above it, m; below 0 on land
+  vec2 slope;         // of the bed
+  float film;         // of the water that stands there now, m; below 0 where it is dry
+  float water;        // share of the footprint under water
 };
 
 float bed_hash(vec2 cell) {
@@ -14,12 +14,14 @@ float bed_hash(vec2 cell) {
   return fract((p.x + p.y) * p.z);
 }
 
-// Smooth noise of mean 0.5 over cells of a size that divides ground_pattern_m, after which it comes again; faded to its mean as the footprint comes to the size.
+// Smooth noise of mean 0.5 over cells of a size that divides ground_pattern_m, after which it comes again; faded to its
+// mean as the footprint comes to the size.
 float bed_noise(vec2 place, float size, float footprint) {
   const vec2 at = place / size, cell = floor(at), f = at - cell, t = f * f * (3.0 - 2.0 * f);
   const float period = ground_pattern_m / size;
   const vec2 low = mod(cell, period), high = mod(cell + 1.0, period);
-  const float value = mix(mix(bed_hash(low), bed_hash(vec2(high.x, low.y)), t.x), mix(bed_hash(vec2(low.x, high.y)), bed_hash(high), t.x), t.y);
+  const float value = mix(mix(bed_hash(low), bed_hash(vec2(high.x, low.y)), t.x),
+                          mix(bed_hash(vec2(low.x, high.y)), bed_hash(high), t.x), t.y);
   return mix(value, 0.5, clamp(2.0 * footprint / size - 0.5, 0.0, 1.0));
 }
 
@@ -34,8 +36,10 @@ Bed bed_at(SurfacePoint p, float still, float above, float footprint) {
   bed.film = bed.still_depth + max(above, -0.9 * max(bed.still_depth, 0.0));
   if (abs(bed.still_depth) < 2.0 * shore) {
     vec4 run = vec4(0.0);
-    if (cascade_count > 0) add_displacement(run, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), p.rest, footprint);
-    if (cascade_count > 1) add_displacement(run, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), p.rest, footprint);
+    if (cascade_count > 0)
+      add_displacement(run, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), p.rest, footprint);
+    if (cascade_count > 1)
+      add_displacement(run, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), p.rest, footprint);
     bed.film = mix(bed.still_depth + run.y, bed.film, smoothstep(shore, 2.0 * shore, bed.still_depth));
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
@@ -43,51 +47,72 @@ Bed bed_at(SurfacePoint p, float still, float above, float footprint) {
   return bed;
 }
 
-// Albedo of the bed: sand with its ripples and darker patches; above the beach growth, where it is not too steep, and rock. `height`: above the still
-// water, m.
+// Albedo of the bed: sand with its ripples and darker patches; above the beach growth, where it is not too steep, and
+// rock. `height`: above the still water, m.
 vec3 bed_albedo(vec2 place, float height, vec2 slope, float footprint) {
   const vec2 straight = place + frame.sea.place.outside_bed.yz;  // bent, so that no lattice is seen from above
-  const vec2 at = straight + 14.0 * (vec2(bed_noise(straight, 16.0, footprint), bed_noise(straight.yx + 237.0, 16.0, footprint)) - 0.5);
-  const float fine = bed_noise(at, 0.5, footprint), middle = bed_noise(at, 2.0, footprint), broad = bed_noise(at, 8.0, footprint), wide = bed_noise(at, 32.0, footprint);
-  vec3 albedo = frame.sea.place.shift_along[2].z * vec3(0.50, 0.43, 0.32) * (0.75 + 0.10 * fine + 0.12 * middle + 0.14 * broad + 0.14 * wide);
+  const vec2 at =
+      straight +
+      14.0 * (vec2(bed_noise(straight, 16.0, footprint), bed_noise(straight.yx + 237.0, 16.0, footprint)) - 0.5);
+  const float fine = bed_noise(at, 0.5, footprint), middle = bed_noise(at, 2.0, footprint),
+              broad = bed_noise(at, 8.0, footprint), wide = bed_noise(at, 32.0, footprint);
+  vec3 albedo = frame.sea.place.shift_along[2].z * vec3(0.50, 0.43, 0.32) *
+                (0.75 + 0.10 * fine + 0.12 * middle + 0.14 * broad + 0.14 * wide);
   if (height < 0.0) {  // weed and stones in deeper water
-    const float weed = smoothstep(0.50, 0.66, 0.36 * bed_noise(at, 128.0, footprint) + 0.26 * wide + 0.18 * broad + 0.12 * middle + 0.08 * fine) * smoothstep(0.8, 3.0, -height);
+    const float weed =
+        smoothstep(0.50, 0.66,
+                   0.36 * bed_noise(at, 128.0, footprint) + 0.26 * wide + 0.18 * broad + 0.12 * middle + 0.08 * fine) *
+        smoothstep(0.8, 3.0, -height);
     return mix(albedo, vec3(0.055, 0.065, 0.035), 0.85 * weed);
   }
   const float grown_from = frame.sea.place.shift_along[1].z;
   if (grown_from > 0.0) {
     const float edge = height - grown_from * (0.55 + 0.35 * wide + 0.3 * broad + 0.25 * middle);
-    const vec3 growth = mix(vec3(0.045, 0.075, 0.022), vec3(0.11, 0.12, 0.05), 0.35 * broad + 0.4 * middle + 0.25 * fine) * (0.5 + 0.5 * wide + 0.5 * broad);
+    const vec3 growth =
+        mix(vec3(0.045, 0.075, 0.022), vec3(0.11, 0.12, 0.05), 0.35 * broad + 0.4 * middle + 0.25 * fine) *
+        (0.5 + 0.5 * wide + 0.5 * broad);
     albedo = mix(albedo, growth, smoothstep(0.0, 0.35 * grown_from, edge));
   }
   const float steep = length(slope);
-  return mix(albedo, vec3(0.19, 0.175, 0.155) * (0.6 + 0.5 * fine + 0.4 * middle), smoothstep(0.65, 1.0, steep + 0.3 * (middle - 0.5)));
+  return mix(albedo, vec3(0.19, 0.175, 0.155) * (0.6 + 0.5 * fine + 0.4 * middle),
+             smoothstep(0.65, 1.0, steep + 0.3 * (middle - 0.5)));
 }
 
-// Radiance that comes out of shallow water, where `deep` comes out of deep: what the column scatters back and what the bed reflects (Lee, Carder, Mobley,
-// Steward and Patch 1998, eqs. 1, 2, 5 and 6). `down`: irradiance that has entered; `v`: to the eye; `normal`: of the water.
+// Radiance that comes out of shallow water, where `deep` comes out of deep: what the column scatters back and what the
+// bed reflects (Lee, Carder, Mobley, Steward and Patch 1998, eqs. 1, 2, 5 and 6). `down`: irradiance that has entered;
+// `v`: to the eye; `normal`: of the water.
 vec3 bed_through_water(Bed bed, vec3 deep, vec3 down, vec2 place, vec3 v, vec3 normal, float above, float footprint) {
-  const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb, u = frame.water_backscatter.rgb / attenuation;
+  const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb,
+             u = frame.water_backscatter.rgb / attenuation;
   const vec3 inside = refract(-v, normal, 1.0 / water_index);
-  const float eye_cosine = max(-inside.y, 0.3), sun_cosine = sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
+  const float eye_cosine = max(-inside.y, 0.3),
+              sun_cosine = sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
   // Where the line of sight meets the bed, as if that were level on the way there.
   const vec2 seen = place + inside.xz / eye_cosine * clamp(bed.film, 0.0, 20.0);
   const LodRead read = place_read(seen, footprint);
-  const float depth = max(sea_bed_still + max(above, -0.9 * max(bed.still_depth, 0.0)) - sea_bed_height(read, seen).x, 0.0);
-  const float way = bed.still_depth < 0.5 ? max(bed.film, 0.0) : mix(max(bed.film, 0.0), depth, clamp(bed.still_depth - 0.5, 0.0, 1.0));
+  const float depth =
+      max(sea_bed_still + max(above, -0.9 * max(bed.still_depth, 0.0)) - sea_bed_height(read, seen).x, 0.0);
+  const float way = bed.still_depth < 0.5 ? max(bed.film, 0.0)
+                                          : mix(max(bed.film, 0.0), depth, clamp(bed.still_depth - 0.5, 0.0, 1.0));
   const vec3 of_column = 1.03 * sqrt(1.0 + 2.4 * u), of_bed = 1.04 * sqrt(1.0 + 5.4 * u);
   const vec3 albedo = bed_albedo(seen, -way, bed.slope, footprint);
   const vec3 column = exp(-(1.0 / sun_cosine + of_column / eye_cosine) * attenuation * way);
-  const vec3 reflected = albedo / pi * exp(-(1.0 / sun_cosine + of_bed / eye_cosine) * attenuation * way);  // 1/sr, beneath the surface
-  return deep * (1.0 - column) + 0.52 * reflected / (1.0 - 1.5 * reflected) * down;  // what the surface throws back lights the bed again
+  const vec3 reflected =
+      albedo / pi * exp(-(1.0 / sun_cosine + of_bed / eye_cosine) * attenuation * way);  // 1/sr, beneath the surface
+  return deep * (1.0 - column) +
+         0.52 * reflected / (1.0 - 1.5 * reflected) * down;  // what the surface throws back lights the bed again
 }
 
 // Land lit by sun and sky; wet as far as run-up comes, where it is darker (Lekner and Dorf 1988) and mirrors the sky.
 vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
   const vec3 normal = normalize(vec3(-bed.slope.x, 1.0, -bed.slope.y));
   const float run_up = frame.sea.place.shift_along[0].z;
-  const float wet = 1.0 - smoothstep(0.4 * run_up, 1.3 * run_up + 0.01, -bed.still_depth + 0.25 * run_up * (bed_noise(place + frame.sea.place.outside_bed.yz, 16.0, footprint) - 0.5));
-  const vec3 light_there = light.sky_irradiance.rgb * (0.5 + 0.5 * normal.y) + sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);
+  const float wet =
+      1.0 - smoothstep(0.4 * run_up, 1.3 * run_up + 0.01,
+                       -bed.still_depth +
+                           0.25 * run_up * (bed_noise(place + frame.sea.place.outside_bed.yz, 16.0, footprint) - 0.5));
+  const vec3 light_there = light.sky_irradiance.rgb * (0.5 + 0.5 * normal.y) +
+                           sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);
   vec3 lit = bed_albedo(place, max(-bed.still_depth, 0.0), bed.slope, footprint) * light_there / pi;
   lit *= mix(1.0, 0.45, wet);
   if (wet > 0.0) {

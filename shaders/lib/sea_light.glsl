@@ -9,20 +9,22 @@
 layout(constant_id = 3) const bool foam = false;
 // Data of places (lib/sea.glsl).
 layout(constant_id = 18) const int water_albedo = 0;
-layout(binding = 31) uniform texture2DArray water_albedo_windows;  // a colour that lies on the water, times its cover; the cover
+layout(binding = 31) uniform texture2DArray
+    water_albedo_windows;  // a colour that lies on the water, times its cover; the cover
 layout(constant_id = 19) const int water_shadow = 0;
-layout(binding = 32) uniform texture2DArray water_shadow_windows;  // light kept away from within the water, and from its surface
+layout(binding = 32) uniform texture2DArray
+    water_shadow_windows;  // light kept away from within the water, and from its surface
 
 #include "lib/albedo.glsl"
 
 // What the drawn surface says of one pixel.
 struct SurfacePoint {
-  vec3 relative;      // metres from the viewer, world axes
-  vec2 rest;          // rest position, metres from the grid origin
-  vec2 place;         // where it stands, metres from the grid origin
-  vec2 along, across; // of the rest position, a pixel to the right and a pixel down
-  vec2 height_shear;  // x: above the curved still sea, metres; y: dDx/dz
-  vec4 derivatives;   // of the cascades that vertices carry
+  vec3 relative;       // metres from the viewer, world axes
+  vec2 rest;           // rest position, metres from the grid origin
+  vec2 place;          // where it stands, metres from the grid origin
+  vec2 along, across;  // of the rest position, a pixel to the right and a pixel down
+  vec2 height_shear;   // x: above the curved still sea, metres; y: dDx/dz
+  vec4 derivatives;    // of the cascades that vertices carry
 };
 
 #include "lib/foam.glsl"
@@ -33,12 +35,14 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   float above = p.height_shear.x;
   if (sea_level) above -= sea_level_at(p.rest);
   vec2 sunlit = vec2(1.0);  // within the water, on its surface
-  if (water_shadow > 0) sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
+  if (water_shadow > 0)
+    sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
   const float height = clamp(above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
   const vec3 to_eye = view.eye.xyz - p.relative;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
-  const CarriedSlopes have = CarriedSlopes(p.derivatives, p.height_shear.y, vertex_footprint(p.rest), level_blur(to_eye, view.eye.w));
+  const CarriedSlopes have =
+      CarriedSlopes(p.derivatives, p.height_shear.y, vertex_footprint(p.rest), level_blur(to_eye, view.eye.w));
   const SeaSlopes s = sea_slopes(p.rest, p.along, p.across, have);
   // Slopes are over the still sea, which itself leans away with the earth's curve.
   const vec2 slope = sea_slope(s) - p.relative.xz * frame.skirt.w;
@@ -48,7 +52,8 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   const float level = max(length(v.xz), 1e-4);
   const vec2 sight = v.xz / level;
   const vec3 var = max(s.variance, vec3(2e-6, 2e-6, -1.0));
-  const float spread2 = max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 2e-6);
+  const float spread2 =
+      max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 2e-6);
   const float lean = dot(slope, sight);
   const vec3 facets = visible_facets(v.y / level, lean, sqrt(spread2));
   const float seen = level * facets.z;
@@ -92,11 +97,14 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   if (sea_bed && sea_level) sea_bed_still = sea_level_at(p.rest);
   Bed sea_bed_below;
   if (sea_bed) sea_bed_below = bed_at(p, sea_bed_still, above, sea_bed_footprint);
-  if (sea_bed && water_clip && water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? sea_bed_still : p.height_shear.x, p.place.y))) sea_bed_below.water = 0.0;
+  if (sea_bed && water_clip &&
+      water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? sea_bed_still : p.height_shear.x,
+                                 p.place.y)))
+    sea_bed_below.water = 0.0;
   if (sea_bed) below = bed_through_water(sea_bed_below, below, down, p.place, v, normal, above, sea_bed_footprint);
 
-  // Sunlight through a crest: it enters the far side and leaves towards the eye, dimmed by the water between. The thickness
-  // shrinks towards the crest and on steep faces.
+  // Sunlight through a crest: it enters the far side and leaves towards the eye, dimmed by the water between. The
+  // thickness shrinks towards the crest and on steep faces.
   const float hs = frame.sea.footprint.w;
   vec3 through = vec3(0.0);
   if (frame.water_absorption.w > 0.0 && hs > 0.05) {
@@ -105,18 +113,21 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
     const float thickness = 0.9 * hs * exp2(-2.0 * height / hs) / (0.25 + 2.0 * tilt);
     const float cosine = dot(normalize(inside + vec3(0.0, 0.2, 0.0)), l);
     const vec3 scattering = 14.0 * backscatter;  // all of it, not only what turns back
-    through = frame.water_absorption.w * light.sun_irradiance.rgb * henyey_greenstein(cosine, 0.72) * scattering * thickness *
-              exp(-(absorption + 2.0 * backscatter) * 2.5 * thickness) * smoothstep(-0.4, 0.8, height / hs) *
-              smoothstep(-0.05, 0.15, l.y);
+    through = frame.water_absorption.w * light.sun_irradiance.rgb * henyey_greenstein(cosine, 0.72) * scattering *
+              thickness * exp(-(absorption + 2.0 * backscatter) * 2.5 * thickness) *
+              smoothstep(-0.4, 0.8, height / hs) * smoothstep(-0.05, 0.15, l.y);
   }
 
   vec3 lit = reflected + (1.0 - mean_fresnel) * (below + sunlit.x * through) + sunlit.y * glitter;
 
   // Of a white cloth on the water.
-  const vec3 lit_white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
+  const vec3 lit_white =
+      (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
 
   FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
-  if (foam_kept && sea_flow) foam_way = FoamWay(flow_velocity * frame.sea.place.flow.x, flow_velocity * frame.sea.place.flow.y, frame.sea.place.flow.z);
+  if (foam_kept && sea_flow)
+    foam_way =
+        FoamWay(flow_velocity * frame.sea.place.flow.x, flow_velocity * frame.sea.place.flow.y, frame.sea.place.flow.z);
   if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, lit_white, foam_way);
 
   if (sea_bed) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, sea_bed_below.water);

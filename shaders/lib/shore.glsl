@@ -1,5 +1,5 @@
-// Gerstner waves along curves: their tile, laid so that x runs along a curve and -z across it towards the shore. Part of lib/sea.glsl; the C++ twins are
-// ocean/local/shore_lines.cpp, which says where a place lies, and shore_sea.cpp.
+// Gerstner waves along curves: their tile, laid so that x runs along a curve and -z across it towards the shore. Part
+// of lib/sea.glsl; the C++ twins are ocean/local/shore_lines.cpp, which says where a place lies, and shore_sea.cpp.
 
 layout(binding = 44) uniform texture2DArray shore_displacement;  // as those of gerstner, along the tile's axes
 layout(binding = 45) uniform texture2DArray shore_derivatives;
@@ -13,10 +13,17 @@ vec2 shore_forward;   // along the curve
 vec2 shore_bent;      // the place in the pattern, m
 vec2 shore_flow;      // the water's velocity on the plane, m/s
 
-// The angle of a vector in turns, -1/2 to 1/2; off by less than 1e-8 (Abramowitz and Stegun 1964, 4.4.49). What drivers have for it may be off by 1e-4.
+// The angle of a vector in turns, -1/2 to 1/2; off by less than 1e-8 (Abramowitz and Stegun 1964, 4.4.49). What drivers
+// have for it may be off by 1e-4.
 float shore_turns(vec2 v) {
   const float least = min(abs(v.x), abs(v.y)), most = max(max(abs(v.x), abs(v.y)), 1e-20), x = least / most, y = x * x;
-  float angle = x * (1.0 + y * (-0.3333314528 + y * (0.1999355085 + y * (-0.1420889944 + y * (0.1065626393 + y * (-0.0752896400 + y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
+  float angle =
+      x *
+      (1.0 + y * (-0.3333314528 +
+                  y * (0.1999355085 +
+                       y * (-0.1420889944 +
+                            y * (0.1065626393 +
+                                 y * (-0.0752896400 + y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
   if (abs(v.y) > abs(v.x)) angle = 1.5707963268 - angle;
   if (v.x < 0.0) angle = 3.1415926536 - angle;
   return (v.y < 0.0 ? -angle : angle) / 6.2831853072;

@@ -1,5 +1,5 @@
-// Looking up the sky map: radiance by direction. Across goes the azimuth, measured around a square so that it needs no arc tangent;
-// up goes the square root of the sine of elevation, which is fine at the horizon.
+// Looking up the sky map: radiance by direction. Across goes the azimuth, measured around a square so that it needs no
+// arc tangent; up goes the square root of the sine of elevation, which is fine at the horizon.
 #ifndef SEASCAPE_SKY_GLSL
 #define SEASCAPE_SKY_GLSL
 #include "shared/sky_push.h"

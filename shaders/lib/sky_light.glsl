@@ -21,17 +21,20 @@ vec3 sky_light(vec3 ray, float pixel) {
   return sky;
 }
 
-// Light from a place at sea as it comes through the air to the eye, which is `range` metres from there in direction `v`: what air takes away, and what it adds: far off the
-// sky's light from just above the horizon, beneath the viewer, where no horizon lies behind, the mean of the sky's.
-// Its first half per cent is left out, so that near water need not look at the sky.
+// Light from a place at sea as it comes through the air to the eye, which is `range` metres from there in direction
+// `v`: what air takes away, and what it adds: far off the sky's light from just above the horizon, beneath the viewer,
+// where no horizon lies behind, the mean of the sky's. Its first half per cent is left out, so that near water need not
+// look at the sky.
 vec3 through_air(vec3 lit, vec3 v, float range) {
   const float haze = 1.0 - exp(-frame.air.x * range) - 0.005;
   if (haze <= 0.0) return lit;
   const vec3 horizon = textureLod(sky_map, sky_coordinate(normalize(vec3(-v.x, 0.012, -v.z))), 0.0).rgb;
-  return mix(lit, mix(horizon, light.sky_irradiance.rgb * (0.5 / 3.14159265), smoothstep(0.05, 0.6, v.y)), haze / 0.995);
+  return mix(lit, mix(horizon, light.sky_irradiance.rgb * (0.5 / 3.14159265), smoothstep(0.05, 0.6, v.y)),
+             haze / 0.995);
 }
 
-// Whether sky along `ray` is a hole in the sea: beneath the lowest line where any water must be seen, nothing but the sea may lie.
+// Whether sky along `ray` is a hole in the sea: beneath the lowest line where any water must be seen, nothing but the
+// sea may lie.
 bool is_hole(vec3 ray, ViewData view) {
   const float h = max(frame.viewer.z + view.eye.y + frame.sea.footprint.z, 0.0), c = frame.skirt.w;
   const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c);  // sine of the dip (0 when flat)

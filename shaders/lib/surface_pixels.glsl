@@ -26,22 +26,25 @@ layout(location = 0) out vec4 colour;
 vec3 debug_colour(vec3 lit, vec3 normal) {
   if (frame.grid.w == debug_lod) {
     const uint level = patch_level(flags);
-    const vec3 tint = (flags & patch_skirt) != 0u ? vec3(0.5) : 0.5 + 0.5 * cos(vec3(0.0, 2.1, 4.2) + float(level) * 1.7);
+    const vec3 tint =
+        (flags & patch_skirt) != 0u ? vec3(0.5) : 0.5 + 0.5 * cos(vec3(0.0, 2.1, 4.2) + float(level) * 1.7);
     return mix(vec3(luminance(lit)), tint, 0.6);
   }
   if (frame.grid.w == debug_normals) return 0.5 + 0.5 * normal;
   if (frame.grid.w == debug_wireframe) return vec3(0.9);
-  if (cascade_count > 0 && frame.grid.w == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
+  if (cascade_count > 0 &&
+      frame.grid.w == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
     const int i = int(mod(floor(rest.x / 16.0), float(cascade_count)));
     vec3 d = texture(sampler2DArray(sea_longest_displacement, pixel_sampler), vec3(fract(rest / 16.0), 0.0)).xyz;
-    if (cascade_count > 1 && i > 0) d = texture(sampler2DArray(sea_displacement_tiles, pixel_sampler), vec3(fract(rest / 16.0), float(i - 1))).xyz;
+    if (cascade_count > 1 && i > 0)
+      d = texture(sampler2DArray(sea_displacement_tiles, pixel_sampler), vec3(fract(rest / 16.0), float(i - 1))).xyz;
     return 0.5 + 0.5 * d / max(frame.sea.footprint.w, 0.1);
   }
   return lit;
 }
 
-// Where a sliver along the horizon holds a sample, a driver may find its distance past infinity, and so behind the eye: in the right direction, turned about.
-// It is as far as the horizon then.
+// Where a sliver along the horizon holds a sample, a driver may find its distance past infinity, and so behind the eye:
+// in the right direction, turned about. It is as far as the horizon then.
 vec3 ahead(vec3 found) {
   const mat4 clip = frame.view[eye_index()].clip_from_relative;
   if (dot(vec4(clip[0].w, clip[1].w, clip[2].w, clip[3].w), vec4(found, 1.0)) > 0.0) return found;
@@ -50,7 +53,9 @@ vec3 ahead(vec3 found) {
 }
 
 // Where the water seen stands: metres from the grid origin, y above the curved still sea.
-vec3 standing(vec3 seen) { return flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w) + vec3(frame.viewer.x, 0.0, frame.viewer.y); }
+vec3 standing(vec3 seen) {
+  return flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w) + vec3(frame.viewer.x, 0.0, frame.viewer.y);
+}
 
 void main() {
   const vec3 seen = ahead(relative), stands = standing(seen);

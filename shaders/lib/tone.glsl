@@ -4,8 +4,8 @@
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
-// Reinhard's curve with a white point (2002, eq. 4), half by channel and half by luminance: dark water keeps its blue, glitter
-// keeps its shape up to sixteen times the mid grey's light, and what is brighter turns white.
+// Reinhard's curve with a white point (2002, eq. 4), half by channel and half by luminance: dark water keeps its blue,
+// glitter keeps its shape up to sixteen times the mid grey's light, and what is brighter turns white.
 vec3 tone_map(vec3 c) {
   const float white2 = 16.0 * 16.0;
   const float l = luminance(c);

@@ -1,5 +1,5 @@
-// Where water is taken away: flat inputs from windows, and volumes exactly, whatever there are of them. Part of lib/sea.glsl; the C++ twins are
-// ocean/local/place_sea.cpp and ocean/inputs/clip_volumes.cpp.
+// Where water is taken away: flat inputs from windows, and volumes exactly, whatever there are of them. Part of
+// lib/sea.glsl; the C++ twins are ocean/local/place_sea.cpp and ocean/inputs/clip_volumes.cpp.
 #include "shared/clip_volume.h"
 
 // What there is of both: 1 flat inputs, 2 volumes, 4 hulls among them.
@@ -7,20 +7,24 @@ layout(constant_id = 24) const int water_clip_kinds = 0;
 layout(binding = 30) uniform texture2DArray water_clip_windows;  // 1 where there is no water
 layout(std430, binding = 38) readonly buffer ClipNodes { ClipNode clip_nodes[]; };
 layout(std430, binding = 39) readonly buffer ClipVolumes { ClipVolume clip_volumes[]; };
-layout(binding = 40) uniform texture2DArray clip_hulls;          // lowest, highest, beyond (clip_hull_distance)
+layout(binding = 40) uniform texture2DArray clip_hulls;  // lowest, highest, beyond (clip_hull_distance)
 
 bool clip_within(ClipVolume v, vec3 from_middle) {
-  const vec3 p = vec3(dot(v.axis[0].xyz, from_middle), dot(v.axis[1].xyz, from_middle), dot(v.axis[2].xyz, from_middle));
+  const vec3 p =
+      vec3(dot(v.axis[0].xyz, from_middle), dot(v.axis[1].xyz, from_middle), dot(v.axis[2].xyz, from_middle));
   if ((water_clip_kinds & 4) != 0 && v.middle.z == clip_hull) {
     const vec2 at = p.xz / (v.axis[0].w * float(clip_hull_texels));
     if (max(abs(at.x), abs(at.y)) > 0.5 - 0.5 / float(clip_hull_texels)) return false;
-    return clip_hull_distance(p.y, textureLod(sampler2DArray(clip_hulls, smooth_sampler), vec3(at + 0.5, float(v.middle.w)), 0.0).xyz, v.axis[0].w, v.axis[1].w) < 0.0;
+    return clip_hull_distance(
+               p.y, textureLod(sampler2DArray(clip_hulls, smooth_sampler), vec3(at + 0.5, float(v.middle.w)), 0.0).xyz,
+               v.axis[0].w, v.axis[1].w) < 0.0;
   }
   if (v.middle.z == clip_cylinder) return clip_cylinder_distance(p, v.axis[0].w, v.axis[1].w) < 0.0;
   return clip_box_distance(p, vec3(v.axis[0].w, v.axis[1].w, v.axis[2].w), v.edge.x) < 0.0;
 }
 
-// Of the volumes that hold the place (y: above the curved still sea) the last one decides, or where none does what flat inputs say.
+// Of the volumes that hold the place (y: above the curved still sea) the last one decides, or where none does what flat
+// inputs say.
 bool clip_by_volumes(vec3 place, bool flat_says) {
   const vec2 at = place.xz + frame.sea.place.clip_from.xy;
   const ivec2 cell = ivec2(floor(at)) + frame.sea.place.clip_origin.xy;
@@ -43,10 +47,13 @@ bool clip_by_volumes(vec3 place, bool flat_says) {
   return clipped;
 }
 
-// Whether there is no water: by flat inputs at `flat_place`, by volumes at `place` (x, z metres from the grid origin, y above the curved still sea).
+// Whether there is no water: by flat inputs at `flat_place`, by volumes at `place` (x, z metres from the grid origin, y
+// above the curved still sea).
 bool water_clipped(vec2 flat_place, vec3 place) {
   bool clipped = frame.sea.place.outside.y > 0.5;
-  if ((water_clip_kinds & 1) != 0) clipped = place_value(water_clip_windows, place_read(flat_place, 0.0), flat_place, frame.sea.place.outside.yyyy).x > 0.5;
+  if ((water_clip_kinds & 1) != 0)
+    clipped =
+        place_value(water_clip_windows, place_read(flat_place, 0.0), flat_place, frame.sea.place.outside.yyyy).x > 0.5;
   if ((water_clip_kinds & 6) != 0) clipped = clip_by_volumes(place, clipped);
   return clipped;
 }

@@ -11,12 +11,13 @@ layout(constant_id = 1) const uint band = 64;  // rows that are not zero
 layout(std430, binding = 0) readonly buffer Rows { vec2 rows[]; };
 layout(binding = 1, TILE_FORMAT) writeonly uniform image2DArray displacement;  // Dx, h, Dz, dDx/dz
 layout(binding = 2, TILE_FORMAT) writeonly uniform image2DArray derivatives;   // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 3, TILE_FORMAT) writeonly uniform image2DArray moments;       // (dh/dx)^2, (dh/dz)^2, their product, (dDx/dx + dDz/dz)^2; each times WavePush's share
+layout(binding = 3, TILE_FORMAT) writeonly uniform
+    image2DArray moments;  // (dh/dx)^2, (dh/dz)^2, their product, (dDx/dx + dDz/dz)^2; each times WavePush's share
 layout(push_constant) uniform Push { WavePush push; };
 
 // One field's transform: the values of this lane, at q = lane + FFT_RADIX c.
-void column(uint field, uint cascade, uint x, uint columns, uint lane, uint slot, vec2 w[FFT_RADIX], vec2 turn[FFT_RADIX], vec2 next_turn,
-            out vec2 v[FFT_RADIX]) {
+void column(uint field, uint cascade, uint x, uint columns, uint lane, uint slot, vec2 w[FFT_RADIX],
+            vec2 turn[FFT_RADIX], vec2 next_turn, out vec2 v[FFT_RADIX]) {
   const uint source = (cascade * uint(wave_fields) + field) * band;
   for (uint r = 0u; r < radix; ++r) {
     vec2 sum = vec2(0.0), by = turn[r];
@@ -47,7 +48,8 @@ void main() {
   for (uint c = 0u; c < radix; ++c) {
     const uint q = lane + radix * c;
     if (q % shrink == 0u)
-      imageStore(displacement, ivec3(x, q / shrink * phases + phase, cascade), vec4(a[c], b[c].x, b[c].y / push.wave_vector[cascade].z));
+      imageStore(displacement, ivec3(x, q / shrink * phases + phase, cascade),
+                 vec4(a[c], b[c].x, b[c].y / push.wave_vector[cascade].z));
   }
   column(2u, cascade, x, columns, lane, slot, w, turn, next_turn, a);
   column(3u, cascade, x, columns, lane, slot, w, turn, next_turn, b);

@@ -8,8 +8,8 @@ layout(constant_id = 1) const uint band = 64;
 layout(std430, binding = 0) readonly buffer Bins { WaveBin waves[]; };
 layout(push_constant) uniform Push { WavePush push; };
 
-// Height of a real sea: half the wave and half the conjugate of its opposite (Tessendorf 2001, eq. 43, with amplitudes of
-// one-sided waves). `row` and `column` count from -band / 2, whose waves have no opposite and are none.
+// Height of a real sea: half the wave and half the conjugate of its opposite (Tessendorf 2001, eq. 43, with amplitudes
+// of one-sided waves). `row` and `column` count from -band / 2, whose waves have no opposite and are none.
 vec2 wave_height(uint cascade, uint row, uint column) {
   if (row == 0u || column == 0u) return vec2(0.0);
   const int centre = int((cascade * bins + bins / 2u) * bins + bins / 2u);
@@ -21,8 +21,8 @@ vec2 wave_height(uint cascade, uint row, uint column) {
   return 0.5 * (times(wave.amplitude, vec2(turn.x, -turn.y)) + times(vec2(opposite.x, -opposite.y), turn));
 }
 
-// The complex number that turns a wave's height into the two real fields A + i B of a transform. Displacement is i k/|k| chop h; a
-// derivative multiplies by i k.
+// The complex number that turns a wave's height into the two real fields A + i B of a transform. Displacement is i
+// k/|k| chop h; a derivative multiplies by i k.
 vec2 field_factor(uint field, vec2 k, float length_m) {
   vec2 n = k * inversesqrt(max(dot(k, k), 1e-30));
   if (push.depth_m > 0.0) {  // orbits wider than high: coth(k h), held at 8 (orbit_width in ocean/waves/dispersion.h)

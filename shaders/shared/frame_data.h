@@ -8,25 +8,26 @@
 SEASCAPE_SHARED_BEGIN
 
 struct ViewData {
-  mat4 clip_from_relative;  // from metres relative to the viewer
-  vec4 ray_x, ray_y, ray_z; // world direction of a pixel at normalised device (x, y): x ray_x + y ray_y + ray_z
-  vec4 eye;                 // xyz: the eye relative to the viewer in metres; w: radians a pixel at the centre
+  mat4 clip_from_relative;   // from metres relative to the viewer
+  vec4 ray_x, ray_y, ray_z;  // world direction of a pixel at normalised device (x, y): x ray_x + y ray_y + ray_z
+  vec4 eye;                  // xyz: the eye relative to the viewer in metres; w: radians a pixel at the centre
 };
 
 struct FrameData {
   ViewData view[2];
-  vec4 viewer;          // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
-  vec4 sun;             // xyz: towards the sun; w: cosine of its angular radius
-  vec4 air;             // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: unused
+  vec4 viewer;  // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
+  vec4 sun;     // xyz: towards the sun; w: cosine of its angular radius
+  vec4 air;     // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: unused
   vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
-  vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that enters a level sea
-  vec4 whitecap;        // x: strength; y: Jacobian below which foam forms; z, w: unused
-  ivec4 grid;           // x, y: the tree's centre in units; z: rows of the skirt; w: debug view
-  vec4 skirt;           // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
+  vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
+                           // enters a level sea
+  vec4 whitecap;           // x: strength; y: Jacobian below which foam forms; z, w: unused
+  ivec4 grid;              // x, y: the tree's centre in units; z: rows of the skirt; w: debug view
+  vec4 skirt;  // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
   VertexMorph morph;
   SeaData sea;
-  FoamData foam;        // where it is simulated
+  FoamData foam;  // where it is simulated
 };
 
 // Values of grid.w, in the order of app/render_settings.h's DebugView.

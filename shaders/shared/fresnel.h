@@ -4,7 +4,8 @@
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 #ifdef __cplusplus
-using glm::clamp; using glm::sqrt;
+using glm::clamp;
+using glm::sqrt;
 #endif
 
 SEASCAPE_CONST float water_index = 1.333f;  // of refraction

@@ -5,9 +5,15 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace seascape::gpu {
-using glm::ivec2; using glm::ivec4; using glm::mat4; using glm::uvec2; using glm::uvec4; using glm::vec2; using glm::vec4;
+using glm::ivec2;
+using glm::ivec4;
+using glm::mat4;
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec4;
 using uint = std::uint32_t;
-}
+}  // namespace seascape::gpu
 #define SEASCAPE_SHARED_BEGIN namespace seascape::gpu {
 #define SEASCAPE_SHARED_END }
 #define SEASCAPE_CONST inline constexpr

@@ -1,30 +1,38 @@
-// Where data of a place lie: windows around the viewer, each twice as wide as the one before, and which of them a place reads.
+// Where data of a place lie: windows around the viewer, each twice as wide as the one before, and which of them a place
+// reads.
 #ifndef SEASCAPE_LOD_WINDOWS_H
 #define SEASCAPE_LOD_WINDOWS_H
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 #ifdef __cplusplus
-using glm::abs; using glm::ceil; using glm::clamp; using glm::log2; using glm::max; using glm::min;
+using glm::abs;
+using glm::ceil;
+using glm::clamp;
+using glm::log2;
+using glm::max;
+using glm::min;
 #endif
 
 SEASCAPE_CONST int max_lod_slices = 16;
-// The outer part of a window's reach over which it gives way to the next. With less than a half, a place reads two windows at most.
+// The outer part of a window's reach over which it gives way to the next. With less than a half, a place reads two
+// windows at most.
 SEASCAPE_CONST float lod_border = 0.25f;
 
-// Places are metres from an origin near the viewer, x and z. Textures repeat: a place keeps its texel for as long as a window covers it,
-// whichever way the window has moved.
+// Places are metres from an origin near the viewer, x and z. Textures repeat: a place keeps its texel for as long as a
+// window covers it, whichever way the window has moved.
 struct LodWindows {
-  vec4 slice[max_lod_slices];  // x, y: the origin's coordinates in the texture; z: 1 / the window's side; w: its texel, m
-  vec4 reach;                  // x: how far from the viewer slice 0 is read, m; of each slice after it twice as far; y: how far any is; z: how far
-                               // slice 0 has given way to slice 1 for height, 0 to 1; w: the finest texel, m
-  vec2 viewer;                 // not snapped: what is read changes smoothly with it
+  vec4 slice[max_lod_slices];  // x, y: the origin's coordinates in the texture; z: 1 / the window's side; w: its texel,
+                               // m
+  vec4 reach;  // x: how far from the viewer slice 0 is read, m; of each slice after it twice as far; y: how far any is;
+               // z: how far slice 0 has given way to slice 1 for height, 0 to 1; w: the finest texel, m
+  vec2 viewer;  // not snapped: what is read changes smoothly with it
   int slices;
-  int first_layer;             // the texture's layer of slice 0; that of slice i: (first_layer + i) modulo slices
+  int first_layer;  // the texture's layer of slice 0; that of slice i: (first_layer + i) modulo slices
 };
 
-// Slice `fine` and, where it is above 0, for a share `coarser` the one after it; what is not `present` is the field's value outside of
-// all windows. The result is mix(outside, mix(slice fine, slice fine + 1, coarser), present), so that a constant comes back to the bit:
-// the weights' sum is 1.
+// Slice `fine` and, where it is above 0, for a share `coarser` the one after it; what is not `present` is the field's
+// value outside of all windows. The result is mix(outside, mix(slice fine, slice fine + 1, coarser), present), so that
+// a constant comes back to the bit: the weights' sum is 1.
 struct LodRead {
   int fine;
   float coarser;
@@ -39,16 +47,16 @@ SEASCAPE_FUNCTION int lod_layer(int first_layer, int slice, int slices) { return
 // Of a texture that repeats; `slice`: LodWindows::slice.
 SEASCAPE_FUNCTION vec2 lod_coordinates(vec4 slice, vec2 place) { return place * slice.z + vec2(slice.x, slice.y); }
 
-// How much of slice i there is at a distance from the viewer: 1, and 0 from its reach on. For data of which each slice has a part of
-// its own. `reach`: LodWindows::reach.
+// How much of slice i there is at a distance from the viewer: 1, and 0 from its reach on. For data of which each slice
+// has a part of its own. `reach`: LodWindows::reach.
 SEASCAPE_FUNCTION float lod_present(vec4 reach, int slice, float distance) {
   float end = min(reach.x * float(1 << slice), reach.y);
   return clamp((end - distance) / (lod_border * end), 0.0f, 1.0f);
 }
 
-// What a place is read from, for a footprint in metres. The level is the greatest of three, each continuous: by distance, by footprint
-// (no texel finer than it) and by the viewer's height. A slice's number at which the binary logarithm rounds to either side gives the
-// same level.
+// What a place is read from, for a footprint in metres. The level is the greatest of three, each continuous: by
+// distance, by footprint (no texel finer than it) and by the viewer's height. A slice's number at which the binary
+// logarithm rounds to either side gives the same level.
 SEASCAPE_FUNCTION LodRead lod_read(vec4 reach, int slices, float distance, float footprint) {
   int number = distance > reach.x ? int(min(ceil(log2(distance / reach.x)), float(slices - 1))) : 0;
   float end = reach.x * float(1 << number);

@@ -14,15 +14,15 @@ SEASCAPE_CONST uint patch_north = 2u;
 SEASCAPE_CONST uint patch_west = 4u;
 SEASCAPE_CONST uint patch_south = 8u;
 // A strip of the horizon skirt: row 0 is the outer edge of a patch on the root's border, the rows after it go outwards
-// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The six at
-// patch_skirt_band say which of the skirt's rows, patch_quads at a time, the strip has.
+// from the tree's centre. The two bits at patch_skirt_side say which border: 0 east, 1 north, 2 west, 3 south. The six
+// at patch_skirt_band say which of the skirt's rows, patch_quads at a time, the strip has.
 SEASCAPE_CONST uint patch_skirt = 16u;
 SEASCAPE_CONST uint patch_skirt_side_shift = 5u;
 SEASCAPE_CONST uint patch_level_shift = 8u;  // five bits: the level (0 the root)
 SEASCAPE_CONST uint patch_skirt_band_shift = 13u;
 
-// So many patches are one instance of the draw, because an instance of a few triangles costs drivers more than the triangles do.
-// Where a list ends within an instance the rest of it is nothing.
+// So many patches are one instance of the draw, because an instance of a few triangles costs drivers more than the
+// triangles do. Where a list ends within an instance the rest of it is nothing.
 SEASCAPE_CONST int patches_an_instance = 8;
 SEASCAPE_CONST uint patch_nothing = 0x80000000u;
 

@@ -10,8 +10,9 @@ SEASCAPE_SHARED_BEGIN
 // The whole-number coordinate of vertex (i, j), 0 <= i, j <= patch_quads.
 // A tree patch: i along +x, j along +z; on an edge whose bit is set an odd vertex falls onto the even one below it, so
 // that the edge has exactly the coarser neighbour's vertices (every second triangle along it becomes empty).
-// A skirt strip: the coordinate of its border vertex, the same for every row j. i runs along the border in the direction
-// that keeps the triangles counter-clockwise seen from above with j outwards: north +x, west +z, south -x, east -z.
+// A skirt strip: the coordinate of its border vertex, the same for every row j. i runs along the border in the
+// direction that keeps the triangles counter-clockwise seen from above with j outwards: north +x, west +z, south -x,
+// east -z.
 SEASCAPE_FUNCTION ivec2 patch_coordinate(PatchInstance p, int i, int j) {
   int quads = patch_quads;
   if ((p.flags & patch_skirt) != 0u) {
@@ -34,10 +35,10 @@ SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
   return int((p.flags >> patch_skirt_band_shift) & 63u) * patch_quads + j;
 }
 
-// Where the vertex stands, in units of unit_m relative to the grid origin: slid to its coarser neighbour as far as `morph` says,
-// and the skirt's `rows` rows moved outwards from `tree_centre`. Row 0 of a strip returns the very numbers of the patch that
-// it joins. Metres relative to the viewer are patch_vertex(...) * unit_m - viewer_fraction, with viewer_fraction = viewer -
-// grid_origin_m.
+// Where the vertex stands, in units of unit_m relative to the grid origin: slid to its coarser neighbour as far as
+// `morph` says, and the skirt's `rows` rows moved outwards from `tree_centre`. Row 0 of a strip returns the very
+// numbers of the patch that it joins. Metres relative to the viewer are patch_vertex(...) * unit_m - viewer_fraction,
+// with viewer_fraction = viewer - grid_origin_m.
 SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, int rows, ivec2 tree_centre, float to_multiplier,
                                     float to_horizon, VertexMorph morph) {
   vec2 place = morphed(morph, patch_coordinate(p, i, j), tree_centre, p.stride);

@@ -4,17 +4,25 @@
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 #ifdef __cplusplus
-using glm::clamp; using glm::findMSB; using glm::length; using glm::max; using glm::min; using glm::vec3; using glm::vec4;
+using glm::clamp;
+using glm::findMSB;
+using glm::length;
+using glm::max;
+using glm::min;
+using glm::vec3;
+using glm::vec4;
 #endif
 
-// All in units of the patches' coordinates. The tree splits every node whose quarters have vertices 2^n units apart that begins
-// nearer than reach(n): so wherever a patch is drawn with twice that spacing, the distance is at least that.
+// All in units of the patches' coordinates. The tree splits every node whose quarters have vertices 2^n units apart
+// that begins nearer than reach(n): so wherever a patch is drawn with twice that spacing, the distance is at least
+// that.
 struct VertexMorph {
   vec2 viewer;      // the viewer relative to the grid origin, x and z, at most half a unit off the grid point
   float height;     // from the viewer to the water's bounds
   int last_stride;  // vertices of a greater stride keep their place; 0: none slides
   vec4 reach[5];    // of n = 0, 1, 2, ...: rises with n
-  vec4 spacing;     // between vertices where levels change, over the distance: x: the least of all levels; y, z: nowhere more than y + z * distance; w: unused
+  vec4 spacing;  // between vertices where levels change, over the distance: x: the least of all levels; y, z: nowhere
+                 // more than y + z * distance; w: unused
 };
 
 SEASCAPE_FUNCTION float morph_reach(VertexMorph m, int n) {
@@ -24,12 +32,13 @@ SEASCAPE_FUNCTION float morph_reach(VertexMorph m, int n) {
   return (n & 1) == 0 ? even : odd;
 }
 
-// Where a vertex of a patch with this stride stands: odd ones (by their place in the tree) slide to the even one below them in
-// the second half of the way from one level's reach to the next, and have arrived before the tree may draw twice the stride
-// there (continuous levels of detail: Strugar 2010, section 4). One that has arrived is a vertex of the coarser patch, and goes
-// on as one. So patches of any two levels put a vertex that they share in the same place, to the bit: where they meet, all
-// vertices of the finer one have arrived at the coarser one's, or at what those have become. The distance is that of the
-// vertex it slides to, so that the four of a quad arrive together and no triangle turns over on the way.
+// Where a vertex of a patch with this stride stands: odd ones (by their place in the tree) slide to the even one below
+// them in the second half of the way from one level's reach to the next, and have arrived before the tree may draw
+// twice the stride there (continuous levels of detail: Strugar 2010, section 4). One that has arrived is a vertex of
+// the coarser patch, and goes on as one. So patches of any two levels put a vertex that they share in the same place,
+// to the bit: where they meet, all vertices of the finer one have arrived at the coarser one's, or at what those have
+// become. The distance is that of the vertex it slides to, so that the four of a quad arrive together and no triangle
+// turns over on the way.
 SEASCAPE_FUNCTION vec2 morphed(VertexMorph m, ivec2 coordinate, ivec2 tree_centre, int stride) {
   ivec2 place = coordinate;
   int n = findMSB(stride);
@@ -40,7 +49,8 @@ SEASCAPE_FUNCTION vec2 morphed(VertexMorph m, ivec2 coordinate, ivec2 tree_centr
     float reach = morph_reach(m, n);
     float end = 0.999f * reach - 0.75f;  // the tree measures from the viewer's grid point, and floats round
     float start = min(0.5f * (reach + before), end - 0.5f);
-    float share = end > 0.0f ? clamp((length(vec3(vec2(even) - m.viewer, m.height)) - start) / (end - start), 0.0f, 1.0f) : 1.0f;
+    float share =
+        end > 0.0f ? clamp((length(vec3(vec2(even) - m.viewer, m.height)) - start) / (end - start), 0.0f, 1.0f) : 1.0f;
     if (share < 1.0f) return vec2(place) - share * vec2(odd);
     place = even;
     before = reach;
@@ -49,12 +59,12 @@ SEASCAPE_FUNCTION vec2 morphed(VertexMorph m, ivec2 coordinate, ivec2 tree_centr
   return vec2(place);
 }
 
-// How far a place is from the viewer, as the tree's levels have it. From that alone, never from the patch, follows what is smoothed
-// there, so that shared vertices agree to the bit.
+// How far a place is from the viewer, as the tree's levels have it. From that alone, never from the patch, follows what
+// is smoothed there, so that shared vertices agree to the bit.
 SEASCAPE_FUNCTION float morph_distance(VertexMorph m, vec2 place) { return length(vec3(place - m.viewer, m.height)); }
 
-// What a vertex's displacement is averaged over, in units: half of the spacing. More would blur the waves that the mesh draws, less
-// would draw some that it cannot (measured: docs/accuracy.md).
+// What a vertex's displacement is averaged over, in units: half of the spacing. More would blur the waves that the mesh
+// draws, less would draw some that it cannot (measured: docs/accuracy.md).
 SEASCAPE_FUNCTION float displacement_footprint(VertexMorph m, vec2 place) {
   return 0.5f * max(1.0f, m.spacing.x * morph_distance(m, place));
 }

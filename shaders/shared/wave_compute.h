@@ -11,9 +11,9 @@ struct WavePush {
   int samples;                 // a side of the tiles
   float chop;
   vec4 wave_vector[max_cascades];  // xy: world wave vector of bin (1, 0) in rad/m; bin (0, 1) is that turned by 90
-                                   // degrees; z: a length, a power of two, that brings dDx/dz to the size of Dz; w: what sampling
-                                   // leaves of the texels' second moments (moment_share)
-  float depth_m;               // of the still water, 0 for deep
+                                   // degrees; z: a length, a power of two, that brings dDx/dz to the size of Dz; w:
+                                   // what sampling leaves of the texels' second moments (moment_share)
+  float depth_m;                   // of the still water, 0 for deep
 };
 
 // Push constants of wave_mips.comp.
@@ -22,7 +22,8 @@ struct MipPush {
   int levels;       // how many levels are written, 1 to 3
 };
 
-// The rows pass leaves (rows of the band) x columns complex values a field, 4 fields a cascade: field (cascade * 4 + f).
+// The rows pass leaves (rows of the band) x columns complex values a field, 4 fields a cascade: field (cascade * 4 +
+// f).
 SEASCAPE_CONST int wave_fields = 4;
 
 SEASCAPE_SHARED_END

@@ -4,8 +4,8 @@
 #include "gpu_types.h"
 SEASCAPE_SHARED_BEGIN
 
-// The golden number's inverse and the plastic number's fourth power's: no small multiple of a laying's side is near one of another's, as it would be at
-// 2/3 and 1/3, where all three repeat together every two sides.
+// The golden number's inverse and the plastic number's fourth power's: no small multiple of a laying's side is near one
+// of another's, as it would be at 2/3 and 1/3, where all three repeat together every two sides.
 SEASCAPE_CONST int max_particle_layings = 3;
 SEASCAPE_CONST float particle_size_1 = 0.6180339887f;
 SEASCAPE_CONST float particle_size_2 = 0.3247179572f;

@@ -43,8 +43,9 @@ TEST(Arguments, NothingMeansExploreOfTheOpenSea) {
 
 // Control: swapping two rows of command_names fails here.
 TEST(Arguments, EveryCommandHasItsFixedNames) {
-  const Arguments replay = parse("replay --scene S --path P --preset low --size 320x200 --views 1 --eye left --stereo single "
-                                 "--fps 72.5 --frames 9 --start 3 --out DIR --format exr --debug holes");
+  const Arguments replay = parse(
+      "replay --scene S --path P --preset low --size 320x200 --views 1 --eye left --stereo single "
+      "--fps 72.5 --frames 9 --start 3 --out DIR --format exr --debug holes");
   EXPECT_EQ(replay.command, Command::replay);
   EXPECT_EQ(replay.scene, "S");
   EXPECT_EQ(replay.path, "P");
@@ -59,8 +60,11 @@ TEST(Arguments, EveryCommandHasItsFixedNames) {
   EXPECT_EQ(replay.out, "DIR");
   EXPECT_EQ(replay.format, PictureFormat::exr);
   ASSERT_EQ(replay.overrides.size(), 2u);
-  EXPECT_EQ(parse("capture --scene S --path P --preset all --size 1x1 --views 2 --display headless --warmup 1 --frames 2 "
-                  "--out D").preset, "all");
+  EXPECT_EQ(
+      parse("capture --scene S --path P --preset all --size 1x1 --views 2 --display headless --warmup 1 --frames 2 "
+            "--out D")
+          .preset,
+      "all");
   const Arguments plan = parse("plan --scene S --preset high --json --matrix DIR");
   EXPECT_EQ(plan.command, Command::plan);
   EXPECT_TRUE(plan.json);
@@ -75,7 +79,8 @@ TEST(Arguments, EveryCommandHasItsFixedNames) {
 }
 
 TEST(Arguments, OverridesComeInOrderAndReachTheScene) {
-  const Arguments arguments = parse("query --points a --out b --seed 9 --set waves.chop=0.5 --set waves.chop=0.25 --time -2.5");
+  const Arguments arguments =
+      parse("query --points a --out b --seed 9 --set waves.chop=0.5 --set waves.chop=0.25 --time -2.5");
   EXPECT_EQ(arguments.time_s, -2.5);
   const Scene scene = scene_from(arguments, "low");
   EXPECT_EQ(scene.settings.sea.seed, 9u);
@@ -85,7 +90,8 @@ TEST(Arguments, OverridesComeInOrderAndReachTheScene) {
   EXPECT_EQ(scene_from(parse("--stereo per-eye --debug lod"), "low").settings.render.debug, DebugView::lod);
 }
 
-// What presets are on a device comes before what the command line says. Controls seen: the device left out; the device after the overrides.
+// What presets are on a device comes before what the command line says. Controls seen: the device left out; the device
+// after the overrides.
 TEST(Arguments, PresetsSuitTheDevice) {
   for (const char* preset : {"low", "ultra"}) {
     EXPECT_EQ(scene_from(parse(""), preset).settings.render.msaa, 4);
@@ -98,15 +104,18 @@ TEST(Arguments, PresetsSuitTheDevice) {
 // Control: leaving CLI11's own conversions in place gives other words, and none of the ranges.
 TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
-      {"expore", "unknown command 'expore' (did you mean 'explore'?); take explore, replay, capture, lab, bake, plan, query, validate or "
-                 "doctor; see seascape --help"},
+      {"expore",
+       "unknown command 'expore' (did you mean 'explore'?); take explore, replay, capture, lab, bake, plan, query, "
+       "validate or "
+       "doctor; see seascape --help"},
       {"replay --frame 3", "unknown option '--frame' (did you mean '--frames'?); see seascape replay --help"},
       {"replay --sett a=b", "unknown option '--sett' (did you mean '--set'?); see seascape replay --help"},
       {"replay storm", "unexpected word 'storm'; see seascape replay --help"},
       {"--scene storm replay", "unexpected word 'replay'; see seascape explore --help"},
       {"replay --size 0x5", "--size: '0x5' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
       {"replay --size 640", "--size: '640' is not WIDTHxHEIGHT; give two whole numbers from 1 to 16384, as 1280x720"},
-      {"replay --size 16385x1", "--size: '16385x1' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
+      {"replay --size 16385x1",
+       "--size: '16385x1' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
       {"replay --size -5x5", "--size: '-5x5' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
       {"replay --size 9999999999999999999999x1",
        "--size: '9999999999999999999999x1' is not WIDTHxHEIGHT; give two whole numbers from 1 to 16384, as 1280x720"},
@@ -119,7 +128,8 @@ TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
       {"replay --views 3", "--views: '3' is out of range; give a whole number from 1 to 2"},
       {"replay --eye middle", "--eye: unknown value 'middle'; take left, right or centre"},
       {"replay --eye left", "--eye: one eye needs one view; add --views 1"},
-      {"replay --preset hihg", "--preset: unknown value 'hihg' (did you mean 'high'?); take low, medium, high, ultra or auto"},
+      {"replay --preset hihg",
+       "--preset: unknown value 'hihg' (did you mean 'high'?); take low, medium, high, ultra or auto"},
       {"replay --format jpg", "--format: unknown value 'jpg'; take png or exr"},
       {"--set waves.chop", "--set: 'waves.chop' has no key and value; write --set key=value"},
       {"--set waves.chop=9", "--set: waves.chop: 9 is out of range; give a number from 0 to 2"},
@@ -149,7 +159,8 @@ TEST(Arguments, EveryCommandHasHelpWithDefaultsUnitsAndExamples) {
     EXPECT_NE(help.find(part), std::string::npos) << part << "\n" << help;
 }
 
-// Control: std::stod in real_from fails here where a comma-decimal locale is installed; the number stays 72.5 elsewhere.
+// Control: std::stod in real_from fails here where a comma-decimal locale is installed; the number stays 72.5
+// elsewhere.
 TEST(Arguments, NumbersDoNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})

@@ -74,13 +74,17 @@ TEST(Bake, RefusesWhatCannotBe) {
   };
   EXPECT_NE(fault([&](Arguments& a) { a.out = folder / "file/loop"; }).find("file"), std::string::npos);
   EXPECT_NE(fault([](Arguments& a) { a.frames = 3; }).find("--frames"), std::string::npos);
-  EXPECT_NE(fault([](Arguments& a) { a.scene = "gerstner", a.overrides = {{"--set", "waves.wind_speed_mps", "0"}}; }).find("neither wind waves nor swell"), std::string::npos);
+  EXPECT_NE(fault([](Arguments& a) {
+              a.scene = "gerstner", a.overrides = {{"--set", "waves.wind_speed_mps", "0"}};
+            }).find("neither wind waves nor swell"),
+            std::string::npos);
   EXPECT_NE(fault([](Arguments& a) { a.scene = "no_such_scene"; }).find("no_such_scene"), std::string::npos);
   EXPECT_NE(fault([](Arguments& a) { a.out = "/dev/full/x"; }), "");
   EXPECT_FALSE(std::filesystem::exists(folder / "loop/loop.json")) << "a fault leaves no manifest";
 }
 
-// Each fault of a loop's files is told by the file's name and what is wrong. The control is the same folder before each change, which reads.
+// Each fault of a loop's files is told by the file's name and what is wrong. The control is the same folder before each
+// change, which reads.
 class LoopFaults : public testing::Test {
  protected:
   LoopFaults() {
@@ -88,7 +92,9 @@ class LoopFaults : public testing::Test {
     run_bake(baking(loop_));
     EXPECT_NO_THROW(read_loop(loop_));
   }
-  std::string fault() { return test::error_of([&] { read_loop(loop_); }); }
+  std::string fault() {
+    return test::error_of([&] { read_loop(loop_); });
+  }
   void manifest(const std::string& from, const std::string& to) {
     std::string text = read_text(loop_ + "/loop.json");
     ASSERT_NE(text.find(from), std::string::npos);
@@ -172,12 +178,15 @@ TEST(Loops, AreFoundByNameAndByFolder) {
   EXPECT_EQ(loop_folder(folder / "loops/mine", ""), folder.path() / "loops/mine");
 }
 
-// The shipped loop is what its manifest says; the scene that plays it has it in its queries. Control: without the effect heights are those of the wind alone.
+// The shipped loop is what its manifest says; the scene that plays it has it in its queries. Control: without the
+// effect heights are those of the wind alone.
 TEST(Loops, TheShippedOneIsInTheScenesAnswers) {
   const BakedLoop loop = read_loop(content_directory() / "loops" / "fresh_sea");
   double variance = 0.0;
   for (int f = 0; f < loop.frames; ++f)
-    for (int i = 0; i < 64 * 64; ++i) variance += std::pow(loop.texels[std::size_t(f) * loop.frame_floats() + std::size_t(4096 + i)], 2) / (4096.0 * loop.frames);
+    for (int i = 0; i < 64 * 64; ++i)
+      variance += std::pow(loop.texels[std::size_t(f) * loop.frame_floats() + std::size_t(4096 + i)], 2) /
+                  (4096.0 * loop.frames);
   EXPECT_NEAR(4.0 * std::sqrt(variance), 1.3, 0.3);
   Scene scene = load_scene("baked", "low");
   std::vector<glm::dvec2> points;
@@ -203,7 +212,8 @@ TEST(Loops, TheShippedOneIsInTheScenesAnswers) {
   const std::vector<double> now = heights(3.0), later = heights(3.0 + 20.0), between = heights(3.0 + 7.0);
   ASSERT_EQ(now.size(), points.size());
   double worst = 0.0, moved = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i) worst = std::max(worst, std::abs(now[i] - later[i])), moved = std::max(moved, std::abs(now[i] - between[i]));
+  for (std::size_t i = 0; i < now.size(); ++i)
+    worst = std::max(worst, std::abs(now[i] - later[i])), moved = std::max(moved, std::abs(now[i] - between[i]));
   EXPECT_LE(worst, 1e-6) << "20 s are the loop";
   EXPECT_GT(moved, 0.3);
   scene = load_scene("baked", "low");
@@ -213,9 +223,12 @@ TEST(Loops, TheShippedOneIsInTheScenesAnswers) {
 
 // A scene that names a loop which is not there is refused where it is read.
 TEST(Loops, ASceneWithoutItsLoopIsAFault) {
-  const std::string message = test::error_of([] { parse_scene(R"({"version": 1, "effects": ["waves", "baked"], "baked": {"loop": "nothing"}})", "s.json", "low"); });
+  const std::string message = test::error_of([] {
+    parse_scene(R"({"version": 1, "effects": ["waves", "baked"], "baked": {"loop": "nothing"}})", "s.json", "low");
+  });
   EXPECT_EQ(message.find("s.json: baked.loop: no loop is called 'nothing'"), 0u) << message;
-  EXPECT_NO_THROW(parse_scene(R"({"version": 1, "effects": ["waves"], "baked": {"loop": "nothing"}})", "s.json", "low"));
+  EXPECT_NO_THROW(
+      parse_scene(R"({"version": 1, "effects": ["waves"], "baked": {"loop": "nothing"}})", "s.json", "low"));
 }
 
 }  // namespace

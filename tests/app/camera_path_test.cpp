@@ -59,7 +59,8 @@ TEST(CameraPath, VelocityAndTurnRateAreContinuous) {
     const glm::dvec3 before = (path.at(one.time_s).pose.position_m - path.at(one.time_s - h).pose.position_m) / h;
     const glm::dvec3 after = (path.at(one.time_s + h).pose.position_m - path.at(one.time_s).pose.position_m) / h;
     EXPECT_LT(glm::length(before - after), 2e-2) << one.time_s;
-    EXPECT_LT(glm::length(turn_rate(path, one.time_s - h, one.time_s) - turn_rate(path, one.time_s, one.time_s + h)), 2e-3)
+    EXPECT_LT(glm::length(turn_rate(path, one.time_s - h, one.time_s) - turn_rate(path, one.time_s, one.time_s + h)),
+              2e-3)
         << one.time_s;
   }
   glm::dvec3 last = (path.at(h).pose.position_m - path.at(0.0).pose.position_m) / h;
@@ -103,8 +104,8 @@ TEST(CameraPath, AHoldStaysStill) {
 // Control: key_velocity for the height as well dips to 4.7 m under the still sea here.
 TEST(CameraPath, TheHeightStaysBetweenTheKeysHeights) {
   CameraPath path;
-  path.keys = {key(0, {0, 3, 0}), key(2, {8, 2, 0}), key(4, {9, 2, -9}), key(7, {0, 30, -20}), key(8, {0, 30, -30}),
-               key(10, {4, 2.5, -60}), key(15, {4, 2.6, -90})};
+  path.keys = {key(0, {0, 3, 0}),    key(2, {8, 2, 0}),      key(4, {9, 2, -9}),    key(7, {0, 30, -20}),
+               key(8, {0, 30, -30}), key(10, {4, 2.5, -60}), key(15, {4, 2.6, -90})};
   for (std::size_t i = 0; i + 1 < path.keys.size(); ++i) {
     const auto [low, high] = std::minmax(path.keys[i].pose.position_m.y, path.keys[i + 1].pose.position_m.y);
     for (double s = 0.0; s <= 1.0; s += 0.01) {
@@ -161,7 +162,8 @@ TEST(CameraPath, FarAndLateIsAsGoodAsNearAndEarly) {
     one.pose.position_m += glm::dvec3(1e6, 0, -1e6);
   }
   for (double t = 0.0; t <= 7.0; t += 0.125)
-    EXPECT_LT(glm::length(far.at(1e6 + t).pose.position_m - glm::dvec3(1e6, 0, -1e6) - near.at(t).pose.position_m), 1e-8);
+    EXPECT_LT(glm::length(far.at(1e6 + t).pose.position_m - glm::dvec3(1e6, 0, -1e6) - near.at(t).pose.position_m),
+              1e-8);
 }
 
 TEST(CameraPath, AnglesAreClockwiseFromAboveAndReadBack) {
@@ -200,12 +202,14 @@ TEST(CameraPathFile, ASavedPathReadsBackToTheBit) {
 
 TEST(CameraPathFile, FaultsNamePlaceKeyValueAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
-      {R"({"version": 1})", "p.json:1: the key 'keys' is missing; add "
-                            "\"keys\": [{\"time_s\": 0, \"position_m\": [0, 1.7, 0]}, ...]"},
+      {R"({"version": 1})",
+       "p.json:1: the key 'keys' is missing; add "
+       "\"keys\": [{\"time_s\": 0, \"position_m\": [0, 1.7, 0]}, ...]"},
       {R"({"version": 1, "keys": []})", "p.json:1: keys: a list of 0; give a list of 1 to 100000 keys"},
       {"{\"version\": 1, \"keys\": [\n{\"position_m\": [0, 1, 0]}]}",
        "p.json:2: the key 'keys[0].time_s' is missing; add \"time_s\": a number from 0 to 1000000000 s"},
-      {"{\"version\": 1, \"keys\": [\n{\"time_s\": 1, \"position_m\": [0, 1, 0]},\n{\"time_s\": 1, \"position_m\": [0, 1, 0]}]}",
+      {"{\"version\": 1, \"keys\": [\n{\"time_s\": 1, \"position_m\": [0, 1, 0]},\n{\"time_s\": 1, \"position_m\": [0, "
+       "1, 0]}]}",
        "p.json:3: keys[1].time_s: 1 does not come after 1 of the key before; order the keys by rising time_s"},
       {R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 1, 0], "orientation": [0, 0, 0, 0.5]}]})",
        "p.json:1: keys[0].orientation: its length is 0.5, not 1; give a unit quaternion [x, y, z, w]"},

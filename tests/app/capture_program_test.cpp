@@ -38,7 +38,8 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 // The patches are coarse: what is tested is what is written, and every preset has to be drawn.
-const std::vector<std::string> coarse{"--set", "lod.patch_quads=16", "--set", "lod.threshold=4", "--set", "waves.resolution=64"};
+const std::vector<std::string> coarse{"--set", "lod.patch_quads=16", "--set", "lod.threshold=4",
+                                      "--set", "waves.resolution=64"};
 
 ProgramResult run(std::vector<std::string> words) {
   words.insert(words.end(), coarse.begin(), coarse.end());
@@ -46,13 +47,17 @@ ProgramResult run(std::vector<std::string> words) {
   return run_program(words);
 }
 
-const char* fixed_columns = "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
+const char* fixed_columns =
+    "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
 
-// On a software driver presets take one sample a pixel, unless they are told another number. Controls seen: the user's number taken before the device's; a preset that is named left as it is.
+// On a software driver presets take one sample a pixel, unless they are told another number. Controls seen: the user's
+// number taken before the device's; a preset that is named left as it is.
 TEST(Capture, PresetsTakeOneSampleAPixelInSoftware) {
   const TemporaryFolder folder;
   const auto page = [&](const std::string& preset, std::vector<std::string> more) {
-    std::vector<std::string> words{"capture", "--scene", "swell", "--preset", preset, "--size", "48x27", "--views", "1", "--frames", "1", "--warmup", "0", "--out", folder / "out"};
+    std::vector<std::string> words{"capture", "--scene",  "swell",   "--preset", preset,
+                                   "--size",  "48x27",    "--views", "1",        "--frames",
+                                   "1",       "--warmup", "0",       "--out",    folder / "out"};
     words.insert(words.end(), more.begin(), more.end());
     EXPECT_EQ(run(words).exit_code, 0);
     return text_of(fs::path(folder / "out") / "report.html");
@@ -68,8 +73,9 @@ class CaptureOfAllPresets : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    result_ = new ProgramResult(run({"capture", "--scene", "swell", "--preset", "all", "--size", "48x27", "--views", "2", "--frames",
-                                     "3", "--warmup", "1", "--fps", "10", "--set", "waves.where=gpu", "--out", *folder_ / "new" / "out"}));
+    result_ = new ProgramResult(
+        run({"capture", "--scene", "swell", "--preset", "all", "--size", "48x27", "--views", "2", "--frames", "3",
+             "--warmup", "1", "--fps", "10", "--set", "waves.where=gpu", "--out", *folder_ / "new" / "out"}));
   }
   static void TearDownTestSuite() {
     delete result_;
@@ -89,8 +95,8 @@ TEST_F(CaptureOfAllPresets, LeavesThreeFilesAndATable) {
     EXPECT_THAT(result_->out, HasSubstr(word));
 }
 
-// Control: a capture that reads the times of a frame where they arrive, and not where they belong, gave nan in gpu_ms of frame 1
-// and passes longer than their frame.
+// Control: a capture that reads the times of a frame where they arrive, and not where they belong, gave nan in gpu_ms
+// of frame 1 and passes longer than their frame.
 TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
   ASSERT_EQ(result_->exit_code, 0) << result_->err;
   const std::vector<std::string> lines = split(text_of(file("capture.csv")), '\n');
@@ -132,12 +138,32 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
 // Control: with waves.where=gpu, or lit forward, the columns are others.
 TEST(Capture, LightIsAPassOfItsOwnWhereItIsDeferred) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"capture", "--scene", "swell", "--preset", "low", "--size", "48x27", "--views", "1", "--frames", "2",
-                                    "--warmup", "1", "--set", "msaa=1", "--set", "frame.lighting=deferred", "--set", "waves.where=cpu", "--out", folder / "out"});
+  const ProgramResult result = run({"capture",
+                                    "--scene",
+                                    "swell",
+                                    "--preset",
+                                    "low",
+                                    "--size",
+                                    "48x27",
+                                    "--views",
+                                    "1",
+                                    "--frames",
+                                    "2",
+                                    "--warmup",
+                                    "1",
+                                    "--set",
+                                    "msaa=1",
+                                    "--set",
+                                    "frame.lighting=deferred",
+                                    "--set",
+                                    "waves.where=cpu",
+                                    "--out",
+                                    folder / "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], std::string(fixed_columns) + ",gpu_surface_ms,gpu_light_ms") << "the processor writes the waves' images: no copies";
+  EXPECT_EQ(lines[0], std::string(fixed_columns) + ",gpu_surface_ms,gpu_light_ms")
+      << "the processor writes the waves' images: no copies";
   EXPECT_GT(std::stod(split(lines[1], ',')[12]), 0.0);
 }
 
@@ -158,7 +184,8 @@ TEST_F(CaptureOfAllPresets, TheTraceIsJsonWithEveryFrameOfEveryRun) {
 TEST_F(CaptureOfAllPresets, TheReportLoadsNothingAndNamesTheMachine) {
   ASSERT_EQ(result_->exit_code, 0) << result_->err;
   const std::string page = text_of(file("report.html"));
-  for (const char* load : {"http://", "https://", "<script", "src=", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(load)));
+  for (const char* load : {"http://", "https://", "<script", "src=", "@import", "url("})
+    EXPECT_THAT(page, Not(HasSubstr(load)));
   EXPECT_THAT(page, HasSubstr("<svg"));
   EXPECT_THAT(page, HasSubstr("waves"));
   for (const char* preset : {"low", "medium", "high", "ultra"}) EXPECT_THAT(page, HasSubstr(preset));
@@ -169,9 +196,10 @@ TEST_F(CaptureOfAllPresets, TheReportLoadsNothingAndNamesTheMachine) {
 TEST(Capture, WalksTheWholePathUnlessTold) {
   const TemporaryFolder folder;
   const std::string path = folder / "short.json";
-  std::ofstream(path) << R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 3, 0]}, {"time_s": 2, "position_m": [0, 3, -4]}]})";
-  const ProgramResult result = run({"capture", "--preset", "low", "--path", path, "--size", "32x18", "--views", "1", "--fps", "2",
-                                    "--warmup", "0", "--out", folder / "out"});
+  std::ofstream(path)
+      << R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 3, 0]}, {"time_s": 2, "position_m": [0, 3, -4]}]})";
+  const ProgramResult result = run({"capture", "--preset", "low", "--path", path, "--size", "32x18", "--views", "1",
+                                    "--fps", "2", "--warmup", "0", "--out", folder / "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::vector<std::string> lines = split(text_of(folder / "out" / "capture.csv"), '\n');
   ASSERT_EQ(lines.size(), 6u);  // 0 s to 2 s at 2 a second, both ends
@@ -181,9 +209,10 @@ TEST(Capture, WalksTheWholePathUnlessTold) {
 // Control: a capture that takes every display for headless ends with 0 where no desktop answers.
 TEST(Capture, InAWindowNeedsADesktopAndMeasuresThere) {
   const TemporaryFolder folder;
-  const std::vector<std::string> words{"capture", "--display", "window", "--preset", "low", "--size", "96x64", "--views", "1",
-                                       "--frames", "2", "--warmup", "1", "--set", "waves.resolution=64", "--log-level", "error",
-                                       "--out", folder / "out"};
+  const std::vector<std::string> words{"capture",     "--display", "window",  "--preset",    "low",
+                                       "--size",      "96x64",     "--views", "1",           "--frames",
+                                       "2",           "--warmup",  "1",       "--set",       "waves.resolution=64",
+                                       "--log-level", "error",     "--out",   folder / "out"};
   const ProgramResult without = run_program(words, {"DISPLAY=", "WAYLAND_DISPLAY="});
   EXPECT_EQ(without.exit_code, 1);
   EXPECT_THAT(without.err, testing::StartsWith("seascape: display: "));
@@ -198,17 +227,20 @@ TEST(Capture, InAWindowNeedsADesktopAndMeasuresThere) {
   EXPECT_THAT(text_of(folder / "out" / "report.html"), HasSubstr("96 × 64"));
 }
 
-// Controls: a plan whose passes are the sum of its effects' counted one too many; one without add_foam had no module of foam.
+// Controls: a plan whose passes are the sum of its effects' counted one too many; one without add_foam had no module of
+// foam.
 TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
   // Four samples, so that the sea is lit where its triangles are drawn on every device.
-  const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json", "--set", "waves.where=gpu", "--set", "foam.simulated=false", "--set", "msaa=4"});
+  const ProgramResult result = run({"plan", "--scene", "storm", "--preset", "low", "--size", "32x18", "--json", "--set",
+                                    "waves.where=gpu", "--set", "foam.simulated=false", "--set", "msaa=4"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const nlohmann::json plan = nlohmann::json::parse(result.out);
   std::uint64_t bytes = 0, draws = 0, passes = 0;
   std::map<std::string, nlohmann::json> effects;
   for (const auto& effect : plan.at("effects")) {
     effects[effect.at("name")] = effect;
-    for (const char* key : {"because", "passes", "pipelines", "modules", "bytes"}) EXPECT_TRUE(effect.contains(key)) << key;
+    for (const char* key : {"because", "passes", "pipelines", "modules", "bytes"})
+      EXPECT_TRUE(effect.contains(key)) << key;
     EXPECT_FALSE(effect.at("because").get<std::string>().empty());
     bytes += effect.at("bytes").get<std::uint64_t>();
     for (const auto& pass : effect.at("passes"))
@@ -224,7 +256,8 @@ TEST(Plan, AsJsonNamesEveryEffectItsReasonAndItsObjects) {
   EXPECT_EQ(effects.at("waves").at("because"), "the scene names it");
   EXPECT_GT(effects.at("waves").at("bytes"), 1000);
   EXPECT_GE(effects.at("waves").at("pipelines").size(), 3u);
-  EXPECT_TRUE(effects.at("foam").at("passes").empty());  // it is code in the surface's shader and has no pass of its own
+  EXPECT_TRUE(
+      effects.at("foam").at("passes").empty());  // it is code in the surface's shader and has no pass of its own
   ASSERT_EQ(effects.at("foam").at("modules").size(), 1u);
   EXPECT_EQ(effects.at("foam").at("modules")[0].at("name"), "surface.frag");
   EXPECT_EQ(effects.at("foam").at("modules")[0].at("part_of"), "surface");
@@ -243,12 +276,14 @@ TEST(Plan, OfASceneWithoutFoamHasNone) {
 // And one table of what each effect adds. Control: a matrix that leaves low out.
 TEST(Plan, MatrixHasATableOfEachPreset) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m", "--frames", "1"});
+  const ProgramResult result =
+      run({"plan", "--scene", "calm", "--preset", "low", "--size", "32x18", "--matrix", folder / "m", "--frames", "1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   for (const char* preset : {"low", "medium", "high", "ultra"}) {
     const auto lines = split(text_of(folder / "m" / ("plan_calm_" + std::string(preset) + ".csv")), '\n');
     ASSERT_EQ(lines.size(), 5u) << preset;
-    EXPECT_EQ(lines[0], "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes");
+    EXPECT_EQ(lines[0],
+              "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes");
     EXPECT_THAT(lines[1], testing::StartsWith("calm," + std::string(preset) + ",waves,the scene names it,"));
   }
   const auto costs = split(text_of(folder / "m" / "matrix_calm_low.csv"), '\n');

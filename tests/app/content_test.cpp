@@ -12,7 +12,8 @@
 namespace seascape {
 namespace {
 
-// The least height of the path above the water, every quarter of a second; of waves longer than some metres, which stand as high as all.
+// The least height of the path above the water, every quarter of a second; of waves longer than some metres, which
+// stand as high as all.
 double least_clearance(const std::string& name, double lowered_m) {
   const Scene scene = load_scene(name, "low");
   const CameraPath path = load_camera_path(name);
@@ -33,7 +34,8 @@ double least_clearance(const std::string& name, double lowered_m) {
 
 // Control: the same paths flown 3 m lower dip under the water.
 TEST(Content, PathsStayAboveTheirSeas) {
-  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool", "lagoon", "rivers", "harbour_clip"}) {
+  for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool",
+                           "lagoon", "rivers", "harbour_clip"}) {
     if (test::sanitized && std::string(name) != "open_sea" && std::string(name) != "lagoon") continue;
     const double least_m = least_clearance(name, 0.0);
     EXPECT_GT(least_m, 0.3) << name;

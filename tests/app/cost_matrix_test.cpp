@@ -42,8 +42,8 @@ TEST(CostMatrix, IsARowACell) {
             "\"a, \"\"b\"\" & <c>\",low,waves,all others,-2,-3,-1,-1048576,0,0,0,0,0\n");
 }
 
-// Three maps of a cell each, well-formed, with names escaped; what cannot be told from nothing is no number. Controls seen: the name not escaped; the
-// interval not asked.
+// Three maps of a cell each, well-formed, with names escaped; what cannot be told from nothing is no number. Controls
+// seen: the name not escaped; the interval not asked.
 TEST(CostMatrix, IsAPictureOfThreeMaps) {
   const std::string svg = matrix_svg(sample());
   EXPECT_EQ(svg.find("<c>"), std::string::npos);

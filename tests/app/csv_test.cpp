@@ -52,7 +52,8 @@ TEST(Csv, FaultsNameFileLineValueAndRemedy) {
       {"x,z\n1,\n", "p.csv:2: z: '' is not a number; give a number from -10000000 to 10000000 m"},
       {"x,z\n1e8,0\n", "p.csv:2: x: '1e8' is out of range; give a number from -10000000 to 10000000 m"},
       {"x,z\n1,2\n\n3,4\n", "p.csv:3: an empty line among the points; remove it"},
-      {std::string_view("x,z\n1,\0\n", 8), "p.csv:2: z: '\\x00' is not a number; give a number from -10000000 to 10000000 m"},
+      {std::string_view("x,z\n1,\0\n", 8),
+       "p.csv:2: z: '\\x00' is not a number; give a number from -10000000 to 10000000 m"},
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(fault_of(text), message);
 }

@@ -1,4 +1,5 @@
-// The debug views show what they say: wires on vertices, tints by level, normals of the mesh, slices of the tiles; freezing; counters.
+// The debug views show what they say: wires on vertices, tints by level, normals of the mesh, slices of the tiles;
+// freezing; counters.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -28,7 +29,11 @@ constexpr int width = 160, height = 120;
 constexpr double time_s = 9.0;
 
 SeaShot shot_of(const std::string& scene, const char* preset, const char* view) {
-  return SeaShot({.scene = scene, .preset = preset, .width = width, .height = height, .probe = true,
+  return SeaShot({.scene = scene,
+                  .preset = preset,
+                  .width = width,
+                  .height = height,
+                  .probe = true,
                   .set = {{"debug.view", view}, {"waves.resolution", "64"}, {"water.glitter", "0"}, {"msaa", "1"}}});
 }
 
@@ -40,8 +45,8 @@ bool is_wire(const Image8& picture, int x, int y) {
   return glm::length(c - glm::dvec3(0.9)) < 0.01;
 }
 
-// Where the picture shows a vertex, there is a wire; in the middle of large triangles there is none. Both frame shapes. Control seen:
-// a pipeline that fills (every middle is painted).
+// Where the picture shows a vertex, there is a wire; in the middle of large triangles there is none. Both frame shapes.
+// Control seen: a pipeline that fills (every middle is painted).
 TEST_F(DebugViews, WireframeDrawsTheMeshsEdges) {
   if (!test::device().facts().wireframe) GTEST_SKIP() << "this device draws no lines of polygons";
   for (const char* preset : {"low", "high"}) {
@@ -53,9 +58,13 @@ TEST_F(DebugViews, WireframeDrawsTheMeshsEdges) {
     const Fov& fov = view.eyes[0].fov;
     const auto place = [&](const glm::dvec3& at) {
       const glm::dvec3 s = mesh.seen(at);
-      return s.z > 0.1 ? glm::dvec2((s.x - fov.left) / (fov.right - fov.left) * width, (fov.up - s.y) / (fov.up - fov.down) * height) : glm::dvec2(-1e9);
+      return s.z > 0.1 ? glm::dvec2((s.x - fov.left) / (fov.right - fov.left) * width,
+                                    (fov.up - s.y) / (fov.up - fov.down) * height)
+                       : glm::dvec2(-1e9);
     };
-    const auto inside = [](const glm::dvec2& p) { return p.x > 3.0 && p.y > 3.0 && p.x < width - 3.0 && p.y < height - 3.0; };
+    const auto inside = [](const glm::dvec2& p) {
+      return p.x > 3.0 && p.y > 3.0 && p.x < width - 3.0 && p.y < height - 3.0;
+    };
     int vertices = 0, wired = 0, middles = 0, bare = 0;
     constexpr std::size_t side = gpu::patch_quads + 1;
     for (std::size_t v = 0; v + side + 1 < mesh.vertices().size(); ++v) {
@@ -67,21 +76,23 @@ TEST_F(DebugViews, WireframeDrawsTheMeshsEdges) {
         for (int dx = -1; dx <= 1; ++dx) found = found || is_wire(picture, int(p.x) + dx, int(p.y) + dy);
       wired += found;
       if (v % side == side - 1 || v % (side * side) >= side * (side - 1)) continue;  // of a patch's last column or row
-      const glm::dvec2 b = place(mesh.vertices()[v + 1].at), c = place(mesh.vertices()[v + side].at), middle = (p + b + c) / 3.0;
+      const glm::dvec2 b = place(mesh.vertices()[v + 1].at), c = place(mesh.vertices()[v + side].at),
+                       middle = (p + b + c) / 3.0;
       const double area = std::abs((b - p).x * (c - p).y - (b - p).y * (c - p).x);
       if (!inside(b) || !inside(c) || area < 60.0) continue;
       ++middles;
       bare += !is_wire(picture, int(middle.x), int(middle.y));
     }
     EXPECT_GT(vertices, 30) << preset;
-    EXPECT_GE(wired, vertices * 97 / 100) << preset << " of " << vertices << ' ' << test::leave(picture, "debug_wireframe");
+    EXPECT_GE(wired, vertices * 97 / 100)
+        << preset << " of " << vertices << ' ' << test::leave(picture, "debug_wireframe");
     EXPECT_GT(middles, 10) << preset;
     EXPECT_GE(bare, middles * 95 / 100) << preset << " of " << middles;
   }
 }
 
-// Each level has a tint of its own, neighbouring levels clearly different ones, the skirt none. Control seen: levels shifted by a bit too many
-// (all in one tint).
+// Each level has a tint of its own, neighbouring levels clearly different ones, the skirt none. Control seen: levels
+// shifted by a bit too many (all in one tint).
 TEST_F(DebugViews, LodTintsByLevel) {
   for (const char* preset : {"low", "high"}) {
     SeaShot shot = shot_of("open_sea", preset, "lod");
@@ -118,17 +129,19 @@ TEST_F(DebugViews, LodTintsByLevel) {
     for (const auto& [level, sum] : of_level) {
       if (level < 0 || sum.count < 100) continue;
       ++levels;
-      EXPECT_LT(std::sqrt(sum.square.x + sum.square.y), 0.05) << preset << ", level " << level << ' ' << test::leave(picture, "debug_lod");
+      EXPECT_LT(std::sqrt(sum.square.x + sum.square.y), 0.05)
+          << preset << ", level " << level << ' ' << test::leave(picture, "debug_lod");
       if (of_level.contains(level + 1) && of_level[level + 1].count >= 100) {
-        EXPECT_GT(glm::length(of_level[level + 1].mean - sum.mean), 0.1) << preset << ", levels " << level << " and one more";
+        EXPECT_GT(glm::length(of_level[level + 1].mean - sum.mean), 0.1)
+            << preset << ", levels " << level << " and one more";
       }
     }
     EXPECT_GE(levels, 2) << preset;
   }
 }
 
-// The colour is (normal + 1) / 2: exactly upwards over still water; and over waves as the mesh leans, by the points that neighbouring pixels
-// show. Control seen: x and z changed about (no longer like the mesh).
+// The colour is (normal + 1) / 2: exactly upwards over still water; and over waves as the mesh leans, by the points
+// that neighbouring pixels show. Control seen: x and z changed about (no longer like the mesh).
 TEST_F(DebugViews, NormalsAreTheSurfaces) {
   for (const char* preset : {"low", "high"}) {
     SeaShot shot = shot_of("storm", preset, "normals");
@@ -138,7 +151,8 @@ TEST_F(DebugViews, NormalsAreTheSurfaces) {
     double xx = 0.0, yy = 0.0, xy = 0.0;
     for (std::size_t i = 0; i + width * 2 < shown.size(); ++i) {
       if (i % width >= width - 2 || !shown[i].any || !shown[i + 2].any || !shown[i + width * 2].any) continue;
-      const glm::dvec3 normal = glm::normalize(glm::cross(shown[i + width * 2].point.at - shown[i].point.at, shown[i + 2].point.at - shown[i].point.at));
+      const glm::dvec3 normal = glm::normalize(
+          glm::cross(shown[i + width * 2].point.at - shown[i].point.at, shown[i + 2].point.at - shown[i].point.at));
       const glm::dvec3 painted = 2.0 * light_at(picture, i) - 1.0;
       EXPECT_NEAR(glm::length(painted), 1.0, 0.05);
       for (const int axis : {0, 2}) {
@@ -156,8 +170,8 @@ TEST_F(DebugViews, NormalsAreTheSurfaces) {
   }
 }
 
-// Squares of 16 m, in stripes along z one of each cascade's tile: what lies 16 m to the north is the same, what lies 16 m to the east, another
-// cascade's, is not; on still water all is middle grey. Control seen: squares of 15 m.
+// Squares of 16 m, in stripes along z one of each cascade's tile: what lies 16 m to the north is the same, what lies 16
+// m to the east, another cascade's, is not; on still water all is middle grey. Control seen: squares of 15 m.
 TEST_F(DebugViews, SlicesRepeatEverySixteenMetres) {
   SeaShot shot = shot_of("storm", "low", "slices");
   const Viewpoint view = looking(pose({40.0, 60.0, 40.0}, 0.0, -90.0));
@@ -166,13 +180,17 @@ TEST_F(DebugViews, SlicesRepeatEverySixteenMetres) {
   // By rest position, to a quarter of a metre: x east, z south.
   std::map<std::pair<int, int>, glm::dvec3> at;
   for (std::size_t i = 0; i < shown.size(); ++i)
-    if (shown[i].any) at[{int(std::floor(shown[i].point.rest.x * 2.0)), int(std::floor(shown[i].point.rest.y * 2.0))}] = light_at(picture, i);
+    if (shown[i].any)
+      at[{int(std::floor(shown[i].point.rest.x * 2.0)), int(std::floor(shown[i].point.rest.y * 2.0))}] =
+          light_at(picture, i);
   double north = 0.0, east = 0.0, spread = 0.0;
   int norths = 0, easts = 0;
   for (const auto& [cell, light] : at) {
     spread = std::max(spread, glm::length(light - glm::dvec3(0.5)));
-    if (const auto other = at.find({cell.first, cell.second + 32}); other != at.end()) north += glm::length(light - other->second), ++norths;
-    if (const auto other = at.find({cell.first + 32, cell.second}); other != at.end()) east += glm::length(light - other->second), ++easts;
+    if (const auto other = at.find({cell.first, cell.second + 32}); other != at.end())
+      north += glm::length(light - other->second), ++norths;
+    if (const auto other = at.find({cell.first + 32, cell.second}); other != at.end())
+      east += glm::length(light - other->second), ++easts;
   }
   ASSERT_GT(norths, 500);
   ASSERT_GT(easts, 500);
@@ -187,7 +205,8 @@ TEST_F(DebugViews, SlicesRepeatEverySixteenMetres) {
 // Frozen, the vertices stay where they are in the world while the camera goes elsewhere. Control: thawed, they follow.
 TEST_F(DebugViews, FreezeKeepsTheMesh) {
   SeaShot shot = shot_of("open_sea", "low", "lod");
-  const Viewpoint first = looking(pose({3.0, 4.0, 5.0}, 20.0, -20.0)), later = looking(pose({43.0, 24.0, -35.0}, 200.0, -60.0));
+  const Viewpoint first = looking(pose({3.0, 4.0, 5.0}, 20.0, -20.0)),
+                  later = looking(pose({43.0, 24.0, -35.0}, 200.0, -60.0));
   const auto rests = [&](const Viewpoint& view) {
     (void)shot.picture(view, time_s);
     std::vector<glm::dvec2> result;
@@ -207,13 +226,15 @@ TEST_F(DebugViews, FreezeKeepsTheMesh) {
   EXPECT_NE(rests(later), before);
 }
 
-// The counters count what is drawn: two triangles a quad of every patch, and the sky's one; with tone mapping one more. Control: a patch less.
+// The counters count what is drawn: two triangles a quad of every patch, and the sky's one; with tone mapping one more.
+// Control: a patch less.
 TEST_F(DebugViews, CountersCountTriangles) {
   for (const char* preset : {"low", "high"}) {
     SeaShot shot = shot_of("open_sea", preset, "lod");
     const Pose head = pose({3.0, 4.0, 5.0}, 20.0, -20.0);
     shot.draw(head, time_s);
-    const std::uint64_t patches = shot.experience().ocean().selection()->patches.size(), each = 2u * gpu::patch_quads * gpu::patch_quads;
+    const std::uint64_t patches = shot.experience().ocean().selection()->patches.size(),
+                        each = 2u * gpu::patch_quads * gpu::patch_quads;
     const std::uint64_t screens = shot.experience().in_tile() ? 1u : 2u;
     EXPECT_EQ(shot.counts().triangles, patches * each + screens) << preset;
     shot.set("debug.drop_patch", "0");

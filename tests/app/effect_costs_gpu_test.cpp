@@ -16,33 +16,43 @@ using test::SeaShot;
 class EffectCosts : public test::GpuTest {
  protected:
   static Scene small_scene() {
-    return SeaShot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = {{"waves.resolution", "32"}, {"waves.where", "gpu"}, {"lod.patch_quads", "16"}, {"msaa", "1"}}}).scene();
+    return SeaShot(
+               {.scene = "open_sea",
+                .preset = "medium",
+                .width = 48,
+                .height = 32,
+                .set = {{"waves.resolution", "32"}, {"waves.where", "gpu"}, {"lod.patch_quads", "16"}, {"msaa", "1"}}})
+        .scene();
   }
   static CostMatrix measured(const Scene& scene, const std::vector<std::string>& effects, int frames) {
     std::size_t last = 0, of = 0;
-    const CostMatrix matrix = measure_costs(test::device(), test::shaders(), scene, effects, {48, 32, 1, false, false}, "medium", frames, [&](std::size_t done, std::size_t all) {
-      EXPECT_EQ(done, last + 1);
-      last = done;
-      of = all;
-    });
+    const CostMatrix matrix = measure_costs(test::device(), test::shaders(), scene, effects, {48, 32, 1, false, false},
+                                            "medium", frames, [&](std::size_t done, std::size_t all) {
+                                              EXPECT_EQ(done, last + 1);
+                                              last = done;
+                                              of = all;
+                                            });
     EXPECT_EQ(last, of);
     return matrix;
   }
 };
 
 const Cost* find(const CostMatrix& matrix, const std::string& effect, const std::string& beside) {
-  const auto found = std::find_if(matrix.cells.begin(), matrix.cells.end(), [&](const CostCell& c) { return c.effect == effect && c.beside == beside; });
+  const auto found = std::find_if(matrix.cells.begin(), matrix.cells.end(),
+                                  [&](const CostCell& c) { return c.effect == effect && c.beside == beside; });
   return found == matrix.cells.end() ? nullptr : &found->cost;
 }
-std::vector<std::int64_t> exact(const Cost& c) { return {c.bytes, c.passes, c.draws, c.dispatches, c.pipelines, c.words}; }
+std::vector<std::int64_t> exact(const Cost& c) {
+  return {c.bytes, c.passes, c.draws, c.dispatches, c.pipelines, c.words};
+}
 std::vector<std::int64_t> sum(const Cost& a, const Cost& b) {
   std::vector<std::int64_t> result = exact(a);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] += exact(b)[i];
   return result;
 }
 
-// A after B and B after A come to the same scene. Controls seen: what is built counted before it is drawn; the scene without the effect built with it
-// (all costs 0); a cell of an effect that stands beside anyway.
+// A after B and B after A come to the same scene. Controls seen: what is built counted before it is drawn; the scene
+// without the effect built with it (all costs 0); a cell of an effect that stands beside anyway.
 TEST_F(EffectCosts, AreTheSameWhicheverComesFirst) {
   const CostMatrix m = measured(small_scene(), {"foam", "wave_particles"}, 2);
   ASSERT_EQ(m.effects.size(), 2u);

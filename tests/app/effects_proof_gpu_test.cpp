@@ -1,5 +1,6 @@
-// Only what the scene calls for, proved for every effect of the table below (truths.md, section 5): absent is as if it had never been built. What an
-// effect adds to this file is its row; what it adds to tests/CMakeLists.txt, a line of the shaders that never had it.
+// Only what the scene calls for, proved for every effect of the table below (truths.md, section 5): absent is as if it
+// had never been built. What an effect adds to this file is its row; what it adds to tests/CMakeLists.txt, a line of
+// the shaders that never had it.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -27,16 +28,16 @@ using test::SeaShot;
 
 struct EffectUnderProof {
   std::string name;
-  std::vector<std::string> without, with;            // the scene's effects
+  std::vector<std::string> without, with;                // the scene's effects
   std::vector<std::pair<std::string, std::string>> set;  // that let it be seen
-  std::pair<std::string, std::string> idle;          // a setting by which it is declared but not needed; none: ""
-  std::vector<std::uint32_t> bindings;               // of the surface's shaders that are its own
-  bool variants;                                     // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
-  bool objects;                                      // it has objects of its own, and a pass a frame
-  std::string pass = name;                           // that pass, in a frame that moves
-  std::vector<InputSpec> inputs = {};                // of the scene, with it or without
-  std::string part = name;                           // where only a part of the effect is meant: its name among tests and variants
-  bool shown = false;                                // what it has aloft is drawn in every frame, whether the clock stands or not
+  std::pair<std::string, std::string> idle;              // a setting by which it is declared but not needed; none: ""
+  std::vector<std::uint32_t> bindings;                   // of the surface's shaders that are its own
+  bool variants;                       // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
+  bool objects;                        // it has objects of its own, and a pass a frame
+  std::string pass = name;             // that pass, in a frame that moves
+  std::vector<InputSpec> inputs = {};  // of the scene, with it or without
+  std::string part = name;             // where only a part of the effect is meant: its name among tests and variants
+  bool shown = false;                  // what it has aloft is drawn in every frame, whether the clock stands or not
 };
 
 InputSpec pool(InputTarget to, glm::vec4 value) {
@@ -60,7 +61,8 @@ InputSpec drum() {
   spec.to = InputTarget::clip;
   spec.value.x = 1.0f;
   spec.blend = InputBlend::replace;
-  spec.shape = VolumeInput{.form = VolumeInput::Form::cylinder, .at_m = {5.0, 0.0, -12.0}, .radius_m = 3.0, .length_m = 6.0};
+  spec.shape =
+      VolumeInput{.form = VolumeInput::Form::cylinder, .at_m = {5.0, 0.0, -12.0}, .radius_m = 3.0, .length_m = 6.0};
   return spec;
 }
 
@@ -69,30 +71,137 @@ InputSpec strand() {
   spec.to = InputTarget::gerstner;
   spec.value = glm::vec4(1.0f);
   spec.feather_m = 3.0;
-  spec.shape = SplineInput{.points = {{{-30.0, -14.0}, 24.0, spec.value}, {{0.0, -10.0}, 24.0, spec.value}, {{30.0, -16.0}, 24.0, spec.value}}};
+  spec.shape = SplineInput{.points = {{{-30.0, -14.0}, 24.0, spec.value},
+                                      {{0.0, -10.0}, 24.0, spec.value},
+                                      {{30.0, -16.0}, 24.0, spec.value}}};
   return spec;
 }
 
 const EffectUnderProof table[] = {
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
-    {"foam", {"waves"}, {"waves", "foam"},
-     {{"waves.wind_speed_mps", "18"}, {"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "2"}, {"foam.settle_s", "0.5"}}, {"foam.breaking", "0"}, {34, 35}, true, true},
-    {"spray", {"waves"}, {"waves", "spray"}, {{"waves.wind_speed_mps", "23"}, {"waves.chop", "1.5"}, {"spray.range_m", "100"}, {"spray.amount", "4"}}, {"spray.amount", "0"}, {}, false, true, "spray", {}, "spray", true},
-    {"baked", {"waves"}, {"waves", "baked"}, {{"baked.loop", "fresh_sea"}}, {"baked.weight", "0"}, {22, 23, 24}, true, true},
-    {"gerstner", {"waves"}, {"waves", "gerstner"}, {{"gerstner.set1_height_m", "0.5"}}, {"gerstner.set1_height_m", "0"}, {19, 20, 21}, true, true},
-    {"gerstner", {"waves"}, {"waves", "gerstner"}, {{"gerstner.set1_height_m", "0.5"}, {"gerstner.set1_wavelength_m", "12"}, {"gerstner.set1_shore", "true"}}, {"gerstner.set1_height_m", "0"},
-     {44, 45, 46, 47, 48}, true, true, "gerstner", {strand()}, "shore_waves"},
-    {"wave_particles", {"waves"}, {"waves", "wave_particles"}, {{"wave_particles.height_m", "0.2"}}, {"wave_particles.height_m", "0"}, {12, 13, 14}, true, true},
-    {"dynamic_waves", {"waves"}, {"waves", "dynamic_waves"},
-     {{"dynamic_waves.rain_per_m2_s", "0.3"}, {"dynamic_waves.drop_length_m", "1"}, {"dynamic_waves.drop_height_m", "0.1"}, {"dynamic_waves.resolution", "64"},
-      {"dynamic_waves.levels", "2"}, {"dynamic_waves.settle_s", "1"}},
-     {"dynamic_waves.rain_per_m2_s", "0"}, {25, 26}, true, true},
-    {"level", {"waves"}, {"waves", "level"}, {}, {"", ""}, {27}, true, true, "level", {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
+    {"foam",
+     {"waves"},
+     {"waves", "foam"},
+     {{"waves.wind_speed_mps", "18"},
+      {"foam.simulated", "true"},
+      {"foam.resolution", "64"},
+      {"foam.levels", "2"},
+      {"foam.settle_s", "0.5"}},
+     {"foam.breaking", "0"},
+     {34, 35},
+     true,
+     true},
+    {"spray",
+     {"waves"},
+     {"waves", "spray"},
+     {{"waves.wind_speed_mps", "23"}, {"waves.chop", "1.5"}, {"spray.range_m", "100"}, {"spray.amount", "4"}},
+     {"spray.amount", "0"},
+     {},
+     false,
+     true,
+     "spray",
+     {},
+     "spray",
+     true},
+    {"baked",
+     {"waves"},
+     {"waves", "baked"},
+     {{"baked.loop", "fresh_sea"}},
+     {"baked.weight", "0"},
+     {22, 23, 24},
+     true,
+     true},
+    {"gerstner",
+     {"waves"},
+     {"waves", "gerstner"},
+     {{"gerstner.set1_height_m", "0.5"}},
+     {"gerstner.set1_height_m", "0"},
+     {19, 20, 21},
+     true,
+     true},
+    {"gerstner",
+     {"waves"},
+     {"waves", "gerstner"},
+     {{"gerstner.set1_height_m", "0.5"}, {"gerstner.set1_wavelength_m", "12"}, {"gerstner.set1_shore", "true"}},
+     {"gerstner.set1_height_m", "0"},
+     {44, 45, 46, 47, 48},
+     true,
+     true,
+     "gerstner",
+     {strand()},
+     "shore_waves"},
+    {"wave_particles",
+     {"waves"},
+     {"waves", "wave_particles"},
+     {{"wave_particles.height_m", "0.2"}},
+     {"wave_particles.height_m", "0"},
+     {12, 13, 14},
+     true,
+     true},
+    {"dynamic_waves",
+     {"waves"},
+     {"waves", "dynamic_waves"},
+     {{"dynamic_waves.rain_per_m2_s", "0.3"},
+      {"dynamic_waves.drop_length_m", "1"},
+      {"dynamic_waves.drop_height_m", "0.1"},
+      {"dynamic_waves.resolution", "64"},
+      {"dynamic_waves.levels", "2"},
+      {"dynamic_waves.settle_s", "1"}},
+     {"dynamic_waves.rain_per_m2_s", "0"},
+     {25, 26},
+     true,
+     true},
+    {"level",
+     {"waves"},
+     {"waves", "level"},
+     {},
+     {"", ""},
+     {27},
+     true,
+     true,
+     "level",
+     {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
     {"sea_depth", {"waves"}, {"waves", "sea_depth"}, {}, {"", ""}, {15, 28}, true, true, "sea_depth", {bank()}},
-    {"flow", {"waves"}, {"waves", "flow"}, {{"flow.period_s", "1.7"}}, {"", ""}, {29}, true, true, "flow", {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
-    {"clip", {"waves"}, {"waves", "clip"}, {}, {"", ""}, {30, 38, 39}, true, true, "clip", {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}), drum()}},
-    {"albedo", {"waves"}, {"waves", "albedo"}, {}, {"", ""}, {31}, true, true, "albedo", {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},
-    {"shadow", {"waves"}, {"waves", "shadow"}, {}, {"", ""}, {32}, true, true, "shadow", {pool(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f})}},
+    {"flow",
+     {"waves"},
+     {"waves", "flow"},
+     {{"flow.period_s", "1.7"}},
+     {"", ""},
+     {29},
+     true,
+     true,
+     "flow",
+     {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
+    {"clip",
+     {"waves"},
+     {"waves", "clip"},
+     {},
+     {"", ""},
+     {30, 38, 39},
+     true,
+     true,
+     "clip",
+     {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}), drum()}},
+    {"albedo",
+     {"waves"},
+     {"waves", "albedo"},
+     {},
+     {"", ""},
+     {31},
+     true,
+     true,
+     "albedo",
+     {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},
+    {"shadow",
+     {"waves"},
+     {"waves", "shadow"},
+     {},
+     {"", ""},
+     {32},
+     true,
+     true,
+     "shadow",
+     {pool(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f})}},
 };
 
 const Pose head = pose({0.0, 3.0, 0.0}, 20.0, -12.0), moved = pose({1.0, 3.0, 0.5}, 20.0, -12.0);
@@ -101,10 +210,10 @@ enum class Leak { none, buffer, dispatch, branch, code };
 
 // What is compared between a scene that never had the effect and one that no longer names it.
 struct Evidence {
-  std::size_t tagged = 0;            // objects of the effect
+  std::size_t tagged = 0;  // objects of the effect
   std::uint64_t tagged_bytes = 0;
-  std::uint64_t memory = 0;          // bytes in use on the device
-  std::size_t objects = 0;           // of all effects
+  std::uint64_t memory = 0;  // bytes in use on the device
+  std::size_t objects = 0;   // of all effects
   FrameCounts counts;
   std::set<std::string> passes;
   std::vector<std::vector<std::uint32_t>> modules;  // words of the surface's shaders, and of those that draw beside it
@@ -120,20 +229,32 @@ struct Proofs {
 class EffectProof : public test::GpuTest {
  protected:
   static test::ShotOptions options(const EffectUnderProof& effect, const std::vector<std::string>& effects) {
-    test::ShotOptions result{.scene = "open_sea", .preset = "medium", .width = 80, .height = 48, .views = 2,
-                             .set = {{"waves.where", "gpu"}, {"waves.resolution", "32"}, {"waves.cascades", "3"}, {"lod.patch_quads", "16"}, {"msaa", "1"}},
-                             .effects = effects, .inputs = effect.inputs};
+    test::ShotOptions result{.scene = "open_sea",
+                             .preset = "medium",
+                             .width = 80,
+                             .height = 48,
+                             .views = 2,
+                             .set = {{"waves.where", "gpu"},
+                                     {"waves.resolution", "32"},
+                                     {"waves.cascades", "3"},
+                                     {"lod.patch_quads", "16"},
+                                     {"msaa", "1"}},
+                             .effects = effects,
+                             .inputs = effect.inputs};
     for (const auto& pair : effect.set) result.set.push_back(pair);
     return result;
   }
   // A pass by its name, or what an effect draws in the pass of another by the effect's.
   static std::string part_of(const PipelineWork& work) {
     for (const ObjectRecord& object : test::device().objects())
-      if (work.pipeline && object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(work.pipeline) && object.effect == "spray") return object.effect;
+      if (work.pipeline && object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(work.pipeline) &&
+          object.effect == "spray")
+        return object.effect;
     return work.pass;
   }
   // `effects` are the scene's after a beginning with `first`.
-  static Evidence collect(const EffectUnderProof& effect, const std::vector<std::string>& first, const std::vector<std::string>& effects, Leak leak = Leak::none) {
+  static Evidence collect(const EffectUnderProof& effect, const std::vector<std::string>& first,
+                          const std::vector<std::string>& effects, Leak leak = Leak::none) {
     Device& device = test::device();
     device.wait_idle();
     Evidence e;
@@ -159,7 +280,9 @@ class EffectProof : public test::GpuTest {
     {
       const Viewpoint viewpoint = shot.viewpoint(moved);
       std::unique_ptr<test::GpuTransform> planted_work;
-      if (leak == Leak::dispatch) planted_work = std::make_unique<test::GpuTransform>(device, test::shaders(), 64, 64, 8, 8, std::vector<std::complex<float>>(64 * 64));
+      if (leak == Leak::dispatch)
+        planted_work = std::make_unique<test::GpuTransform>(device, test::shaders(), 64, 64, 8, 8,
+                                                            std::vector<std::complex<float>>(64 * 64));
       frame.begin();
       draw_frame(shot.experience(), frame, viewpoint, 1.2);
       if (planted_work) planted_work->record(frame);
@@ -173,23 +296,30 @@ class EffectProof : public test::GpuTest {
     std::vector<std::shared_ptr<const Shader>> shaders = surface.pipeline().shaders();
     if (&surface.lighting() != &surface.pipeline())
       shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
-    if (const DrawnSpray* spray = shot.experience().spray()) shaders.insert(shaders.end(), spray->pipeline().shaders().begin(), spray->pipeline().shaders().end());
+    if (const DrawnSpray* spray = shot.experience().spray())
+      shaders.insert(shaders.end(), spray->pipeline().shaders().begin(), spray->pipeline().shaders().end());
     for (const auto& shader : shaders) {
       e.modules.push_back(shader->words);
       for (const ShaderBinding& binding : shader->bindings) e.bindings.insert(binding.binding);
       if (leak != Leak::branch && leak != Leak::code) continue;
-      ShaderLibrary other(std::filesystem::path(SEASCAPE_BUILD_DIR) / ((leak == Leak::branch ? "leaking_" : "without_") + effect.part));
+      ShaderLibrary other(std::filesystem::path(SEASCAPE_BUILD_DIR) /
+                          ((leak == Leak::branch ? "leaking_" : "without_") + effect.part));
       e.modules.back() = other.load(shader->name, shader->values)->words;
     }
     e.picture = picture_of(device, shot.experience(), 0);
     return e;
   }
   static Proofs compare(const EffectUnderProof& effect, const Evidence& never, const Evidence& absent) {
-    const auto own = [&](const Evidence& e) { return std::any_of(effect.bindings.begin(), effect.bindings.end(), [&](std::uint32_t b) { return e.bindings.contains(b); }); };
+    const auto own = [&](const Evidence& e) {
+      return std::any_of(effect.bindings.begin(), effect.bindings.end(),
+                         [&](std::uint32_t b) { return e.bindings.contains(b); });
+    };
     Proofs p{};
-    p.allocation = absent.tagged == 0 && absent.tagged_bytes == 0 && absent.objects == never.objects && absent.memory == never.memory;
-    p.commands = absent.counts.hash == never.counts.hash && absent.counts.commands == never.counts.commands && absent.counts.dispatches == never.counts.dispatches &&
-                 absent.counts.draws == never.counts.draws && absent.counts.barriers == never.counts.barriers && absent.passes == never.passes;
+    p.allocation = absent.tagged == 0 && absent.tagged_bytes == 0 && absent.objects == never.objects &&
+                   absent.memory == never.memory;
+    p.commands = absent.counts.hash == never.counts.hash && absent.counts.commands == never.counts.commands &&
+                 absent.counts.dispatches == never.counts.dispatches && absent.counts.draws == never.counts.draws &&
+                 absent.counts.barriers == never.counts.barriers && absent.passes == never.passes;
     p.spirv = absent.modules == never.modules && !own(absent);
     p.pipelines = absent.pipelines == never.pipelines && absent.pipelines_after_loading == 0;
     p.picture = test::differing_pixels(absent.picture, never.picture) == 0;
@@ -197,8 +327,8 @@ class EffectProof : public test::GpuTest {
   }
 };
 
-// An effect that was there and was switched off is as if it had never been: allocations, commands, SPIR-V, pipelines, picture. That the effect
-// itself fails the same comparisons shows that they see something.
+// An effect that was there and was switched off is as if it had never been: allocations, commands, SPIR-V, pipelines,
+// picture. That the effect itself fails the same comparisons shows that they see something.
 TEST_F(EffectProof, AbsentIsAsIfItHadNeverBeen) {
   for (const EffectUnderProof& effect : table) {
     SCOPED_TRACE(effect.part);
@@ -238,24 +368,27 @@ std::string first_difference(const std::vector<std::string>& a, const std::vecto
   return "";
 }
 
-// What is loaded without an effect is what shaders are that never had a line of it, to the last instruction (compilers number what they name as they
-// come by it, and drop what nobody calls).
+// What is loaded without an effect is what shaders are that never had a line of it, to the last instruction (compilers
+// number what they name as they come by it, and drop what nobody calls).
 TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
   for (const EffectUnderProof& effect : table) {
     if (!effect.variants) continue;
     SCOPED_TRACE(effect.part);
-    const Evidence never = collect(effect, effect.without, effect.without, Leak::code), absent = collect(effect, effect.without, effect.without);
+    const Evidence never = collect(effect, effect.without, effect.without, Leak::code),
+                   absent = collect(effect, effect.without, effect.without);
     ASSERT_GE(never.modules.size(), 2u);  // the first places the surface, the last lights it
     EXPECT_FALSE(texts(never).front().empty());
     EXPECT_TRUE(texts(never) == texts(absent)) << first_difference(texts(never), texts(absent));
     // The control: called for, those shaders still have none of it, and the shipped ones do.
-    const Evidence asked = collect(effect, effect.with, effect.with, Leak::code), present = collect(effect, effect.with, effect.with);
+    const Evidence asked = collect(effect, effect.with, effect.with, Leak::code),
+                   present = collect(effect, effect.with, effect.with);
     EXPECT_TRUE(texts(asked) == texts(never));
     EXPECT_TRUE(texts(present) != texts(never));
   }
 }
 
-// The negative controls that truths.md asks for: one buffer, one dispatch, one branch, each seen by its proof and by no other.
+// The negative controls that truths.md asks for: one buffer, one dispatch, one branch, each seen by its proof and by no
+// other.
 TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
   for (const EffectUnderProof& effect : table) {
     SCOPED_TRACE(effect.part);
@@ -273,10 +406,11 @@ TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
   }
 }
 
-// On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A toggle builds the scene
-// anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
+// On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A
+// toggle builds the scene anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
 class EffectToggled : public EffectProof, public testing::WithParamInterface<EffectUnderProof> {};
-INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(table), [](const auto& effect) { return effect.param.part; });
+INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(table),
+                         [](const auto& effect) { return effect.param.part; });
 
 TEST_P(EffectToggled, LeavesNothingBehind) {
   const EffectUnderProof& effect = GetParam();
@@ -310,8 +444,8 @@ TEST_P(EffectToggled, LeavesNothingBehind) {
   EXPECT_EQ(held(), before);
 }
 
-// Declared but not needed: while the clock stands an effect's pass is not recorded from the second frame on, and back in the first frame that it runs in;
-// where a setting makes nothing of it, nothing is built.
+// Declared but not needed: while the clock stands an effect's pass is not recorded from the second frame on, and back
+// in the first frame that it runs in; where a setting makes nothing of it, nothing is built.
 TEST_F(EffectProof, IdleCostsNothing) {
   for (const EffectUnderProof& effect : table) {
     if (!effect.objects) continue;
@@ -339,29 +473,41 @@ TEST_F(EffectProof, IdleCostsNothing) {
   }
 }
 
-// Each effect alone, every pair (a fourth of them but with SEASCAPE_LONG=1), none and all are drawn without a word of the validation layer, and the plan names each
-// and why.
+// Each effect alone, every pair (a fourth of them but with SEASCAPE_LONG=1), none and all are drawn without a word of
+// the validation layer, and the plan names each and why.
 TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
   const std::size_t count = std::size(table), all = (std::size_t{1} << count) - 1;
   for (std::size_t set = 0; set <= all; ++set) {
     if (std::popcount(set) > 2 && set != all) continue;
-    if (std::popcount(set) == 2 && std::getenv("SEASCAPE_LONG") == nullptr && (std::countr_zero(set) + std::bit_width(set)) % 4 != 0) continue;
+    if (std::popcount(set) == 2 && std::getenv("SEASCAPE_LONG") == nullptr &&
+        (std::countr_zero(set) + std::bit_width(set)) % 4 != 0)
+      continue;
     std::vector<std::string> effects;
     std::vector<InputSpec> inputs;
-    std::vector<std::pair<std::string, std::string>> settings{{"waves.where", "gpu"}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}};
+    std::vector<std::pair<std::string, std::string>> settings{
+        {"waves.where", "gpu"}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}};
     for (std::size_t i = 0; i < count; ++i)
       if (set >> i & 1) {
         effects.push_back(table[i].name);
         settings.insert(settings.end(), table[i].set.begin(), table[i].set.end());
         inputs.insert(inputs.end(), table[i].inputs.begin(), table[i].inputs.end());
       }
-    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = settings, .effects = effects, .inputs = inputs});
+    SeaShot shot({.scene = "open_sea",
+                  .preset = "medium",
+                  .width = 48,
+                  .height = 32,
+                  .set = settings,
+                  .effects = effects,
+                  .inputs = inputs});
     const Plan plan = make_plan(test::device(), test::shaders(), shot.experience(), "medium");
     for (std::size_t i = 0; i < count; ++i) {
-      const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == table[i].name; });
+      const auto found = std::find_if(plan.effects.begin(), plan.effects.end(),
+                                      [&](const PlanEffect& e) { return e.name == table[i].name; });
       ASSERT_EQ(found != plan.effects.end(), calls_for(effects, table[i].name)) << table[i].name;
       if (found == plan.effects.end()) continue;
-      EXPECT_EQ(found->because == "the scene names it", std::find(effects.begin(), effects.end(), table[i].name) != effects.end()) << found->because;
+      EXPECT_EQ(found->because == "the scene names it",
+                std::find(effects.begin(), effects.end(), table[i].name) != effects.end())
+          << found->because;
       EXPECT_FALSE(found->modules.empty()) << "its code in the surface's shaders";
       EXPECT_EQ(!found->passes.empty(), table[i].objects);
       EXPECT_EQ(found->bytes > 0, table[i].objects);

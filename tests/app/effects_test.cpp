@@ -19,7 +19,8 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 // Control: clearing what foam needs in effects.cpp fails here.
 TEST(Effects, TheClosureAddsWhatIsNeededAndSaysWhy) {
   EXPECT_EQ(entries({"foam"}), (Entries{{"waves", "foam needs it"}, {"foam", "the scene names it"}}));
-  EXPECT_EQ(entries({"wave_particles"}), (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
+  EXPECT_EQ(entries({"wave_particles"}),
+            (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
   EXPECT_EQ(entries({"gerstner"}), (Entries{{"waves", "gerstner needs it"}, {"gerstner", "the scene names it"}}));
   EXPECT_EQ(entries({"spray"}), (Entries{{"waves", "spray needs it"}, {"spray", "the scene names it"}}));
   EXPECT_EQ(entries({"foam", "waves"}), (Entries{{"waves", "the scene names it"}, {"foam", "the scene names it"}}));

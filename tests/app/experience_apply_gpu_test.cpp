@@ -33,10 +33,19 @@ bool of_an_absent_effect(const Scene& scene, std::string_view key) {
   return std::find(names.begin(), names.end(), group) != names.end() && !calls_for(scene.effects, group);
 }
 
-// Each setting (those of effects that the scene does not have with SEASCAPE_LONG=1) goes to another value and back. Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail here.
+// Each setting (those of effects that the scene does not have with SEASCAPE_LONG=1) goes to another value and back.
+// Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail
+// here.
 TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
-  const test::ShotOptions common{.scene = "storm", .preset = "low", .width = 64, .height = 48,
-                                 .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"waves.change_s", "0"}, {"msaa", "1"}, {"foam.settle_s", "0.5"}}};
+  const test::ShotOptions common{.scene = "storm",
+                                 .preset = "low",
+                                 .width = 64,
+                                 .height = 48,
+                                 .set = {{"waves.resolution", "32"},
+                                         {"waves.cascades", "2"},
+                                         {"waves.change_s", "0"},
+                                         {"msaa", "1"},
+                                         {"foam.settle_s", "0.5"}}};
   const Pose head = test::pose({0.0, 9.0, 0.0}, 20.0, -12.0);
   constexpr double time_s = 2.0;
   test::SeaShot live(common);  // goes to each setting and back

@@ -1,4 +1,5 @@
-// An experience from its making to its end: what it takes from the device it gives back, and a steady frame makes nothing.
+// An experience from its making to its end: what it takes from the device it gives back, and a steady frame makes
+// nothing.
 #include "app/experience.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +48,9 @@ TEST_F(ExperienceLife, GivesBackAllThatItTook) {
 }
 
 TEST_F(ExperienceLife, FiftyRebuildsLeaveAsMuchAsOne) {
-  SeaShot shot({.preset = "low", .width = 64, .height = 48,
+  SeaShot shot({.preset = "low",
+                .width = 64,
+                .height = 48,
                 .set = {{"waves.where", "gpu"}, {"waves.resolution", "32"}, {"waves.cascades", "2"}}});
   shot.draw(at_deck, 0.0);
   const Held before = held();
@@ -66,7 +69,10 @@ TEST_F(ExperienceLife, FiftyRebuildsLeaveAsMuchAsOne) {
 
 // A new size makes new targets and nothing else, and the old ones go.
 TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
-  SeaShot shot({.preset = "high", .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", "1"}}});
+  SeaShot shot({.preset = "high",
+                .width = 64,
+                .height = 48,
+                .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", "1"}}});
   shot.draw(at_deck, 0.0);
   const Held before = held();
   const std::uint64_t pipelines = test::device().pipelines_made();
@@ -82,8 +88,13 @@ TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
 
 // Pipelines are made while loading, never by a frame, whatever it looks at. The control: a rebuild is counted.
 TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
-  for (const auto& [preset, place] : {std::pair("medium", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("high", "gpu")}) {
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2,
+  for (const auto& [preset, place] :
+       {std::pair("medium", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("high", "gpu")}) {
+    SeaShot shot({.scene = "storm",
+                  .preset = preset,
+                  .width = 64,
+                  .height = 48,
+                  .views = 2,
                   .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
     shot.draw(at_deck, 0.0);
     const std::uint64_t pipelines = test::device().pipelines_made();
@@ -107,7 +118,11 @@ TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
 TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
   for (const char* preset : {"low", "medium", "high", "ultra"})
     for (const char* scene : {"open_sea", "storm"}) {
-      const ShotOptions base{.scene = scene, .preset = preset, .width = 48, .height = 32, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}};
+      const ShotOptions base{.scene = scene,
+                             .preset = preset,
+                             .width = 48,
+                             .height = 32,
+                             .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}};
       FrameCounts counts[3];
       std::size_t patches[3];
       for (int kind = 0; kind < 3; ++kind) {
@@ -130,12 +145,15 @@ TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
     }
 }
 
-// Any msaa a scene may name is drawn on any device: with as many samples as it has, or fewer. The control: before the counts
-// were looked at one by one, msaa 2 was a validation error on the software driver, which has 1 and 4.
+// Any msaa a scene may name is drawn on any device: with as many samples as it has, or fewer. The control: before the
+// counts were looked at one by one, msaa 2 was a validation error on the software driver, which has 1 and 4.
 TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
   for (const char* preset : {"low", "high"})
     for (const char* samples : {"1", "2", "4", "8"}) {
-      SeaShot shot({.preset = preset, .width = 64, .height = 48, .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", samples}}});
+      SeaShot shot({.preset = preset,
+                    .width = 64,
+                    .height = 48,
+                    .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}, {"msaa", samples}}});
       EXPECT_GT(test::statistics(shot.picture(at_deck, 0.0)).mean, 20.0) << preset << " " << samples;
       EXPECT_LE(shot.scene().settings.render.msaa, std::stoi(samples));
     }
@@ -145,7 +163,9 @@ TEST_F(ExperienceLife, EveryNumberOfSamplesIsDrawn) {
 // A frame that holds the sea still computes no waves and records the same commands each time.
 TEST_F(ExperienceLife, AFrameIsAFunctionOfItsPlaceAndTime) {
   for (const char* place : {"gpu", "cpu"}) {
-    SeaShot shot({.preset = "medium", .width = 64, .height = 48,
+    SeaShot shot({.preset = "medium",
+                  .width = 64,
+                  .height = 48,
                   .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}}});
     shot.draw(at_deck, 1.0);
     shot.draw(at_deck, 2.0);
@@ -176,7 +196,12 @@ TEST_F(ExperienceLife, DrawsOnTheFloorOfVulkan) {
   const bool per_eye = draw_per_eye(floor, test::shaders(), StereoMode::automatic, 2);
   for (const char* place : {"gpu", "cpu"})
     for (const char* preset : {"low", "high"}) {
-      SeaShot shot(floor, {.scene = "storm", .preset = preset, .width = 96, .height = 64, .views = 2, .per_eye = per_eye,
+      SeaShot shot(floor, {.scene = "storm",
+                           .preset = preset,
+                           .width = 96,
+                           .height = 64,
+                           .views = 2,
+                           .per_eye = per_eye,
                            .set = {{"waves.where", place}}});
       const auto pictures = shot.pictures(pose({0.0, 12.0, 0.0}, 20.0, -8.0), 10.0);
       for (const Image8& picture : pictures) {

@@ -13,7 +13,9 @@
 namespace seascape {
 namespace {
 
-Pose pose_at(double height_m, const ViewAngles& angles = {}) { return {{0.0, height_m, 0.0}, orientation_from_angles(angles)}; }
+Pose pose_at(double height_m, const ViewAngles& angles = {}) {
+  return {{0.0, height_m, 0.0}, orientation_from_angles(angles)};
+}
 
 CameraWish push(double right, double up, double forward) {
   CameraWish wish;
@@ -21,7 +23,8 @@ CameraWish push(double right, double up, double forward) {
   return wish;
 }
 
-glm::dvec3 after(int steps, double seconds, const CameraWish& wish, Travel travel = Travel::fly, double height_m = 50.0) {
+glm::dvec3 after(int steps, double seconds, const CameraWish& wish, Travel travel = Travel::fly,
+                 double height_m = 50.0) {
   ExploreCamera camera(pose_at(height_m, {30.0, -10.0, 0.0}));
   camera.set_travel(travel);
   for (int i = 0; i < steps; ++i) camera.step(wish, seconds / steps, 0.4);
@@ -41,7 +44,8 @@ TEST(ExploreCamera, MovementDoesNotDependOnTheFrameRate) {
 // Control: without the division by the push's length the diagonal is farther.
 TEST(ExploreCamera, TwoKeysAreNoFasterThanOne) {
   const glm::dvec3 start(0.0, 50.0, 0.0);
-  const double one = glm::length(after(60, 3.0, push(0, 0, 1)) - start), three = glm::length(after(60, 3.0, push(1, 1, 1)) - start);
+  const double one = glm::length(after(60, 3.0, push(0, 0, 1)) - start),
+               three = glm::length(after(60, 3.0, push(1, 1, 1)) - start);
   EXPECT_NEAR(one, three, 1e-9);
   EXPECT_NEAR(one, 12.0 * (3.0 - 1.0 / 8.0), 0.01);  // 12 m/s, less the lag of the start
 }
@@ -160,8 +164,8 @@ TEST(PathRecorder, ShortRecordingsAreWhole) {
   EXPECT_DOUBLE_EQ(path.keys[1].pose.position_m.y, 3.0);
 }
 
-// The height that carries is that of the fine sea but for what its short waves add. Controls: a time in seconds instead of
-// ticks, and a place in (z, x), each fail here.
+// The height that carries is that of the fine sea but for what its short waves add. Controls: a time in seconds instead
+// of ticks, and a place in (z, x), each fail here.
 TEST(WaterHeight, AgreesWithTheFineSea) {
   SeaState sea;
   sea.wind_speed_mps = 12.0;

@@ -1,5 +1,5 @@
-// Explore in a window of a virtual display, driven by keys and mouse as a person does. Controls are named beside each test;
-// each was seen to fail.
+// Explore in a window of a virtual display, driven by keys and mouse as a person does. Controls are named beside each
+// test; each was seen to fail.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -26,7 +26,8 @@ using test::wait_until;
 std::size_t colours_of(const Image8& image) {
   std::set<std::uint32_t> colours;
   for (std::size_t i = 0; i + 2 < image.pixels.size(); i += std::size_t(image.channels))
-    colours.insert(std::uint32_t(image.pixels[i]) << 16 | std::uint32_t(image.pixels[i + 1]) << 8 | image.pixels[i + 2]);
+    colours.insert(std::uint32_t(image.pixels[i]) << 16 | std::uint32_t(image.pixels[i + 1]) << 8 |
+                   image.pixels[i + 2]);
   return colours.size();
 }
 
@@ -60,10 +61,25 @@ class WindowManager {
 class OnADesktop : public testing::Test {
  protected:
   void start(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words{SEASCAPE_BUILD_DIR "/seascape", "explore", "--display", "window", "--scene", "calm", "--preset", "low",
-                                   "--set", "msaa=1", "--set", "waves.cascades=3", "--size", "320x200", "--out", (folder_ / "out").string()};
+    std::vector<std::string> words{SEASCAPE_BUILD_DIR "/seascape",
+                                   "explore",
+                                   "--display",
+                                   "window",
+                                   "--scene",
+                                   "calm",
+                                   "--preset",
+                                   "low",
+                                   "--set",
+                                   "msaa=1",
+                                   "--set",
+                                   "waves.cascades=3",
+                                   "--size",
+                                   "320x200",
+                                   "--out",
+                                   (folder_ / "out").string()};
     words.insert(words.end(), more.begin(), more.end());
-    program_ = std::make_unique<Background>(words, std::vector<std::string>{display_.variable(), "SEASCAPE_VALIDATION=1"});
+    program_ =
+        std::make_unique<Background>(words, std::vector<std::string>{display_.variable(), "SEASCAPE_VALIDATION=1"});
     ASSERT_TRUE(wait_until([&] {
       window_ = display_.xdotool({"search", "--onlyvisible", "--name", "^Seascape: "});
       window_ = window_.substr(0, window_.find('\n'));
@@ -82,7 +98,8 @@ class OnADesktop : public testing::Test {
       const std::string text = program_->out();
       std::size_t seen = 0, at = 0;
       for (std::size_t end = text.find('\n'); end != std::string::npos; at = end + 1, end = text.find('\n', at))
-        if (text.compare(at, beginning.size(), beginning) == 0 && seen++ == which) found = text.substr(at + beginning.size(), end - at - beginning.size());
+        if (text.compare(at, beginning.size(), beginning) == 0 && seen++ == which)
+          found = text.substr(at + beginning.size(), end - at - beginning.size());
       return !found.empty() || !program_->running();
     });
     return found;
@@ -96,7 +113,8 @@ class OnADesktop : public testing::Test {
   // Screenshots until one has this size: a resize takes a frame or two to arrive.
   Image8 screenshot_of(int width, int height) {
     Image8 image;
-    for (int i = 0; i < 10 && (image.width != width || image.height != height) && program_->running(); ++i) image = screenshot();
+    for (int i = 0; i < 10 && (image.width != width || image.height != height) && program_->running(); ++i)
+      image = screenshot();
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
     return image;
@@ -114,8 +132,8 @@ class OnADesktop : public testing::Test {
 };
 
 // Controls: without the W key's row in key_from the path stays at its place; without WindowEvents::moved the yaw stays;
-// without the call of resize the second picture keeps its size; with a swapchain image left in colour_target for presenting,
-// validation makes the exit status 1.
+// without the call of resize the second picture keeps its size; with a swapchain image left in colour_target for
+// presenting, validation makes the exit status 1.
 TEST_F(OnADesktop, KeysAndMouseMoveRecordPhotographResizeAndClose) {
   start();
   const Image8 first = screenshot_of(320, 200);
@@ -138,7 +156,8 @@ TEST_F(OnADesktop, KeysAndMouseMoveRecordPhotographResizeAndClose) {
   const CameraPath path = load_camera_path(file);
   ASSERT_GE(path.keys.size(), 3u);
   const Pose from = path.keys.front().pose, to = path.keys.back().pose;
-  EXPECT_GT(glm::dot(to.position_m - from.position_m, from.orientation * glm::dvec3(0, 0, -1)), 1.0);  // forward, at 12 m/s
+  EXPECT_GT(glm::dot(to.position_m - from.position_m, from.orientation * glm::dvec3(0, 0, -1)),
+            1.0);  // forward, at 12 m/s
   EXPECT_GT(angles_from_orientation(to.orientation).yaw_deg, angles_from_orientation(from.orientation).yaw_deg + 5.0);
 
   key("3");
@@ -159,7 +178,9 @@ TEST_F(OnADesktop, KeysAndMouseMoveRecordPhotographResizeAndClose) {
   expect_clean_end();
 }
 
-// Minimised or taken off the screen, the window draws nothing, its path's clock stands, and it comes back with its picture. Controls: a Window whose begin() always says should_render, or an Explorer that counts hidden time, fails here.
+// Minimised or taken off the screen, the window draws nothing, its path's clock stands, and it comes back with its
+// picture. Controls: a Window whose begin() always says should_render, or an Explorer that counts hidden time, fails
+// here.
 TEST_F(OnADesktop, hard_42_a_hidden_window_draws_nothing_and_comes_back) {
   start();
   WindowManager manager(display_);
@@ -182,7 +203,8 @@ TEST_F(OnADesktop, hard_42_a_hidden_window_draws_nothing_and_comes_back) {
   const std::string file = line("path: ", 1);
   const double all_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   ASSERT_NE(file, "") << program_->err();
-  // The path's clock stands still meanwhile: of both times more than half must be missing, however slow this machine is.
+  // The path's clock stands still meanwhile: of both times more than half must be missing, however slow this machine
+  // is.
   EXPECT_LT(load_camera_path(file).duration_s(), all_s - 2.5);
   manager.close_button(window);
   expect_clean_end();
@@ -225,8 +247,8 @@ TEST(Explore, SaysWhatToDoWithoutADisplay) {
 // Control: `auto` that always takes a window fails here.
 TEST(Explore, DrawsWithoutADisplay) {
   const TemporaryFolder folder;
-  const auto result = run_program({"explore", "--scene", "calm", "--preset", "low", "--set", "msaa=1", "--size", "160x120", "--frames", "2",
-                                   "--out", (folder / "out").string()},
+  const auto result = run_program({"explore", "--scene", "calm", "--preset", "low", "--set", "msaa=1", "--size",
+                                   "160x120", "--frames", "2", "--out", (folder / "out").string()},
                                   {"DISPLAY=", "WAYLAND_DISPLAY=", "SEASCAPE_VALIDATION=1"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const Image8 image = read_png(folder / "out/explore.png");

@@ -1,4 +1,5 @@
-// Every kind of bad input, from outside: one line that names file, key, value and remedy, the exit status, and no file left.
+// Every kind of bad input, from outside: one line that names file, key, value and remedy, the exit status, and no file
+// left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -49,13 +50,14 @@ struct BadFile {
 };
 
 // Scenes are read before a driver is looked for: these tests have none.
-// Control: a scene reader that passes unknown keys over (ObjectReader::finish without its body) ended with the driver's fault
-// and not the key's.
+// Control: a scene reader that passes unknown keys over (ObjectReader::finish without its body) ended with the driver's
+// fault and not the key's.
 TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
   const BadFile scenes[] = {
       {"{\n \"version\": 1,\n \"effects\": [\"waves\"\n", {":3: "}},
       {"{\n \"version\": 1,\n \"wavess\": {}\n}", {":3: ", "wavess", "waves"}},
-      {"{\n \"version\": 1,\n \"waves\": {\n  \"wind_speed\": 7\n }\n}", {":4: ", "waves.wind_speed", "wind_speed_mps"}},
+      {"{\n \"version\": 1,\n \"waves\": {\n  \"wind_speed\": 7\n }\n}",
+       {":4: ", "waves.wind_speed", "wind_speed_mps"}},
       {"{\n \"version\": 1,\n \"waves\": {\"wind_speed_mps\": 900}\n}", {":3: ", "waves.wind_speed_mps", "900", "m/s"}},
       {"{\n \"version\": 1,\n \"waves\": {\"wind_speed_mps\": \"fast\"}\n}", {":3: ", "waves.wind_speed_mps", "fast"}},
       {"{\n \"version\": 1,\n \"effects\": [\"waves\", \"fome\"]\n}", {":3: ", "fome", "foam"}},
@@ -88,9 +90,11 @@ TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
 TEST(FaultsOfPaths, NameFileLineKeyValueAndRemedy) {
   const BadFile paths[] = {
       {"{\n \"version\": 1,\n \"keys\": [\n", {":3: "}},
-      {"{\n \"version\": 1,\n \"keys\": [{\"time_s\": 1, \"position_m\": [0, 2, 0]},\n  {\"time_s\": 0, \"position_m\": [0, 2, 0]}]\n}",
+      {"{\n \"version\": 1,\n \"keys\": [{\"time_s\": 1, \"position_m\": [0, 2, 0]},\n  {\"time_s\": 0, "
+       "\"position_m\": [0, 2, 0]}]\n}",
        {":4: ", "keys[1].time_s", "0"}},
-      {"{\n \"version\": 1,\n \"keys\": [{\"time_s\": 0, \"position_m\": [0, 2, 0], \"jaw_deg\": 1}]\n}", {":3: ", "jaw_deg", "yaw_deg"}},
+      {"{\n \"version\": 1,\n \"keys\": [{\"time_s\": 0, \"position_m\": [0, 2, 0], \"jaw_deg\": 1}]\n}",
+       {":3: ", "jaw_deg", "yaw_deg"}},
       {"{\n \"version\": 1,\n \"keys\": [{\"time_s\": 0, \"position_m\": [0, 2]}]\n}", {":3: ", "position_m"}},
       {"{\n \"version\": 1,\n \"keys\": []\n}", {":3: ", "keys"}},
   };
@@ -102,7 +106,8 @@ TEST(FaultsOfPaths, NameFileLineKeyValueAndRemedy) {
     expect_fault(result, 1, bad.parts);
     EXPECT_THAT(result.err, testing::StartsWith("seascape: " + file + ":")) << bad.text;
   }
-  expect_fault(run_program({"capture", "--preset", "low", "--path", "opensea", "--out", out}), 1, {"'opensea'", "open_sea"});
+  expect_fault(run_program({"capture", "--preset", "low", "--path", "opensea", "--out", out}), 1,
+               {"'opensea'", "open_sea"});
   EXPECT_FALSE(fs::exists(out));
 }
 
@@ -111,7 +116,8 @@ TEST(FaultsOfTheCommandLine, NameOptionValueAndRange) {
   expect_fault(run_program({"replay", "--preset", "hihg"}, no_driver), 2, {"--preset", "'hihg'", "high"});
   expect_fault(run_program({"replay", "--preset", "all"}, no_driver), 2, {"--preset", "'all'"});
   for (const char* size : {"0x5", "640", "640x", "-1x5", "99999x10", "axb", "640x480x2"})
-    expect_fault(run_program({"capture", "--size", size}, no_driver), 2, {"--size", "'" + std::string(size) + "'", "1280x720"});
+    expect_fault(run_program({"capture", "--size", size}, no_driver), 2,
+                 {"--size", "'" + std::string(size) + "'", "1280x720"});
   expect_fault(run_program({"capture", "--views", "3"}, no_driver), 2, {"--views", "'3'", "1 to 2"});
   expect_fault(run_program({"capture", "--display", "headset"}, no_driver), 1, {"--display headset", "headless"});
   expect_fault(run_program({"plan", "--set", "waves.chop=9"}, no_driver), 2, {"--set", "waves.chop", "9"});
@@ -121,7 +127,8 @@ TEST(FaultsOfTheCommandLine, NameOptionValueAndRange) {
 // Control: a replay that takes any start ended with 0 and left a folder.
 TEST(FaultsOfTheCommandLine, AStartPastThePathIsToldBeforeAFolderIsMade) {
   const TemporaryFolder folder;
-  expect_fault(run_program({"replay", "--preset", "low", "--start", "100000", "--out", folder / "out"}), 2, {"--start", "100000"});
+  expect_fault(run_program({"replay", "--preset", "low", "--start", "100000", "--out", folder / "out"}), 2,
+               {"--start", "100000"});
   EXPECT_TRUE(folder.names().empty());
 }
 
@@ -163,8 +170,8 @@ TEST(FaultsOfPoints, NameFileLineAndValue) {
 TEST(FaultsOfTheMachine, NoDriverIsToldWithItsRemedy) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
-  for (const auto& words : std::vector<std::vector<std::string>>{
-           {"replay", "--out", out}, {"capture", "--out", out}, {"plan"}})
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"replay", "--out", out}, {"capture", "--out", out}, {"plan"}})
     expect_fault(run_program(words, no_driver), 1, {"Vulkan", "mesa-vulkan-drivers"});
   EXPECT_FALSE(fs::exists(out));
   const ProgramResult doctor = run_program({"doctor"}, no_driver);  // tells it as its result
@@ -202,21 +209,31 @@ void expect_whole_pictures(const fs::path& folder) {
   EXPECT_GT(pictures, 0) << "the disk should be full in the course of the replay, not before";
 }
 
-const std::vector<std::string> long_replay{"replay", "--scene", "calm", "--preset", "low",    "--size",      "64x36",
-                                           "--views", "2",      "--frames", "60",  "--log-level", "error"};
+const std::vector<std::string> long_replay{"replay", "--scene",     "calm",    "--preset", "low",
+                                           "--size", "64x36",       "--views", "2",        "--frames",
+                                           "60",     "--log-level", "error"};
 
-// Runs a command in a mount namespace of its own with a disk of 64 KiB at `folder`; the files left are copied to `kept`.
+// Runs a command in a mount namespace of its own with a disk of 64 KiB at `folder`; the files left are copied to
+// `kept`.
 ProgramResult on_a_small_disk(const fs::path& folder, const fs::path& kept, const std::vector<std::string>& words) {
-  std::vector<std::string> command{"unshare", "--map-root-user", "--mount", "sh", "-c",
-                                   "mount -t tmpfs -o size=64k none \"$1\" || exit 77\n"
-                                   "folder=$1 kept=$2; shift 2; \"$@\"; code=$?; cp -r \"$folder/.\" \"$kept\"; exit $code",
-                                   "sh", folder, kept, test::program_file()};
+  std::vector<std::string> command{
+      "unshare",
+      "--map-root-user",
+      "--mount",
+      "sh",
+      "-c",
+      "mount -t tmpfs -o size=64k none \"$1\" || exit 77\n"
+      "folder=$1 kept=$2; shift 2; \"$@\"; code=$?; cp -r \"$folder/.\" \"$kept\"; exit $code",
+      "sh",
+      folder,
+      kept,
+      test::program_file()};
   command.insert(command.end(), words.begin(), words.end());
   return run_command(command);
 }
 
-// Control: write_atomically without the removal of its temporary file left frame_NNNN.png.tmp-... here, and out.csv.tmp-... in
-// the test of a limit below.
+// Control: write_atomically without the removal of its temporary file left frame_NNNN.png.tmp-... here, and
+// out.csv.tmp-... in the test of a limit below.
 TEST(FaultsOfTheMachine, AFullDiskLeavesNoPartialFile) {
   const TemporaryFolder folder, kept;
   std::vector<std::string> words = long_replay;
@@ -233,21 +250,26 @@ TEST(FaultsOfTheMachine, AFullDiskLeavesNoPartialFile) {
 // Control: a write to a device whose result is not looked at ended with 0.
 TEST(FaultsOfTheMachine, AFullDeviceBehindANameIsToldByThatName) {
   const TemporaryFolder folder;
-  for (const char* name : {"frame_0000.png", "capture.csv", "plan_calm_low.csv"}) fs::create_symlink("/dev/full", folder / name);
+  for (const char* name : {"frame_0000.png", "capture.csv", "plan_calm_low.csv"})
+    fs::create_symlink("/dev/full", folder / name);
   const std::vector<std::string> names = folder.names();
   const std::string full = "the disk is full";
-  const std::vector<std::string> drawn{"--scene", "calm", "--preset", "low", "--size", "16x16", "--views", "1", "--log-level", "error"};
+  const std::vector<std::string> drawn{"--scene", "calm",    "--preset", "low",         "--size",
+                                       "16x16",   "--views", "1",        "--log-level", "error"};
   const auto with = [&](std::vector<std::string> words) {
     words.insert(words.end(), drawn.begin(), drawn.end());
     return run_program(words);
   };
-  expect_fault(with({"replay", "--frames", "1", "--out", folder.path()}), 1, {(folder / "frame_0000.png").string(), full});
-  expect_fault(with({"capture", "--frames", "1", "--out", folder.path()}), 1, {(folder / "capture.csv").string(), full});
+  expect_fault(with({"replay", "--frames", "1", "--out", folder.path()}), 1,
+               {(folder / "frame_0000.png").string(), full});
+  expect_fault(with({"capture", "--frames", "1", "--out", folder.path()}), 1,
+               {(folder / "capture.csv").string(), full});
   expect_fault(with({"plan", "--matrix", folder.path()}), 1, {(folder / "plan_calm_low.csv").string(), full});
   EXPECT_EQ(folder.names(), names);
 }
 
-// A quota, for whoever may not mount: the size of files is limited. (Not for what draws: lavapipe keeps its memory in files.)
+// A quota, for whoever may not mount: the size of files is limited. (Not for what draws: lavapipe keeps its memory in
+// files.)
 TEST(FaultsOfTheMachine, AFileThatMayNotGrowLeavesNoPartialFile) {
   const TemporaryFolder folder;
   std::string many = "x,z\n";
@@ -259,7 +281,8 @@ TEST(FaultsOfTheMachine, AFileThatMayNotGrowLeavesNoPartialFile) {
   rlimit small = before;
   small.rlim_cur = 2048;
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const ProgramResult query = run_program({"query", "--preset", "low", "--points", points, "--out", folder / "out.csv"}, no_driver);
+  const ProgramResult query =
+      run_program({"query", "--preset", "low", "--points", points, "--out", folder / "out.csv"}, no_driver);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   expect_fault(query, 1, {(folder / "out.csv").string()});
@@ -271,7 +294,8 @@ TEST(Help, OfEveryCommandNamesItsOptions) {
   const std::pair<const char*, std::vector<std::string>> commands[] = {
       {"explore", {"--scene", "--preset", "--display"}},
       {"replay",
-       {"--scene", "--path", "--preset", "--size", "--views", "--eye", "--stereo", "--fps", "--frames", "--start", "--out", "--format", "--debug"}},
+       {"--scene", "--path", "--preset", "--size", "--views", "--eye", "--stereo", "--fps", "--frames", "--start",
+        "--out", "--format", "--debug"}},
       {"capture", {"--scene", "--path", "--preset", "--size", "--views", "--display", "--warmup", "--frames", "--out"}},
       {"plan", {"--scene", "--preset", "--json", "--matrix"}},
       {"query", {"--scene", "--preset", "--time", "--points", "--out"}},

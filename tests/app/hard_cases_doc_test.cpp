@@ -1,4 +1,5 @@
-// docs/hard-cases.md is made from the tests: every test whose name begins with hard_ and a number, with what the comment beside it says is asserted and which planted fault it was seen to catch.
+// docs/hard-cases.md is made from the tests: every test whose name begins with hard_ and a number, with what the
+// comment beside it says is asserted and which planted fault it was seen to catch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -114,7 +115,8 @@ std::vector<Found> hard_tests() {
       std::smatch match;
       if (!std::regex_match(lines[i], match, head)) continue;
       Found found{{}, match[2], match[3], fs::relative(file, root).string(), "", ""};
-      for (std::string rest = found.name.substr(5); !rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0]));) {
+      for (std::string rest = found.name.substr(5);
+           !rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0]));) {
         std::size_t used = 0;
         found.numbers.push_back(std::stoi(rest, &used));
         rest = rest.substr(used).rfind("_and_", 0) == 0 ? rest.substr(used + 5) : std::string();
@@ -123,12 +125,14 @@ std::vector<Found> hard_tests() {
       std::size_t from = i;
       while (from > 0 && !comment_of(lines[from - 1]).empty()) --from;
       for (; from < i; ++from) comment += (comment.empty() ? "" : " ") + comment_of(lines[from]);
-      for (std::size_t n = i + 1; n < lines.size() && !comment_of(lines[n]).empty(); ++n) comment += (comment.empty() ? "" : " ") + comment_of(lines[n]);
+      for (std::size_t n = i + 1; n < lines.size() && !comment_of(lines[n]).empty(); ++n)
+        comment += (comment.empty() ? "" : " ") + comment_of(lines[n]);
       split(comment, found);
       all.push_back(std::move(found));
     }
   }
-  std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.numbers.front() < b.numbers.front(); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Found& a, const Found& b) { return a.numbers.front() < b.numbers.front(); });
   return all;
 }
 
@@ -148,17 +152,24 @@ std::string document() {
   const std::vector<Found> tests = hard_tests();
   std::string text =
       "# Hard cases\n\n"
-      "Made from the tests by `SEASCAPE_WRITE_DOCS=1 build/release/tests_unit --gtest_filter='HardCases*'`, and compared with them by the same. A test's name begins with the number of its case. "
-      "Numbers to 45 are the list that the project set itself, and later ones were found by reading the code for divisions, roots, logarithms, casts, sums and loops without a bound. "
-      "`*_hard_test.cpp` is the label hard, `*_gpu_test.cpp` gpu, `*_stereo_test.cpp` stereo, `*_program_test.cpp` program, others unit.\n\n"
-      "| case | | test | what is asserted | planted fault that it was seen to catch |\n| --- | --- | --- | --- | --- |\n";
+      "Made from the tests by `SEASCAPE_WRITE_DOCS=1 build/release/tests_unit --gtest_filter='HardCases*'`, and "
+      "compared with them by the same. A test's name begins with the number of its case. "
+      "Numbers to 45 are the list that the project set itself, and later ones were found by reading the code for "
+      "divisions, roots, logarithms, casts, sums and loops without a bound. "
+      "`*_hard_test.cpp` is the label hard, `*_gpu_test.cpp` gpu, `*_stereo_test.cpp` stereo, `*_program_test.cpp` "
+      "program, others unit.\n\n"
+      "| case | | test | what is asserted | planted fault that it was seen to catch |\n| --- | --- | --- | --- | --- "
+      "|\n";
   const auto row = [&](int number, const std::string& what, const Found& test) {
-    text += "| " + std::to_string(number) + " | " + cell(what) + " | `" + test.suite + "." + test.name + "` (" + test.file + ") | " + cell(test.asserted) + " | " + cell(test.control) + " |\n";
+    text += "| " + std::to_string(number) + " | " + cell(what) + " | `" + test.suite + "." + test.name + "` (" +
+            test.file + ") | " + cell(test.asserted) + " | " + cell(test.control) + " |\n";
   };
   for (const auto& [number, one] : listed) {
-    if (*one.waits != '\0') text += "| " + std::to_string(number) + " | " + one.what + " | waits for " + one.waits + " | | |\n";
+    if (*one.waits != '\0')
+      text += "| " + std::to_string(number) + " | " + one.what + " | waits for " + one.waits + " | | |\n";
     for (const Found& test : tests)
-      if (std::find(test.numbers.begin(), test.numbers.end(), number) != test.numbers.end()) row(number, one.what, test);
+      if (std::find(test.numbers.begin(), test.numbers.end(), number) != test.numbers.end())
+        row(number, one.what, test);
   }
   for (const Found& test : tests)
     if (test.numbers.front() >= first_of_our_own) row(test.numbers.front(), words_of(test), test);
@@ -169,7 +180,8 @@ std::string document() {
 TEST(HardCases, ThePageIsWhatTheTestsSay) {
   const fs::path file = fs::path(SEASCAPE_TEST_DIR) / ".." / "docs" / "hard-cases.md";
   if (std::getenv("SEASCAPE_WRITE_DOCS") != nullptr) write_atomically(file, document());
-  EXPECT_TRUE(read_text(file) == document()) << "write docs/hard-cases.md anew: SEASCAPE_WRITE_DOCS=1 build/release/tests_unit --gtest_filter='HardCases*'";
+  EXPECT_TRUE(read_text(file) == document())
+      << "write docs/hard-cases.md anew: SEASCAPE_WRITE_DOCS=1 build/release/tests_unit --gtest_filter='HardCases*'";
 }
 
 // Controls: hard_13_time_1e7 renamed to time_1e7 (13 has no test), and a comment without its control.
@@ -178,7 +190,8 @@ TEST(HardCases, EveryNumberHasATestThatSaysWhatItAssertsAndWhatItCatches) {
   for (const Found& test : hard_tests()) {
     for (const int number : test.numbers) ++tests[number];
     EXPECT_GE(test.asserted.size(), 20u) << test.file << ": " << test.name << ": no comment says what is asserted";
-    EXPECT_GE(test.control.size(), 12u) << test.file << ": " << test.name << ": no comment says which planted fault it was seen to catch";
+    EXPECT_GE(test.control.size(), 12u) << test.file << ": " << test.name
+                                        << ": no comment says which planted fault it was seen to catch";
   }
   for (const auto& [number, one] : listed) {
     if (*one.waits == '\0') {

@@ -1,4 +1,5 @@
-// Lit once a pixel or where triangles are drawn, the sea is the same: deferred against forward, from the air and from below.
+// Lit once a pixel or where triangles are drawn, the sea is the same: deferred against forward, from the air and from
+// below.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -18,23 +19,37 @@ using test::SeaShot;
 class DeferredLight : public test::GpuTest {};
 
 test::ShotOptions options(const std::string& scene, const std::string& lighting) {
-  return {.scene = scene, .preset = "high", .width = 192, .height = 108, .views = 2, .set = {{"msaa", "1"}, {"frame.lighting", lighting}, {"frame.facing_only", lighting == "deferred" ? "true" : "false"}}};
+  return {.scene = scene,
+          .preset = "high",
+          .width = 192,
+          .height = 108,
+          .views = 2,
+          .set = {{"msaa", "1"},
+                  {"frame.lighting", lighting},
+                  {"frame.facing_only", lighting == "deferred" ? "true" : "false"}}};
 }
 
-// Level and tilted, near and far, straight down, from 20 km; close above the water, where nothing may be culled by its facing,
-// and under it.
+// Level and tilted, near and far, straight down, from 20 km; close above the water, where nothing may be culled by its
+// facing, and under it.
 std::vector<Pose> poses() {
-  return {pose({3.0, 2.2, 5.0}, 10.0, -4.0),    pose({40.0, 12.0, -7.0}, 130.0, -20.0, 15.0), pose({0.0, 30.0, 0.0}, 0.0, -90.0),
-          pose({9.0, 300.0, 2.0}, 250.0, -12.0), pose({0.0, 20000.0, 0.0}, 80.0, -30.0),       pose({-3.0, 0.3, 8.0}, 200.0, 0.0),
-          pose({17.0, -1.5, 4.0}, 300.0, 20.0),  pose({5.0, 6.0, 5.0}, 305.0, -8.0)};
+  return {pose({3.0, 2.2, 5.0}, 10.0, -4.0),      pose({40.0, 12.0, -7.0}, 130.0, -20.0, 15.0),
+          pose({0.0, 30.0, 0.0}, 0.0, -90.0),     pose({9.0, 300.0, 2.0}, 250.0, -12.0),
+          pose({0.0, 20000.0, 0.0}, 80.0, -30.0), pose({-3.0, 0.3, 8.0}, 200.0, 0.0),
+          pose({17.0, -1.5, 4.0}, 300.0, 20.0),   pose({5.0, 6.0, 5.0}, 305.0, -8.0)};
 }
 
-// Half floats carry the vertices' slopes and a pixel's footprint: a difference of 1e-3 of a slope, and at crests a pixel that belongs
-// to one of two triangles. Of linear light. Controls seen, each fails here: a footprint twice as long (mean 6e-4, p99 0.009), the near
-// plane's distance twice as far (5e-3, 0.07), one pair of derivatives for the other (2e-3, 0.03), back faces culled under water.
+// Half floats carry the vertices' slopes and a pixel's footprint: a difference of 1e-3 of a slope, and at crests a
+// pixel that belongs to one of two triangles. Of linear light. Controls seen, each fails here: a footprint twice as
+// long (mean 6e-4, p99 0.009), the near plane's distance twice as far (5e-3, 0.07), one pair of derivatives for the
+// other (2e-3, 0.03), back faces culled under water.
 TEST_F(DeferredLight, ShowsWhatForwardLightShows) {
-  // Scene; with its lace, which is white beside dark, or without; what the hundredth part that differs most may differ by.
-  const std::tuple<std::string, bool, double> rows[] = {{"open_sea", true, 5e-3}, {"calm", true, 5e-3}, {"swell", true, 5e-3}, {"storm", false, 5e-3}, {"storm", true, 7e-3}};
+  // Scene; with its lace, which is white beside dark, or without; what the hundredth part that differs most may differ
+  // by.
+  const std::tuple<std::string, bool, double> rows[] = {{"open_sea", true, 5e-3},
+                                                        {"calm", true, 5e-3},
+                                                        {"swell", true, 5e-3},
+                                                        {"storm", false, 5e-3},
+                                                        {"storm", true, 7e-3}};
   for (const auto& [scene, lace, edges] : rows) {
     test::ShotOptions one = options(scene, "forward"), other = options(scene, "deferred");
     if (!lace)
@@ -47,9 +62,11 @@ TEST_F(DeferredLight, ShowsWhatForwardLightShows) {
       const auto a = forward.pictures(head, 20.0), b = deferred.pictures(head, 20.0);
       for (std::size_t eye = 0; eye < 2; ++eye) {
         const auto d = test::difference(a[eye], b[eye]);
-        const std::string name = "deferred_" + scene + (lace ? "_" : "_bare_") + std::to_string(number) + "_" + std::to_string(eye);
+        const std::string name =
+            "deferred_" + scene + (lace ? "_" : "_bare_") + std::to_string(number) + "_" + std::to_string(eye);
         EXPECT_TRUE(d.mean <= 3e-4 && d.p99 <= edges)
-            << name << ": mean " << d.mean << ", p99 " << d.p99 << "; " << test::leave(a[eye], name + "_forward") << ", " << test::leave(b[eye], name);
+            << name << ": mean " << d.mean << ", p99 " << d.p99 << "; " << test::leave(a[eye], name + "_forward")
+            << ", " << test::leave(b[eye], name);
       }
       ++number;
     }
@@ -104,8 +121,9 @@ TEST_F(DeferredLight, LeavesNoHoles) {
       if (head.position_m.y < 5.0) head.position_m.y = 9.0;  // an eye under water sees the sky below the horizon
       const Viewpoint viewpoint = shot.viewpoint(head);
       for (const Image8& picture : shot.pictures(head, 11.0 + number))
-        EXPECT_EQ(test::count_colour(picture, 255, 0, 255), 0) << scene << " " << number << " "
-                                                              << test::leave(picture, std::string("deferred_holes_") + scene + std::to_string(number));
+        EXPECT_EQ(test::count_colour(picture, 255, 0, 255), 0)
+            << scene << " " << number << " "
+            << test::leave(picture, std::string("deferred_holes_") + scene + std::to_string(number));
       from_air += shot.experience().ocean().eyes_in_air(viewpoint);
       ++number;
     }

@@ -1,5 +1,6 @@
-// The program on a machine that fails under it: a device without memory, a lost one, a process killed while it writes, files that may not grow. Faults come from a library that is loaded before the
-// program's own (tests/support/preload/faults.cpp).
+// The program on a machine that fails under it: a device without memory, a lost one, a process killed while it writes,
+// files that may not grow. Faults come from a library that is loaded before the program's own
+// (tests/support/preload/faults.cpp).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,8 @@ ProgramResult run_failing(const std::vector<std::string>& words, std::vector<std
   // By its name in a folder: in a path the loader would take a space for the end of it.
   const fs::path library = SEASCAPE_FAULTS_LIBRARY;
   const char* const folders = std::getenv("LD_LIBRARY_PATH");
-  environment.push_back("LD_LIBRARY_PATH=" + library.parent_path().string() + (folders ? std::string(":") + folders : ""));
+  environment.push_back("LD_LIBRARY_PATH=" + library.parent_path().string() +
+                        (folders ? std::string(":") + folders : ""));
   environment.push_back("LD_PRELOAD=" + library.filename().string());
   return run_program(words, environment);
 }
@@ -46,7 +48,9 @@ void expect_clear(const ProgramResult& result, const std::vector<std::string>& a
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_THAT(result.err, testing::StartsWith("seascape: "));
   EXPECT_THAT(result.err, HasSubstr("; "));
-  EXPECT_TRUE(std::any_of(any_of.begin(), any_of.end(), [&](const std::string& part) { return result.err.find(part) != std::string::npos; })) << result.err;
+  EXPECT_TRUE(std::any_of(any_of.begin(), any_of.end(), [&](const std::string& part) {
+    return result.err.find(part) != std::string::npos;
+  })) << result.err;
 }
 
 struct Counts {
@@ -63,19 +67,23 @@ Counts counts_of(const std::vector<std::string>& words, std::vector<std::string>
 }
 
 std::vector<std::string> small_replay(const fs::path& out, const char* scene = "calm", const char* frames = "1") {
-  return {"replay", "--scene", scene, "--preset", "low", "--size", "16x16", "--views", "1", "--frames", frames, "--log-level", "error", "--out", out.string()};
+  return {"replay", "--scene",  scene,  "--preset",    "low",   "--size", "16x16",     "--views",
+          "1",      "--frames", frames, "--log-level", "error", "--out",  out.string()};
 }
 const std::vector<std::string> validated{"SEASCAPE_VALIDATION=1"};
 
-// The device has no memory left from its n-th object on, for each of the first 60 and for others up to the last: one line that says so, exit status 1, no picture, and no message of the validation layers (an object that
-// is left behind when the device goes is one). Control seen: a Buffer that takes hold of its handle after its memory, and leaves it behind where there is none.
+// The device has no memory left from its n-th object on, for each of the first 60 and for others up to the last: one
+// line that says so, exit status 1, no picture, and no message of the validation layers (an object that is left behind
+// when the device goes is one). Control seen: a Buffer that takes hold of its handle after its memory, and leaves it
+// behind where there is none.
 TEST(FaultsOfTheDevice, NoMemoryFromAnyObjectOnIsToldInOneLine) {
   const TemporaryFolder out;
   const Counts all = counts_of(small_replay(out / "whole"), validated);
   ASSERT_GT(all.objects, 60);
   std::vector<long> tried;
   for (long n = 1; n <= 60; ++n) tried.push_back(n);
-  for (long n = 60 + (all.objects - 60) / 8; n < all.objects; n += std::max(1L, (all.objects - 60) / 8)) tried.push_back(n);
+  for (long n = 60 + (all.objects - 60) / 8; n < all.objects; n += std::max(1L, (all.objects - 60) / 8))
+    tried.push_back(n);
   tried.push_back(all.objects);
   for (const long n : tried) {
     SCOPED_TRACE(n);
@@ -88,22 +96,26 @@ TEST(FaultsOfTheDevice, NoMemoryFromAnyObjectOnIsToldInOneLine) {
   }
 }
 
-// A large block that fails once is asked for smaller: the program goes on. Control seen: without the second try in Memory::new_block none goes on.
+// A large block that fails once is asked for smaller: the program goes on. Control seen: without the second try in
+// Memory::new_block none goes on.
 TEST(FaultsOfTheDevice, ABlockThatIsTooLargeIsAskedForSmaller) {
   const TemporaryFolder out;
   int went_on = 0;
   for (long n = 1; n <= 12; ++n) {
     const ProgramResult result = run_failing(small_replay(out / std::to_string(n)), {set("SEASCAPE_FAIL_ONCE", n)});
-    if (result.exit_code == 0) ++went_on;
-    else expect_clear(result, {"out of device memory", "no memory left"});
+    if (result.exit_code == 0)
+      ++went_on;
+    else
+      expect_clear(result, {"out of device memory", "no memory left"});
   }
   EXPECT_GT(went_on, 0);
   EXPECT_LT(went_on, 12);
 }
 
-// Hard 42: A device that is lost at any submission, while the scene is made or frames are in flight: one line that says so and what to try, exit status 1 within the test's time, whole pictures alone. (A window of no area:
-// Window in explore_program_test.cpp; there is no headset yet.) Control: check() that passes
-// VK_ERROR_DEVICE_LOST over ended with 0 and pictures of nothing.
+// Hard 42: A device that is lost at any submission, while the scene is made or frames are in flight: one line that says
+// so and what to try, exit status 1 within the test's time, whole pictures alone. (A window of no area: Window in
+// explore_program_test.cpp; there is no headset yet.) Control: check() that passes VK_ERROR_DEVICE_LOST over ended with
+// 0 and pictures of nothing.
 TEST(FaultsOfTheDevice, hard_42_device_lost) {
   const TemporaryFolder out;
   const Counts all = counts_of(small_replay(out / "whole", "calm", "4"));
@@ -111,7 +123,8 @@ TEST(FaultsOfTheDevice, hard_42_device_lost) {
   for (long n = 1; n <= all.submissions; ++n) {
     SCOPED_TRACE(n);
     const fs::path folder = out / std::to_string(n);
-    expect_clear(run_failing(small_replay(folder, "calm", "4"), {"SEASCAPE_VALIDATION=1", set("SEASCAPE_LOSE_AT", n)}), {"device lost"});
+    expect_clear(run_failing(small_replay(folder, "calm", "4"), {"SEASCAPE_VALIDATION=1", set("SEASCAPE_LOSE_AT", n)}),
+                 {"device lost"});
     if (!fs::exists(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       EXPECT_EQ(entry.path().extension(), ".png") << entry.path();
@@ -119,7 +132,9 @@ TEST(FaultsOfTheDevice, hard_42_device_lost) {
     }
   }
   const ProgramResult capture =
-      run_failing({"capture", "--scene", "calm", "--preset", "low", "--size", "16x16", "--views", "1", "--frames", "3", "--log-level", "error", "--out", (out / "capture").string()}, {set("SEASCAPE_LOSE_AT", all.submissions)});
+      run_failing({"capture", "--scene", "calm", "--preset", "low", "--size", "16x16", "--views", "1", "--frames", "3",
+                   "--log-level", "error", "--out", (out / "capture").string()},
+                  {set("SEASCAPE_LOSE_AT", all.submissions)});
   expect_clear(capture, {"device lost"});
   EXPECT_FALSE(fs::exists(out / "capture" / "capture.csv"));
 }
@@ -130,11 +145,14 @@ std::string text_of(const fs::path& file) { return fs::exists(file) ? read_text(
 // Names that are no results: those of files that were being written.
 bool is_unfinished(const fs::path& file) { return file.filename().string().find(".tmp-") != std::string::npos; }
 
-// Killed in the middle of any write and before any name is given: each result is the old one or whole, whatever else lies there is told by its name, and the next capture is none the worse. Control seen: files written under their own
+// Killed in the middle of any write and before any name is given: each result is the old one or whole, whatever else
+// lies there is told by its name, and the next capture is none the worse. Control seen: files written under their own
 // names (write_atomically without its temporary one) leave half a table.
 TEST(KilledWhile, CapturingLeavesTheOldResultsOrWholeOnes) {
   const auto words = [](const fs::path& out) {
-    return std::vector<std::string>{"capture", "--scene", "calm", "--preset", "low", "--size", "16x16", "--views", "1", "--frames", "2", "--warmup", "1", "--log-level", "error", "--out", out.string()};
+    return std::vector<std::string>{"capture", "--scene",     "calm",  "--preset", "low",       "--size",
+                                    "16x16",   "--views",     "1",     "--frames", "2",         "--warmup",
+                                    "1",       "--log-level", "error", "--out",    out.string()};
   };
   const TemporaryFolder folder;
   const Counts all = counts_of(words(folder / "whole"));
@@ -142,7 +160,8 @@ TEST(KilledWhile, CapturingLeavesTheOldResultsOrWholeOnes) {
   ASSERT_GE(all.renames, 3);
   const std::string header = text_of(folder / "whole/capture.csv").substr(0, 60);
   const auto look = [&](const fs::path& out) {
-    const std::string csv = text_of(out / "capture.csv"), trace = text_of(out / "trace.json"), report = text_of(out / "report.html");
+    const std::string csv = text_of(out / "capture.csv"), trace = text_of(out / "trace.json"),
+                      report = text_of(out / "report.html");
     if (csv != "old csv\n") {
       EXPECT_EQ(csv.substr(0, 60), header);
       EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << csv;
@@ -175,10 +194,27 @@ TEST(KilledWhile, CapturingLeavesTheOldResultsOrWholeOnes) {
   EXPECT_NE(text_of(out / "capture.csv"), "old csv\n");
 }
 
-// The same of a loop of waves, over one that lay there: it is the old one, whole, or not yet one, which its reader says. Control seen: the manifest left in place while frames are written makes a loop of two.
+// The same of a loop of waves, over one that lay there: it is the old one, whole, or not yet one, which its reader
+// says. Control seen: the manifest left in place while frames are written makes a loop of two.
 TEST(KilledWhile, BakingLeavesTheOldLoopOrNone) {
   const auto words = [](const fs::path& out, const char* wind) {
-    return std::vector<std::string>{"bake", "--scene", "open_sea", "--frames", "8", "--fps", "2", "--size", "64", "--tile", "90", "--set", std::string("waves.wind_speed_mps=") + wind, "--log-level", "error", "--out", out.string()};
+    return std::vector<std::string>{"bake",
+                                    "--scene",
+                                    "open_sea",
+                                    "--frames",
+                                    "8",
+                                    "--fps",
+                                    "2",
+                                    "--size",
+                                    "64",
+                                    "--tile",
+                                    "90",
+                                    "--set",
+                                    std::string("waves.wind_speed_mps=") + wind,
+                                    "--log-level",
+                                    "error",
+                                    "--out",
+                                    out.string()};
   };
   const TemporaryFolder folder;
   const Counts all = counts_of(words(folder / "new", "14"));
@@ -214,7 +250,8 @@ TEST(KilledWhile, BakingLeavesTheOldLoopOrNone) {
   EXPECT_EQ(none, 7);
 }
 
-// A quota that a frame passes: the frame is named, and neither a manifest nor a part of a file is left. Control seen: files written under their own names.
+// A quota that a frame passes: the frame is named, and neither a manifest nor a part of a file is left. Control seen:
+// files written under their own names.
 TEST(FaultsOfTheMachine, ALoopThatMayNotGrowLeavesNoManifest) {
   const TemporaryFolder folder;
   rlimit before{};
@@ -223,7 +260,8 @@ TEST(FaultsOfTheMachine, ALoopThatMayNotGrowLeavesNoManifest) {
   rlimit small = before;
   small.rlim_cur = 2048;
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const ProgramResult result = run_program({"bake", "--scene", "open_sea", "--frames", "8", "--size", "64", "--log-level", "error", "--out", (folder / "loop").string()});
+  const ProgramResult result = run_program({"bake", "--scene", "open_sea", "--frames", "8", "--size", "64",
+                                            "--log-level", "error", "--out", (folder / "loop").string()});
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   expect_clear(result, {"frame_0000.exr: the file would be larger than this system allows"});

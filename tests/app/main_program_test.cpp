@@ -73,8 +73,8 @@ TEST(Program, ValidateTellsEveryFileAndQueryNeedsNoGpu) {
   const test::TemporaryFolder folder;
   const std::string points = folder / "points.csv", out = folder / "out.csv";
   std::ofstream(points) << "x,z\n0,0\n10.5,-3\n";
-  const ProgramResult query = run_program({"query", "--scene", "calm", "--time", "3.5", "--preset", "low", "--points", points,
-                                           "--out", out}, no_gpu);
+  const ProgramResult query = run_program(
+      {"query", "--scene", "calm", "--time", "3.5", "--preset", "low", "--points", points, "--out", out}, no_gpu);
   EXPECT_EQ(query.exit_code, 0) << query.err;
   EXPECT_TRUE(std::filesystem::exists(out));
   const std::string scene = content_directory() / "scenes" / "calm.json";

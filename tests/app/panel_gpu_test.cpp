@@ -1,5 +1,5 @@
-// The panel under a mouse that tries every place of it; needs ImGui, but no device. Controls are named beside each test;
-// each was seen to fail.
+// The panel under a mouse that tries every place of it; needs ImGui, but no device. Controls are named beside each
+// test; each was seen to fail.
 #include "app/panel.h"
 #include "ocean/effects.h"
 
@@ -44,7 +44,10 @@ class PanelUnderTheMouse : public testing::Test {
   void open_all() {
     frame(-1.0f, -1.0f, false, [] {
       ImGui::Begin("Seascape");
-      for (const char* title : {"Waves", "Gerstner", "Wave particles", "Dynamic waves", "Foam", "Spray", "Level", "Sea depth", "Flow", "Clip", "Place", "Baked", "Level of detail", "Water", "Sky", "Frame", "Stereo", "Camera", "Time", "Debug"})
+      for (const char* title :
+           {"Waves", "Gerstner", "Wave particles", "Dynamic waves",   "Foam",  "Spray", "Level", "Sea depth", "Flow",
+            "Clip",  "Place",    "Baked",          "Level of detail", "Water", "Sky",   "Frame", "Stereo",    "Camera",
+            "Time",  "Debug"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
     });
@@ -75,8 +78,9 @@ class PanelUnderTheMouse : public testing::Test {
   PanelFacts facts_;
 };
 
-// Controls: a group left out of the loop, an edit_row that passes over flags, and a rebuild row that is handed out at once
-// (without `edit.settled || !row.rebuild`) each fail here; so does a slider of whole numbers with 0 to 100 for all.
+// Controls: a group left out of the loop, an edit_row that passes over flags, and a rebuild row that is handed out at
+// once (without `edit.settled || !row.rebuild`) each fail here; so does a slider of whole numbers with 0 to 100 for
+// all.
 TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseToLetGo) {
   std::map<std::string, int> changed;
   const auto told = [&](const PanelWish& wish, bool down) {
@@ -94,7 +98,9 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
   try_column(290.0f, 40.0f, lowest, told);  // sliders
   try_column(200.0f, 0.0f, lowest, told);   // boxes and lists
   try_column(373.0f, 0.0f, lowest, told);   // the steps beside a number that is typed
-  for (const Setting& row : settings_table()) EXPECT_TRUE(changed.count(std::string(row.key)) || std::holds_alternative<TextMember>(row.member)) << row.key;  // what is typed
+  for (const Setting& row : settings_table())
+    EXPECT_TRUE(changed.count(std::string(row.key)) || std::holds_alternative<TextMember>(row.member))
+        << row.key;  // what is typed
 }
 
 // Control: a button without its wish fails here.
@@ -114,7 +120,8 @@ TEST_F(PanelUnderTheMouse, HasButtonsAndLists) {
   EXPECT_TRUE(recorded);
   EXPECT_TRUE(preset);
   EXPECT_TRUE(travel);
-  for (float y = 5.0f; y < 220.0f && !scrubbed; y += 9.0f) drag(120.0f, y, 60.0f, [&](const PanelWish& wish, bool) { scrubbed |= wish.sea_time_s.has_value(); });
+  for (float y = 5.0f; y < 220.0f && !scrubbed; y += 9.0f)
+    drag(120.0f, y, 60.0f, [&](const PanelWish& wish, bool) { scrubbed |= wish.sea_time_s.has_value(); });
   EXPECT_TRUE(scrubbed);
 }
 
@@ -130,7 +137,8 @@ TEST_F(PanelUnderTheMouse, IsNotThereWhenHidden) {
   EXPECT_TRUE(ImGui::GetIO().WantCaptureMouse);
 }
 
-// A box for each effect that is built but the waves; a click asks for the scene's effects with it, or without. Control seen: the box taken for its opposite.
+// A box for each effect that is built but the waves; a click asks for the scene's effects with it, or without. Control
+// seen: the box taken for its opposite.
 TEST_F(PanelUnderTheMouse, SwitchesEffects) {
   const std::vector<std::string> now{"waves", "foam"};
   facts_.effects = now;

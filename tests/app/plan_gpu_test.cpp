@@ -25,18 +25,22 @@ struct Holdings {
 };
 
 void PrintTo(const Holdings& h, std::ostream* out) {
-  *out << h.pipelines << " pipelines, " << h.modules << " modules of " << h.words << " words, " << h.resources << " resources of " << h.bytes
-       << " bytes, " << h.others << " others";
+  *out << h.pipelines << " pipelines, " << h.modules << " modules of " << h.words << " words, " << h.resources
+       << " resources of " << h.bytes << " bytes, " << h.others << " others";
 }
 
 std::map<std::string, Holdings> held_by(const Device& device) {
   std::map<std::string, Holdings> held;
   for (const ObjectRecord& object : device.objects()) {
     Holdings& h = held[object.effect];
-    if (object.type == VK_OBJECT_TYPE_PIPELINE) ++h.pipelines;
-    else if (object.type == VK_OBJECT_TYPE_SHADER_MODULE) ++h.modules, h.words += object.bytes / 4;
-    else if (object.type == VK_OBJECT_TYPE_IMAGE || object.type == VK_OBJECT_TYPE_BUFFER) ++h.resources, h.bytes += object.bytes;
-    else ++h.others;
+    if (object.type == VK_OBJECT_TYPE_PIPELINE)
+      ++h.pipelines;
+    else if (object.type == VK_OBJECT_TYPE_SHADER_MODULE)
+      ++h.modules, h.words += object.bytes / 4;
+    else if (object.type == VK_OBJECT_TYPE_IMAGE || object.type == VK_OBJECT_TYPE_BUFFER)
+      ++h.resources, h.bytes += object.bytes;
+    else
+      ++h.others;
   }
   return held;
 }
@@ -53,27 +57,32 @@ std::map<std::string, Holdings> held_by(const Plan& plan) {
 }
 
 const PlanEffect& named(const Plan& plan, const std::string& name) {
-  const auto found = std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == name; });
+  const auto found =
+      std::find_if(plan.effects.begin(), plan.effects.end(), [&](const PlanEffect& e) { return e.name == name; });
   if (found == plan.effects.end()) throw std::runtime_error("no " + name);
   return *found;
 }
 
-Plan plan_of(SeaShot& shot, const std::string& preset) { return make_plan(shot.device(), test::shaders(), shot.experience(), preset); }
+Plan plan_of(SeaShot& shot, const std::string& preset) {
+  return make_plan(shot.device(), test::shaders(), shot.experience(), preset);
+}
 
-// The control is in it: with a buffer planted on the device, the plan made before is found wrong, and the plan made after names the
-// planted one. Seen besides: a plan that does not count views, samplers and layouts.
+// The control is in it: with a buffer planted on the device, the plan made before is found wrong, and the plan made
+// after names the planted one. Seen besides: a plan that does not count views, samplers and layouts.
 TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   Device& device = test::device();
   ASSERT_TRUE(device.objects().empty());
   for (const auto& [preset, place] : {std::pair("low", "cpu"), std::pair("high", "gpu"), std::pair("high", "cpu")}) {
     device.wait_idle();  // what is gone is given back
     const std::uint64_t used_before = device.memory().used_bytes();
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
+    SeaShot shot(
+        {.scene = "storm", .preset = preset, .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
     const Plan plan = plan_of(shot, preset);
     EXPECT_EQ(held_by(plan), held_by(device));
     EXPECT_EQ(plan.preset, preset);
 
-    // The memory that the device handed out, counted apart from the list: a resource takes what its driver rounds it up to.
+    // The memory that the device handed out, counted apart from the list: a resource takes what its driver rounds it up
+    // to.
     const PlanTotals totals = totals_of(plan);
     device.wait_idle();  // uploads are done with their staging buffers
     const std::uint64_t used = device.memory().used_bytes() - used_before;
@@ -94,11 +103,12 @@ TEST_F(PlanOfADevice, HasAllThatIsAlive) {
   }
 }
 
-// Controls: triangles counted for the frame's first pass instead of the one that draws them; an upload that is not told apart from
-// the frame's own passes.
+// Controls: triangles counted for the frame's first pass instead of the one that draws them; an upload that is not told
+// apart from the frame's own passes.
 void expect_what_a_frame_records(const std::string& place) {
   SCOPED_TRACE(place);
-  SeaShot shot({.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
+  SeaShot shot(
+      {.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .views = 2, .set = {{"waves.where", place}}});
   const Plan plan = plan_of(shot, "high");
   const FrameCounts& counts = shot.counts();  // of the plan's second frame
   const PlanTotals totals = totals_of(plan);
@@ -117,7 +127,8 @@ void expect_what_a_frame_records(const std::string& place) {
   ASSERT_EQ(named(plan, "surface").passes.size(), 1u);
   const PlanPass& surface = named(plan, "surface").passes[0];
   EXPECT_EQ(surface.draws, 1u) << "all patches and both eyes";
-  EXPECT_EQ(surface.triangles, shot.experience().ocean().selection()->patches.size() * gpu::patch_quads * gpu::patch_quads * 2);
+  EXPECT_EQ(surface.triangles,
+            shot.experience().ocean().selection()->patches.size() * gpu::patch_quads * gpu::patch_quads * 2);
   const PlanEffect& waves = named(plan, "waves");
   if (place == "gpu") {
     EXPECT_EQ(waves.passes.size(), 3u);
@@ -149,7 +160,11 @@ TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
 TEST_F(PlanOfADevice, FoamIsWordsOfTheSurfaceOnlyWhereAScenesNamesIt) {
   std::map<std::string, std::uint64_t> words;
   for (const char* scene : {"calm", "storm"}) {
-    SeaShot shot({.scene = scene, .preset = "low", .width = 32, .height = 32, .set = {{"foam.simulated", "false"}, {"spray.amount", "0"}}});
+    SeaShot shot({.scene = scene,
+                  .preset = "low",
+                  .width = 32,
+                  .height = 32,
+                  .set = {{"foam.simulated", "false"}, {"spray.amount", "0"}}});
     const Plan plan = plan_of(shot, "low");
     words[scene] = totals_of(named(plan, "surface")).words;
     std::vector<std::string> names;

@@ -12,18 +12,22 @@ using testing::HasSubstr;
 Plan sample() {
   Plan plan{"a \"sea\", rough", "low", "a device", 64, 36, 2, 4, 4, {}};
   PlanEffect waves{"waves", "the scene names it", {}, {}, {}, {}, 2, 0};
-  waves.passes = {{"rows", false, 1, 0, 0, 4}, {"mips", false, 2, 0, 0, 6}, {"bins", true, 1, 0, 0, 100}, {"tiles", false, 1, 0, 0, 0, 3}};
+  waves.passes = {{"rows", false, 1, 0, 0, 4},
+                  {"mips", false, 2, 0, 0, 6},
+                  {"bins", true, 1, 0, 0, 100},
+                  {"tiles", false, 1, 0, 0, 0, 3}};
   waves.pipelines = {"rows.comp", "mips.comp"};
   waves.modules = {{"rows.comp", 700, ""}, {"mips.comp", 300, ""}};
   waves.resources = {{"image", "tiles", 3u << 20}, {"buffer", "bins", 1u << 20}};
   waves.bytes = 4u << 20;
-  PlanEffect foam{"foam", "waves, again", {{"surface", false, 1, 1, 500, 0}}, {}, {{"surface.frag", 50, "surface"}}, {}, 0, 0};
+  PlanEffect foam{
+      "foam", "waves, again", {{"surface", false, 1, 1, 500, 0}}, {}, {{"surface.frag", 50, "surface"}}, {}, 0, 0};
   plan.effects = {waves, foam};
   return plan;
 }
 
-// Controls, all seen: a sum that takes what is done once (110 dispatches), one that counts shared words twice (1050), and one
-// that adds up passes that two effects share (5 of 4).
+// Controls, all seen: a sum that takes what is done once (110 dispatches), one that counts shared words twice (1050),
+// and one that adds up passes that two effects share (5 of 4).
 TEST(PlanTotals, LeaveOutWhatIsDoneOnceAndWhatIsCountedElsewhere) {
   const Plan plan = sample();
   const PlanTotals waves = totals_of(plan.effects[0]);

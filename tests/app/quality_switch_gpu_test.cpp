@@ -1,4 +1,5 @@
-// Another quality while frames are on their way: each picture is the old one's or the new one's, and nothing is left behind. Hard case 41.
+// Another quality while frames are on their way: each picture is the old one's or the new one's, and nothing is left
+// behind. Hard case 41.
 #include "app/frame.h"
 #include "app/program.h"
 #include "app/quality.h"
@@ -19,7 +20,11 @@ const Pose head = test::pose({12.0, 5.0, -3.0}, 25.0, -12.0);
 constexpr double time_s = 14.0;
 
 SeaShot small(const char* preset) {
-  return SeaShot({.scene = "storm", .preset = preset, .width = 96, .height = 64, .set = {{"waves.resolution", "32"}, {"frame.shape", "tile"}}});
+  return SeaShot({.scene = "storm",
+                  .preset = preset,
+                  .width = 96,
+                  .height = 64,
+                  .set = {{"waves.resolution", "32"}, {"frame.shape", "tile"}}});
 }
 
 // The settings of a preset as a user's switch makes them: the scene's, with the preset's column.
@@ -33,9 +38,10 @@ Settings at(const SeaShot& shot, const char* preset) {
 
 void record(SeaShot& shot, Frame& frame) { draw_frame(shot.experience(), frame, shot.viewpoint(head), time_s); }
 
-// Where the switch comes: before a frame begins, while the one before is still being drawn; between its beginning and its drawing; and
-// between its drawing and its submission, when its commands name objects that the switch lets go. Controls seen: a device that frees what the
-// newest frames use when an older one has ended (validation errors); and another quality draws another picture.
+// Where the switch comes: before a frame begins, while the one before is still being drawn; between its beginning and
+// its drawing; and between its drawing and its submission, when its commands name objects that the switch lets go.
+// Controls seen: a device that frees what the newest frames use when an older one has ended (validation errors); and
+// another quality draws another picture.
 TEST_F(QualitySwitch, hard_41_in_mid_frame_gives_the_old_picture_or_the_new) {
   SeaShot shot = small("low");
   const char* const presets[] = {"low", "high", "medium", "ultra"};
@@ -65,14 +71,16 @@ TEST_F(QualitySwitch, hard_41_in_mid_frame_gives_the_old_picture_or_the_new) {
     if (when == 0) shot.experience().apply(at(shot, presets[to]), true);
     if (when == 1) {
       frame.finish();
-      EXPECT_EQ(test::differing_pixels(picture_of(test::device(), shot.experience(), 0), fresh[from]), 0) << turn << ": the old picture";
+      EXPECT_EQ(test::differing_pixels(picture_of(test::device(), shot.experience(), 0), fresh[from]), 0)
+          << turn << ": the old picture";
     }
     frame.begin();
     if (when == 1) shot.experience().apply(at(shot, presets[to]), true);
     record(shot, frame);
     frame.submit();
     frame.finish();
-    EXPECT_EQ(test::differing_pixels(picture_of(test::device(), shot.experience(), 0), fresh[to]), 0) << turn << ": the new picture";
+    EXPECT_EQ(test::differing_pixels(picture_of(test::device(), shot.experience(), 0), fresh[to]), 0)
+        << turn << ": the new picture";
   }
   (void)shot.picture(head, time_s);
   test::device().wait_idle();

@@ -62,9 +62,10 @@ TEST(Query, RowsAreTheAnswersOfTheWaveField) {
   for (std::size_t i = 0; i < points.size(); i += 101) {
     QueryAnswer answer;
     query(field, tiles, {&points[i], 1}, {&answer, 1});
-    EXPECT_EQ(rows[i], (std::vector<double>{points[i].x, points[i].y, answer.height_m, answer.normal.x, answer.normal.y,
-                                            answer.normal.z, answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y,
-                                            answer.orbital_velocity_mps.z, answer.converged ? 1.0 : 0.0}));
+    EXPECT_EQ(rows[i],
+              (std::vector<double>{points[i].x, points[i].y, answer.height_m, answer.normal.x, answer.normal.y,
+                                   answer.normal.z, answer.orbital_velocity_mps.x, answer.orbital_velocity_mps.y,
+                                   answer.orbital_velocity_mps.z, answer.converged ? 1.0 : 0.0}));
   }
 }
 
@@ -79,7 +80,8 @@ TEST(Query, WaveParticlesAreInTheAnswers) {
   scene.settings.wave_particles.height_m = 0.1;
   scene.settings.wave_particles.chop = 0.0;
   const auto with = rows_of(query_csv(scene, 12.5, points));
-  const WaveField field(scene.settings.sea, scene.settings.waves, {std::make_shared<WaveParticles>(scene.settings.wave_particles)});
+  const WaveField field(scene.settings.sea, scene.settings.waves,
+                        {std::make_shared<WaveParticles>(scene.settings.wave_particles)});
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(12.5), tiles);
   double moved = 0.0;
@@ -136,7 +138,8 @@ TEST_F(QueryFiles, AFaultLeavesNoFile) {
     run_query(arguments_);
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()), arguments_.points + ":3: z: 'nan' is not a number; give a number from -10000000 to 10000000 m");
+    EXPECT_EQ(std::string(error.what()),
+              arguments_.points + ":3: z: 'nan' is not a number; give a number from -10000000 to 10000000 m");
   }
   EXPECT_THAT(folder_.names(), testing::ElementsAre("in.csv"));
   points("x,z\n0,0\n");

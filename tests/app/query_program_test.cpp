@@ -30,7 +30,8 @@ TEST(QueryProgram, SaysWhatItLeavesOut) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "points.csv") << "x,z\n0,0\n";
   const auto said = [&](const char* scene) {
-    const test::ProgramResult result = test::run_command({test::program_file(), "query", "--scene", scene, "--points", folder / "points.csv", "--out", folder / "out.csv"});
+    const test::ProgramResult result = test::run_command({test::program_file(), "query", "--scene", scene, "--points",
+                                                          folder / "points.csv", "--out", folder / "out.csv"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return result.err.find(std::string("leave out ") + scene + "'s dynamic_waves") != std::string::npos;
   };
@@ -40,20 +41,21 @@ TEST(QueryProgram, SaysWhatItLeavesOut) {
 
 // TBB takes as many threads as a process may use processors, so util-linux's taskset sets their number.
 TEST(QueryProgram, TwoProcessesWithDifferentNumbersOfThreadsGiveTheSameBits) {
-  // Controls: another seed gives other bytes (below); a share of the waves scaled by 1 + 1e-6 (threads - 1) in the query
-  // gives other bytes for one thread than for two.
+  // Controls: another seed gives other bytes (below); a share of the waves scaled by 1 + 1e-6 (threads - 1) in the
+  // query gives other bytes for one thread than for two.
   const std::vector<int> all = processors();
   if (all.size() < 2) GTEST_SKIP() << "one processor only";
   const test::TemporaryFolder folder;
   const std::string points = folder / "points.csv";
   std::string text = "x,z\n";
-  for (int i = 0; i < 9000; ++i) text += std::to_string(i * 7 % 1999 - 1000) + ".25," + std::to_string(i * 13 % 4001 - 2000) + ".5\n";
+  for (int i = 0; i < 9000; ++i)
+    text += std::to_string(i * 7 % 1999 - 1000) + ".25," + std::to_string(i * 13 % 4001 - 2000) + ".5\n";
   std::ofstream(points, std::ios::binary) << text;
   const auto heights = [&](const std::string& on, const std::string& seed) {
     const std::string out = folder / ("out_" + on + "_" + seed + ".csv");
     const test::ProgramResult result =
-        test::run_command({"taskset", "-c", on, test::program_file(), "query", "--scene", "open_sea", "--preset", "medium", "--seed", seed,
-                           "--time", "1234.5", "--points", points, "--out", out});
+        test::run_command({"taskset", "-c", on, test::program_file(), "query", "--scene", "open_sea", "--preset",
+                           "medium", "--seed", seed, "--time", "1234.5", "--points", points, "--out", out});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return read_text(out);
   };

@@ -50,9 +50,11 @@ TEST(Replay, NumbersAreFramesOfThePathFromStart) {
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
   EXPECT_EQ(part.out, "");
   EXPECT_EQ(part.err, "");
-  EXPECT_THAT(names_in(folder / "part"), testing::ElementsAre("frame_0002_left.png", "frame_0002_right.png", "frame_0003_left.png",
-                                                              "frame_0003_right.png", "replay.json"));
-  for (const char* name : {"frame_0002_left.png", "frame_0002_right.png", "frame_0003_left.png", "frame_0003_right.png"})
+  EXPECT_THAT(names_in(folder / "part"),
+              testing::ElementsAre("frame_0002_left.png", "frame_0002_right.png", "frame_0003_left.png",
+                                   "frame_0003_right.png", "replay.json"));
+  for (const char* name :
+       {"frame_0002_left.png", "frame_0002_right.png", "frame_0003_left.png", "frame_0003_right.png"})
     EXPECT_EQ(text_of(folder / "part" / name), text_of(folder / "whole" / name)) << name;
   EXPECT_NE(text_of(folder / "whole" / "frame_0000_left.png"), text_of(folder / "whole" / "frame_0001_left.png"));
   EXPECT_NE(text_of(folder / "whole" / "frame_0000_left.png"), text_of(folder / "whole" / "frame_0000_right.png"));
@@ -96,7 +98,8 @@ TEST(Replay, TwiceIsTheSameToTheBit) {
     for (auto& frame : record->at("frames")) frame.erase("taken");
   EXPECT_EQ(first, second);
 
-  const ProgramResult other = replay(folder / "other", {"--scene", "storm", "--frames", "1", "--start", "40", "--seed", "8"});
+  const ProgramResult other =
+      replay(folder / "other", {"--scene", "storm", "--frames", "1", "--start", "40", "--seed", "8"});
   ASSERT_EQ(other.exit_code, 0) << other.err;
   EXPECT_NE(text_of(folder / "other" / "frame_0040_left.png"), text_of(folder / "first" / "frame_0040_left.png"));
 }
@@ -107,11 +110,12 @@ std::size_t distinct_greens(const ImageF& image) {
   return values.size();
 }
 
-// A frame whose shape is auto keeps its light where an EXR asks for it, and that has more shades than a byte; the tile frame keeps none and gives the picture's,
-// which is the control.
+// A frame whose shape is auto keeps its light where an EXR asks for it, and that has more shades than a byte; the tile
+// frame keeps none and gives the picture's, which is the control.
 TEST(Replay, ExrIsLinearLightThatLoads) {
   const TemporaryFolder folder;
-  const ProgramResult result = replay(folder / "out", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=auto"});
+  const ProgramResult result =
+      replay(folder / "out", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=auto"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(names_in(folder / "out"), testing::ElementsAre("frame_0000.exr", "replay.json"));
   const ImageF image = read_exr(folder / "out" / "frame_0000.exr");
@@ -125,7 +129,8 @@ TEST(Replay, ExrIsLinearLightThatLoads) {
   EXPECT_GE(least, 0.0f);
   EXPECT_GT(most, 1.5f * least);
   EXPECT_GT(distinct_greens(image), 256u);
-  const ProgramResult tile = replay(folder / "tile", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=tile"});
+  const ProgramResult tile =
+      replay(folder / "tile", {"--views", "1", "--frames", "1", "--format", "exr", "--set", "frame.shape=tile"});
   ASSERT_EQ(tile.exit_code, 0) << tile.err;
   EXPECT_LE(distinct_greens(read_exr(folder / "tile" / "frame_0000.exr")), 256u);
   const auto record = nlohmann::json::parse(text_of(folder / "out" / "replay.json"));
@@ -138,8 +143,9 @@ TEST(Query, EndToEndHasItsColumnsAndThePointsInOrder) {
   const TemporaryFolder folder;
   const std::string points = folder / "points.csv", out = folder / "out.csv";
   std::ofstream(points) << "x,z\n0,0\n10.5,-3\n-250,1000\n";
-  const ProgramResult result = run_program({"query", "--scene", "swell", "--preset", "low", "--time", "12.5", "--points", points, "--out", out},
-                                           {"VK_DRIVER_FILES=/nonexistent"});
+  const ProgramResult result =
+      run_program({"query", "--scene", "swell", "--preset", "low", "--time", "12.5", "--points", points, "--out", out},
+                  {"VK_DRIVER_FILES=/nonexistent"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::istringstream table(text_of(out));
   std::string line;

@@ -17,8 +17,8 @@ using test::TemporaryFolder;
 
 using Files = std::map<std::string, std::vector<std::uint8_t>>;
 
-// Runs replay under validation, which fails on any message, into a folder of its own, and returns the pictures that it left there
-// (its record tells times taken; replay_files_program_test.cpp compares the rest of it).
+// Runs replay under validation, which fails on any message, into a folder of its own, and returns the pictures that it
+// left there (its record tells times taken; replay_files_program_test.cpp compares the rest of it).
 Files replay(std::vector<std::string> words) {
   const TemporaryFolder out;
   words.insert(words.begin(), "replay");

@@ -62,7 +62,8 @@ TEST(ReplayRecord, ReadsBackTheSame) {
     EXPECT_EQ(frame.at("time_s").get<double>(), source.time_s);
     EXPECT_EQ(frame.at("scene_time_s").get<double>(), source.scene_time_s);
     EXPECT_EQ(frame.at("viewer").at("position_m").at(2).get<double>(), source.views.viewer.position_m.z);
-    EXPECT_EQ(frame.at("viewer").at("orientation_xyzw").get<std::vector<double>>(), (std::vector<double>{0.1, 0.2, 0.3, 0.5}));
+    EXPECT_EQ(frame.at("viewer").at("orientation_xyzw").get<std::vector<double>>(),
+              (std::vector<double>{0.1, 0.2, 0.3, 0.5}));
     ASSERT_EQ(frame.at("views").size(), 2u);
     EXPECT_EQ(frame.at("views").at(1).at("position_m").at(0).get<double>(), source.views.eyes[1].pose.position_m.x);
     EXPECT_EQ(frame.at("views").at(0).at("fov_tangents").at("down").get<double>(), source.views.eyes[0].fov.down);

@@ -30,11 +30,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 // Control: passes by their place instead of their name put "fft" of the second run under "surface".
 TEST(CaptureCsv, ColumnsAsDesigned) {
-  std::vector<CaptureRun> runs{capture_run("high", 12.0, 2, {"surface", "fft"}), capture_run("low", 3.0, 1, {"fft", "sky, \"far\""})};
+  std::vector<CaptureRun> runs{capture_run("high", 12.0, 2, {"surface", "fft"}),
+                               capture_run("low", 3.0, 1, {"fft", "sky, \"far\""})};
   const std::vector<std::string> lines = lines_of(capture_csv(runs));
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[0], "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120,"
-                      "gpu_surface_ms,gpu_fft_ms,\"gpu_sky, \"\"far\"\"_ms\"");
+  EXPECT_EQ(lines[0],
+            "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120,"
+            "gpu_surface_ms,gpu_fft_ms,\"gpu_sky, \"\"far\"\"_ms\"");
   EXPECT_EQ(lines[1], "open_sea,high,0,0.000000,1.5000,12.0000,7,123456,12,0,1,1,8.0000,4.0000,0.0000");
   EXPECT_EQ(lines[2], "open_sea,high,1,0.033333,1.5000,12.0100,7,123456,12,0,1,1,8.0067,4.0033,0.0000");
   EXPECT_EQ(lines[3], "open_sea,low,0,0.000000,1.5000,3.0000,7,123456,12,0,0,0,0.0000,2.0000,1.0000");
@@ -71,11 +73,14 @@ TEST(CaptureCsv, NoDecimalComma) {
 
 // Control: counting a rate as held at any number of misses turns the last sentence into "holds 120 Hz".
 TEST(Report, ConclusionsFollowTheFigures) {
-  EXPECT_EQ(conclusion(capture_run("high", 61.0, 100, {})), "high misses 72 Hz in 100 % of frames: median 61.5 ms against 13.9 ms.");
-  EXPECT_EQ(conclusion(capture_run("low", 4.0, 100, {})), "low holds 120 Hz (0 % of frames missed): median 4.5 ms against 8.3 ms.");
+  EXPECT_EQ(conclusion(capture_run("high", 61.0, 100, {})),
+            "high misses 72 Hz in 100 % of frames: median 61.5 ms against 13.9 ms.");
+  EXPECT_EQ(conclusion(capture_run("low", 4.0, 100, {})),
+            "low holds 120 Hz (0 % of frames missed): median 4.5 ms against 8.3 ms.");
   // 12.0 to 12.99 ms: the 80 Hz budget of 12.5 is passed in frames 51 to 99.
-  EXPECT_EQ(conclusion(capture_run("mid", 12.0, 100, {})),
-            "mid holds 72 Hz (0 % of frames missed) and misses 80 Hz in 49.0 % of frames: median 12.5 ms against 12.5 ms.");
+  EXPECT_EQ(
+      conclusion(capture_run("mid", 12.0, 100, {})),
+      "mid holds 72 Hz (0 % of frames missed) and misses 80 Hz in 49.0 % of frames: median 12.5 ms against 12.5 ms.");
   CaptureRun spike = capture_run("low", 4.0, 1000, {});
   for (CaptureFrame& frame : spike.frames) frame.gpu_ms = 4.0;
   spike.frames[5].gpu_ms = 500.0;
@@ -99,16 +104,18 @@ TEST(Report, NamesAreEscapedAndNothingComesFromOutside) {
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, Not(HasSubstr("alert(\"1")));
   EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"));
-  for (const char* outside : {"http:", "https:", "src=", "href=", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(outside)));
+  for (const char* outside : {"http:", "https:", "src=", "href=", "@import", "url("})
+    EXPECT_THAT(page, Not(HasSubstr(outside)));
   EXPECT_EQ(html_escaped(std::string("a\0b\x1b", 4)), "a?b?");
 }
 
 // Control: a table that prints p95 twice lacks the 99th percentile of 12.9801 ms.
 TEST(Report, HoldsTheFigures) {
   const std::string page = report_html(test::machine(), {capture_run("mid", 12.0, 100, {"surface", "fft"})});
-  for (const char* figure : {"12.50</td>", "12.05</td>", "12.94</td>", "12.98</td>", "12.99</td>", ">49.0 %</td>", ">100 %</td>", ">0 %</td>",
-                             "<td>3.5</td>", "<td>7</td>", "123\u202f456", "1280 × 720, 2 views, 4 × MSAA", "Some driver 1.2", "2 cores",
-                             "surface: 8.330 ms, 66.7 %", "fft: 4.165 ms, 33.3 %", "<dd>42</dd>"})
+  for (const char* figure :
+       {"12.50</td>", "12.05</td>", "12.94</td>", "12.98</td>", "12.99</td>", ">49.0 %</td>", ">100 %</td>",
+        ">0 %</td>", "<td>3.5</td>", "<td>7</td>", "123\u202f456", "1280 × 720, 2 views, 4 × MSAA", "Some driver 1.2",
+        "2 cores", "surface: 8.330 ms, 66.7 %", "fft: 4.165 ms, 33.3 %", "<dd>42</dd>"})
     EXPECT_THAT(page, HasSubstr(figure));
   EXPECT_THAT(page, Not(HasSubstr("in software")));
   EXPECT_THAT(page, Not(HasSubstr("p99 is little more")));
@@ -128,8 +135,12 @@ TEST(Report, TagsMatch) {
   odd.frames[9].time_s = std::nan("");
   CaptureRun none = capture_run("none", 3.0, 0, {});
   none.memory.clear();
-  for (const std::vector<CaptureRun>& runs : std::vector<std::vector<CaptureRun>>{
-           {}, {none}, {odd}, {capture_run("one", 5.0, 1, {"a", "b"})}, {odd, none, capture_run("b", 90.0, 3000, {"c", "a"})}}) {
+  for (const std::vector<CaptureRun>& runs :
+       std::vector<std::vector<CaptureRun>>{{},
+                                            {none},
+                                            {odd},
+                                            {capture_run("one", 5.0, 1, {"a", "b"})},
+                                            {odd, none, capture_run("b", 90.0, 3000, {"c", "a"})}}) {
     const std::string page = report_html(test::machine(), runs);
     std::vector<std::string> open;
     for (std::size_t at = page.find('<', page.find("<html")); at != std::string::npos; at = page.find('<', at + 1)) {

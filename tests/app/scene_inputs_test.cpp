@@ -19,7 +19,8 @@
 namespace seascape {
 namespace {
 
-const std::vector<std::string> every{"level", "sea_depth", "flow", "foam", "clip", "albedo", "shadow", "dynamic_waves", "gerstner"};
+const std::vector<std::string> every{"level",  "sea_depth", "flow",          "foam",    "clip",
+                                     "albedo", "shadow",    "dynamic_waves", "gerstner"};
 
 // A folder with a model, a height field and a painted picture, which scenes in it name.
 std::string scene_file() {
@@ -27,7 +28,8 @@ std::string scene_file() {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_inputs";
     std::filesystem::create_directories(folder);
     ImageF heights{2, 2, {}};
-    for (const float height : {-4.0f, -4.0f, 2.0f, 2.0f}) heights.pixels.insert(heights.pixels.end(), {height, 0.0f, 0.0f, 1.0f});
+    for (const float height : {-4.0f, -4.0f, 2.0f, 2.0f})
+      heights.pixels.insert(heights.pixels.end(), {height, 0.0f, 0.0f, 1.0f});
     write_exr(folder / "bed.exr", heights);
     heights.pixels[8] = std::numeric_limits<float>::quiet_NaN();
     write_exr(folder / "nan.exr", heights);
@@ -36,9 +38,11 @@ std::string scene_file() {
     test::GltfMaker maker;
     const int places = maker.floats("VEC3", {-10, 3, -10, 10, 3, -10, 10, 3, 10, -10, 3, 10});
     const int numbers = maker.indices(5123, {0, 1, 2, 0, 2, 3});
-    maker.primitives = R"({"attributes":{"POSITION":)" + std::to_string(places) + R"(},"indices":)" + std::to_string(numbers) + "}";
+    maker.primitives =
+        R"({"attributes":{"POSITION":)" + std::to_string(places) + R"(},"indices":)" + std::to_string(numbers) + "}";
     const std::vector<std::uint8_t> bytes = maker.glb();
-    std::ofstream(folder / "plane.glb", std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    std::ofstream(folder / "plane.glb", std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     return (folder / "s.json").string();
   }();
   return file;
@@ -63,7 +67,8 @@ glm::vec4 at(InputTarget to, const std::vector<InputSpec>& specs, double x, doub
   return Inputs(to, specs).value({x, z}, 0.0, time, glm::vec4(0.0f));
 }
 
-// Control: any key that is read into another member, or not at all, fails here; seen with the turn of rectangles left out.
+// Control: any key that is read into another member, or not at all, fails here; seen with the turn of rectangles left
+// out.
 TEST(SceneInputs, EveryKindIsReadAndGivesWhatItSays) {
   const auto specs = read(R"([
     {"to": "level", "kind": "spline", "points": [[0, 0], {"at_m": [100, 0], "value": 8, "width_m": 30}], "width_m": 20, "value": 12, "blend": "replace", "feather_m": 2, "order": -3},
@@ -97,7 +102,8 @@ TEST(SceneInputs, EveryKindIsReadAndGivesWhatItSays) {
   EXPECT_EQ(glm::vec2(at(InputTarget::shadow, specs, 50.0, 0.0, 10.0)), glm::vec2(0.5f, 1.0f));
 }
 
-// Volumes have a place with its height, are turned in space and take the water away unless they say otherwise; flat inputs know nothing of them. Control seen: roll read as pitch.
+// Volumes have a place with its height, are turned in space and take the water away unless they say otherwise; flat
+// inputs know nothing of them. Control seen: roll read as pitch.
 TEST(SceneInputs, VolumesAreRead) {
   const auto specs = read(R"([
     {"to": "clip", "kind": "sphere", "at_m": [10, -2, 30], "radius_m": 4},
@@ -120,7 +126,9 @@ TEST(SceneInputs, VolumesAreRead) {
 // Control: names taken relative to the working directory find neither file.
 TEST(SceneInputs, APictureOfDataIsReadAsItsBytesStand) {
   const auto specs = read(R"([{"to": "clip", "kind": "texture", "file": "paint.png", "at_m": [0, 0], "size_m": 10},
-    {"to": "clip", "kind": "texture", "file": ")" + (std::filesystem::path(scene_file()).parent_path() / "paint.png").string() + R"(", "at_m": [50, 0], "size_m": 10}])");
+    {"to": "clip", "kind": "texture", "file": ")" +
+                          (std::filesystem::path(scene_file()).parent_path() / "paint.png").string() +
+                          R"(", "at_m": [50, 0], "size_m": 10}])");
   EXPECT_NEAR(at(InputTarget::clip, specs, 0.0, 0.0).x, 188.0 / 255, 1e-6);
   EXPECT_NEAR(at(InputTarget::clip, specs, 50.0, 0.0).x, 188.0 / 255, 1e-6);
   EXPECT_EQ(std::get<TextureInput>(specs[0].shape).image->width, 1);
@@ -131,67 +139,119 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({})", ":1: inputs: an object is not a list; write \"inputs\": [{\"to\": \"level\", ...}]"},
       {"[\n3]", ":2: inputs[0]: 3 is not an object; write {\"key\": value, ...}"},
-      {R"([{}])", ":1: the key 'inputs[0].to' is missing; add \"to\": level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves or gerstner"},
-      {R"([{"to": "levl"}])", ":1: inputs[0].to: 'levl' is not known (did you mean 'level'?); take level, sea_depth, flow, foam, clip, albedo, shadow, dynamic_waves or gerstner"},
-      {R"([{"to": "level"}])", ":1: the key 'inputs[0].kind' is missing; add \"kind\": spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
-      {"[{\"to\": \"level\",\n\"kind\": 3}]", ":2: inputs[0].kind: 3 is not known; take spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, box, capsule or cylinder"},
-      {"[{\"to\": \"level\", \"kind\": \"ellipse\",\n\"weight\": 2}]", ":2: inputs[0].weight: 2 is out of range; give a number from 0 to 1"},
-      {R"([{"to": "level", "kind": "ellipse", "order": 1.5}])", ":1: inputs[0].order: 1.5 is not a whole number; give a whole number"},
-      {R"([{"to": "level", "kind": "ellipse", "follow_waves": 1}])", ":1: inputs[0].follow_waves: 1 is neither true nor false; give true or false"},
-      {R"([{"to": "level", "kind": "ellipse", "blend": "mix"}])", ":1: inputs[0].blend: 'mix' is not known (did you mean 'min'?); take add, replace, scale, min or max"},
+      {R"([{}])",
+       ":1: the key 'inputs[0].to' is missing; add \"to\": level, sea_depth, flow, foam, clip, albedo, shadow, "
+       "dynamic_waves or gerstner"},
+      {R"([{"to": "levl"}])",
+       ":1: inputs[0].to: 'levl' is not known (did you mean 'level'?); take level, sea_depth, flow, foam, clip, "
+       "albedo, shadow, dynamic_waves or gerstner"},
+      {R"([{"to": "level"}])",
+       ":1: the key 'inputs[0].kind' is missing; add \"kind\": spline, ellipse, rectangle, vortex, shape, texture, "
+       "trail, sphere, box, capsule or cylinder"},
+      {"[{\"to\": \"level\",\n\"kind\": 3}]",
+       ":2: inputs[0].kind: 3 is not known; take spline, ellipse, rectangle, vortex, shape, texture, trail, sphere, "
+       "box, capsule or cylinder"},
+      {"[{\"to\": \"level\", \"kind\": \"ellipse\",\n\"weight\": 2}]",
+       ":2: inputs[0].weight: 2 is out of range; give a number from 0 to 1"},
+      {R"([{"to": "level", "kind": "ellipse", "order": 1.5}])",
+       ":1: inputs[0].order: 1.5 is not a whole number; give a whole number"},
+      {R"([{"to": "level", "kind": "ellipse", "follow_waves": 1}])",
+       ":1: inputs[0].follow_waves: 1 is neither true nor false; give true or false"},
+      {R"([{"to": "level", "kind": "ellipse", "blend": "mix"}])",
+       ":1: inputs[0].blend: 'mix' is not known (did you mean 'min'?); take add, replace, scale, min or max"},
       {R"([{"to": "level", "kind": "ellipse"}])", ":1: the key 'inputs[0].at_m' is missing; add \"at_m\": [x, z]"},
-      {R"([{"to": "level", "kind": "ellipse", "at_m": [0]}])", ":1: inputs[0].at_m: a list of 1 is not a list of 2 numbers; write [x, z]"},
-      {R"([{"to": "level", "kind": "ellipse", "at_m": [0, 1e9]}])", ":1: inputs[0].at_m[1]: 1000000000 is out of range; give a number from -10000000 to 10000000 m"},
-      {R"([{"to": "level", "kind": "ellipse", "at_m": [0, 0], "size_m": 0}])", ":1: inputs[0].size_m: 0 is out of range; give a number from 0.001 to 1000000 m"},
-      {R"([{"to": "foam", "kind": "ellipse", "at_m": [0, 0], "size_m": 1}])", ":1: the key 'inputs[0].value' is missing; add \"value\": the share of the water that foam comes to cover in a second"},
-      {R"([{"to": "foam", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "value": -1}])", ":1: inputs[0].value: -1 is out of range; give a number from 0 to 100 1/s"},
-      {R"([{"to": "flow", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "value": 1}])", ":1: inputs[0].value: 1 is not a list of 2 numbers; give flow as many: the water's velocity along x and z"},
+      {R"([{"to": "level", "kind": "ellipse", "at_m": [0]}])",
+       ":1: inputs[0].at_m: a list of 1 is not a list of 2 numbers; write [x, z]"},
+      {R"([{"to": "level", "kind": "ellipse", "at_m": [0, 1e9]}])",
+       ":1: inputs[0].at_m[1]: 1000000000 is out of range; give a number from -10000000 to 10000000 m"},
+      {R"([{"to": "level", "kind": "ellipse", "at_m": [0, 0], "size_m": 0}])",
+       ":1: inputs[0].size_m: 0 is out of range; give a number from 0.001 to 1000000 m"},
+      {R"([{"to": "foam", "kind": "ellipse", "at_m": [0, 0], "size_m": 1}])",
+       ":1: the key 'inputs[0].value' is missing; add \"value\": the share of the water that foam comes to cover in a "
+       "second"},
+      {R"([{"to": "foam", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "value": -1}])",
+       ":1: inputs[0].value: -1 is out of range; give a number from 0 to 100 1/s"},
+      {R"([{"to": "flow", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "value": 1}])",
+       ":1: inputs[0].value: 1 is not a list of 2 numbers; give flow as many: the water's velocity along x and z"},
       {R"([{"to": "level", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "value": 1, "radius_m": 2}])",
-       ":1: unknown key 'inputs[0].radius_m'; remove it, or take one of: to, kind, weight, blend, order, follow_waves, at_m, size_m, turn_deg, value and feather_m"},
-      {R"([{"to": "level", "kind": "spline", "value": 1}])", ":1: the key 'inputs[0].points' is missing; add \"points\": [[x, z], [x, z]]"},
-      {"[{\"to\": \"level\", \"kind\": \"spline\", \"value\": 1, \"points\": [[0, 0],\n[1]]}]", ":2: inputs[0].points[1]: a list of 1 is not a list of 2 numbers; write [x, z]"},
-      {R"([{"to": "level", "kind": "spline", "points": [[0, 0]]}])", ":1: the key 'inputs[0].value' is missing; add \"value\": the still water's height above y = 0"},
+       ":1: unknown key 'inputs[0].radius_m'; remove it, or take one of: to, kind, weight, blend, order, follow_waves, "
+       "at_m, size_m, turn_deg, value and feather_m"},
+      {R"([{"to": "level", "kind": "spline", "value": 1}])",
+       ":1: the key 'inputs[0].points' is missing; add \"points\": [[x, z], [x, z]]"},
+      {"[{\"to\": \"level\", \"kind\": \"spline\", \"value\": 1, \"points\": [[0, 0],\n[1]]}]",
+       ":2: inputs[0].points[1]: a list of 1 is not a list of 2 numbers; write [x, z]"},
+      {R"([{"to": "level", "kind": "spline", "points": [[0, 0]]}])",
+       ":1: the key 'inputs[0].value' is missing; add \"value\": the still water's height above y = 0"},
       {R"([{"to": "level", "kind": "spline", "value": 1, "points": [{"at_m": [0, 0], "with_m": 3}]}])",
-       ":1: unknown key 'inputs[0].points[0].with_m' (did you mean 'width_m'?); remove it, or take one of: at_m, width_m and value"},
-      {R"([{"to": "level", "kind": "spline", "value": 1, "points": [], "filled": true}])", ":1: inputs[0]: filled: the spline is not closed; add \"closed\": true"},
-      {R"([{"to": "level", "kind": "vortex", "at_m": [0, 0]}])", ":1: inputs[0]: a vortex is no input of level; give it \"to\": \"flow\""},
-      {R"([{"to": "flow", "kind": "vortex", "at_m": [0, 0], "core_m": 9, "reach_m": 8}])", ":1: inputs[0].reach_m: 8 is out of range; give a number from 9 to 1000000 m"},
-      {R"([{"to": "level", "kind": "trail", "value": 1, "keys": [{"at_m": [0, 0]}]}])", ":1: the key 'inputs[0].keys[0].time_s' is missing; add \"time_s\": a number from -1000000000 to 1000000000 s"},
+       ":1: unknown key 'inputs[0].points[0].with_m' (did you mean 'width_m'?); remove it, or take one of: at_m, "
+       "width_m and value"},
+      {R"([{"to": "level", "kind": "spline", "value": 1, "points": [], "filled": true}])",
+       ":1: inputs[0]: filled: the spline is not closed; add \"closed\": true"},
+      {R"([{"to": "level", "kind": "vortex", "at_m": [0, 0]}])",
+       ":1: inputs[0]: a vortex is no input of level; give it \"to\": \"flow\""},
+      {R"([{"to": "flow", "kind": "vortex", "at_m": [0, 0], "core_m": 9, "reach_m": 8}])",
+       ":1: inputs[0].reach_m: 8 is out of range; give a number from 9 to 1000000 m"},
+      {R"([{"to": "level", "kind": "trail", "value": 1, "keys": [{"at_m": [0, 0]}]}])",
+       ":1: the key 'inputs[0].keys[0].time_s' is missing; add \"time_s\": a number from -1000000000 to 1000000000 s"},
       {R"([{"to": "level", "kind": "texture", "file": "bed.exr", "at_m": [0, 0], "size_m": 1, "channels": "x"}])",
-       ":1: inputs[0]: channels: 'x' does not name 1 of the picture's; give so many letters of r, g, b and a, as \"r\""},
-      {R"([{"to": "level", "kind": "sphere", "at_m": [0, 0, 0], "radius_m": 1}])", ":1: inputs[0]: a sphere is no input of level; give it \"to\": \"clip\""},
-      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0], "radius_m": 1}])", ":1: inputs[0].at_m: a list of 2 is not a list of 3 numbers; write [x, height, z]"},
-      {"[{\"to\": \"clip\", \"kind\": \"sphere\",\n\"at_m\": [0, 20000, 0], \"radius_m\": 1}]", ":2: inputs[0].at_m[1]: 20000 is out of range; give a number from -10000 to 10000 m"},
-      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0, 0]}])", ":1: the key 'inputs[0].radius_m' is missing; add \"radius_m\": a number from 0.001 to 1000000 m"},
-      {R"([{"to": "clip", "kind": "box", "at_m": [0, 0, 0], "size_m": [1, 0, 1]}])", ":1: inputs[0].size_m[1]: 0 is out of range; give a number from 0.001 to 1000000 m"},
+       ":1: inputs[0]: channels: 'x' does not name 1 of the picture's; give so many letters of r, g, b and a, as "
+       "\"r\""},
+      {R"([{"to": "level", "kind": "sphere", "at_m": [0, 0, 0], "radius_m": 1}])",
+       ":1: inputs[0]: a sphere is no input of level; give it \"to\": \"clip\""},
+      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0], "radius_m": 1}])",
+       ":1: inputs[0].at_m: a list of 2 is not a list of 3 numbers; write [x, height, z]"},
+      {"[{\"to\": \"clip\", \"kind\": \"sphere\",\n\"at_m\": [0, 20000, 0], \"radius_m\": 1}]",
+       ":2: inputs[0].at_m[1]: 20000 is out of range; give a number from -10000 to 10000 m"},
+      {R"([{"to": "clip", "kind": "sphere", "at_m": [0, 0, 0]}])",
+       ":1: the key 'inputs[0].radius_m' is missing; add \"radius_m\": a number from 0.001 to 1000000 m"},
+      {R"([{"to": "clip", "kind": "box", "at_m": [0, 0, 0], "size_m": [1, 0, 1]}])",
+       ":1: inputs[0].size_m[1]: 0 is out of range; give a number from 0.001 to 1000000 m"},
       {R"([{"to": "clip", "kind": "box", "at_m": [0, 0, 0], "size_m": [1, 1, 1], "radius_m": 1}])",
-       ":1: unknown key 'inputs[0].radius_m'; remove it, or take one of: to, kind, weight, blend, order, follow_waves, at_m, turn_deg, pitch_deg, roll_deg, size_m, round_m, value and feather_m"},
-      {R"([{"to": "clip", "kind": "cylinder", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 2, "value": 2}])", ":1: inputs[0].value: 2 is out of range; give a number from 0 to 1"},
-      {R"([{"to": "clip", "kind": "capsule", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 1}])", ":1: inputs[0]: length_m: 1 is out of range; give a number from 2 to 4000000 m, twice its radius and more"},
+       ":1: unknown key 'inputs[0].radius_m'; remove it, or take one of: to, kind, weight, blend, order, follow_waves, "
+       "at_m, turn_deg, pitch_deg, roll_deg, size_m, round_m, value and feather_m"},
+      {R"([{"to": "clip", "kind": "cylinder", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 2, "value": 2}])",
+       ":1: inputs[0].value: 2 is out of range; give a number from 0 to 1"},
+      {R"([{"to": "clip", "kind": "capsule", "at_m": [0, 0, 0], "radius_m": 1, "length_m": 1}])",
+       ":1: inputs[0]: length_m: 1 is out of range; give a number from 2 to 4000000 m, twice its radius and more"},
       {R"([{"to": "clip", "kind": "shape", "file": "plane.glb", "from": "hull"}])",
-       ":1: inputs[0]: file: 'plane.glb' is not closed: 4 sides of triangles have nothing beside them that faces the same way; close it, an open boat by a deck, or take another \"from\""},
-      {R"([{"to": "level", "kind": "texture", "file": 3, "at_m": [0, 0], "size_m": 1}])", ":1: inputs[0].file: 3 is no file's name; write \"name.exr\""},
+       ":1: inputs[0]: file: 'plane.glb' is not closed: 4 sides of triangles have nothing beside them that faces the "
+       "same way; close it, an open boat by a deck, or take another \"from\""},
+      {R"([{"to": "level", "kind": "texture", "file": 3, "at_m": [0, 0], "size_m": 1}])",
+       ":1: inputs[0].file: 3 is no file's name; write \"name.exr\""},
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(fault_of(text), message) << text;
-  EXPECT_THAT(fault_of("[{\"to\": \"level\", \"kind\": \"texture\",\n\"file\": \"no.exr\", \"at_m\": [0, 0], \"size_m\": 1}]"), testing::AllOf(testing::StartsWith(":2: inputs[0].file: "), testing::HasSubstr("no.exr")));
-  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "nan.exr", "at_m": [0, 0], "size_m": 1}])"), testing::AllOf(testing::HasSubstr("nan.exr: 1 of its values are NaN or infinite"), testing::HasSubstr("column 0, row 1")));
-  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "shape", "value": 1, "file": "bed.exr"}])"), testing::StartsWith(":1: inputs[0].file: "));
-  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "plane.glb", "at_m": [0, 0], "size_m": 1}])"), testing::HasSubstr("the kind '.glb' is no picture's; give an .exr or a .png"));
+  EXPECT_THAT(
+      fault_of("[{\"to\": \"level\", \"kind\": \"texture\",\n\"file\": \"no.exr\", \"at_m\": [0, 0], \"size_m\": 1}]"),
+      testing::AllOf(testing::StartsWith(":2: inputs[0].file: "), testing::HasSubstr("no.exr")));
+  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "nan.exr", "at_m": [0, 0], "size_m": 1}])"),
+              testing::AllOf(testing::HasSubstr("nan.exr: 1 of its values are NaN or infinite"),
+                             testing::HasSubstr("column 0, row 1")));
+  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "shape", "value": 1, "file": "bed.exr"}])"),
+              testing::StartsWith(":1: inputs[0].file: "));
+  EXPECT_THAT(fault_of(R"([{"to": "level", "kind": "texture", "file": "plane.glb", "at_m": [0, 0], "size_m": 1}])"),
+              testing::HasSubstr("the kind '.glb' is no picture's; give an .exr or a .png"));
 }
 
 // Control: without the search in the closure the input is taken, and nobody would ever ask it.
 TEST(SceneInputs, AnInputNeedsTheEffectThatItFeeds) {
   const char* text = "[\n{\"to\": \"foam\", \"kind\": \"ellipse\", \"at_m\": [0, 0], \"size_m\": 1, \"value\": 1}]";
-  EXPECT_EQ(fault_of(text, {"waves"}), ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"");
+  EXPECT_EQ(fault_of(text, {"waves"}),
+            ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"");
   EXPECT_EQ(fault_of(text, {"foam"}), "");
-  EXPECT_EQ(fault_of(text, {"spray"}), ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"") << "spray needs no foam";
+  EXPECT_EQ(fault_of(text, {"spray"}),
+            ":2: inputs[0].to: the scene does not name the effect 'foam'; add \"foam\" to \"effects\"")
+      << "spray needs no foam";
 }
 
 // Control: Faults that ends an input at its first fault leaves one fault here; an input without a fault is kept.
 TEST(SceneInputs, AllFaultsAreTold) {
   Faults faults(true);
-  const auto specs = read_inputs(parse_located_json("[\n{\"to\": \"level\", \"kind\": \"ellipse\", \"at_m\": [0, 0],\n\"size_m\": -1,\n\"value\": 1e9},\n{\"to\": \"x\", \"kind\": \"ellipse\"},\n"
-                                                    "{\"to\": \"level\", \"kind\": \"ellipse\", \"at_m\": [0, 0], \"size_m\": 1, \"value\": 1}]", "s.json"), every, "s.json", faults);
+  const auto specs = read_inputs(
+      parse_located_json("[\n{\"to\": \"level\", \"kind\": \"ellipse\", \"at_m\": [0, 0],\n\"size_m\": -1,\n\"value\": "
+                         "1e9},\n{\"to\": \"x\", \"kind\": \"ellipse\"},\n"
+                         "{\"to\": \"level\", \"kind\": \"ellipse\", \"at_m\": [0, 0], \"size_m\": 1, \"value\": 1}]",
+                         "s.json"),
+      every, "s.json", faults);
   EXPECT_EQ(specs.size(), 1u);
   ASSERT_EQ(faults.list().size(), 3u);
   EXPECT_THAT(faults.list()[0].what(), testing::StartsWith("s.json:3: inputs[0].size_m: -1"));
@@ -205,11 +265,12 @@ TEST(SceneInputs, ThereIsALimit) {
   for (int i = 0; i < 4097; ++i) many += i == 0 ? "1" : ",1";
   for (int i = 0; i < 65537; ++i) points += i == 0 ? "[0,0]" : ",[0,0]";
   EXPECT_EQ(fault_of(many + "]"), ":1: inputs: a list of 4097; give at most 4096");
-  EXPECT_EQ(fault_of(R"([{"to": "level", "kind": "spline", "value": 1, "points": )" + points + "]}]"), ":1: inputs[0].points: a list of 65537; give at most 65536");
+  EXPECT_EQ(fault_of(R"([{"to": "level", "kind": "spline", "value": 1, "points": )" + points + "]}]"),
+            ":1: inputs[0].points: a list of 65537; give at most 65536");
 }
 
-// Foam is built: a whole scene with an input of it, and one that gives nothing, which is told by `validate` and is no fault. Control: without the
-// remarks passed on to the verdict nothing is said.
+// Foam is built: a whole scene with an input of it, and one that gives nothing, which is told by `validate` and is no
+// fault. Control: without the remarks passed on to the verdict nothing is said.
 TEST(SceneInputs, ASceneHasThemAndValidateSaysWhatGivesNothing) {
   const std::string text = R"({"version": 1, "effects": ["waves", "foam"], "inputs": [
     {"to": "foam", "kind": "spline", "points": [[0, 0], [50, 0]], "value": 1},
@@ -223,13 +284,16 @@ TEST(SceneInputs, ASceneHasThemAndValidateSaysWhatGivesNothing) {
   EXPECT_TRUE(verdict.faults.empty());
   EXPECT_EQ(verdict.summary, "a scene with 2 effects and 2 inputs");
   EXPECT_EQ(verdict.remarks, scene.remarks);
-  EXPECT_EQ(verdict.remarks.back(), scene_file() + ":3: inputs[1]: a spline of 2 points at 1 place gives nothing; give 2 points or more that lie apart");
+  EXPECT_EQ(verdict.remarks.back(),
+            scene_file() +
+                ":3: inputs[1]: a spline of 2 points at 1 place gives nothing; give 2 points or more that lie apart");
   Arguments arguments;
   arguments.files = {scene_file()};
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
   EXPECT_EQ(run_validate(arguments), 0);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::EndsWith("seascape: warning: " + verdict.remarks.back() + "\n"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::EndsWith("seascape: warning: " + verdict.remarks.back() + "\n"));
   testing::internal::GetCapturedStdout();
 }
 
@@ -237,13 +301,16 @@ TEST(SceneInputs, ASceneHasThemAndValidateSaysWhatGivesNothing) {
 TEST(SceneInputs, DataThatNobodyAsksForIsSaidToChangeNothing) {
   const char* ellipse = R"({"to": "%", "kind": "ellipse", "at_m": [0, 0], "size_m": 1, "blend": "scale", "value": 1})";
   for (const InputTargetTraits& target : input_targets) {
-    std::string one = target.name == "gerstner" ? R"({"to": "%", "kind": "spline", "points": [[0, 0], [9, 0]], "value": 1})" : ellipse;
+    std::string one = target.name == "gerstner"
+                          ? R"({"to": "%", "kind": "spline", "points": [[0, 0], [9, 0]], "value": 1})"
+                          : ellipse;
     one.replace(one.find('%'), 1, target.name);
     const auto specs = read("[" + one + "," + one + "]");
     const std::vector<std::string> remarks = remarks_of(specs);
     ASSERT_EQ(remarks.size(), target.asked ? 0u : 1u) << target.name;
     if (!target.asked) {
-      EXPECT_EQ(remarks[0], scene_file() + ":1: inputs[0]: the sea of this version takes no inputs of " + std::string(target.name) + " yet, and this changes nothing; keep it for a later one");
+      EXPECT_EQ(remarks[0], scene_file() + ":1: inputs[0]: the sea of this version takes no inputs of " +
+                                std::string(target.name) + " yet, and this changes nothing; keep it for a later one");
     }
   }
 }

@@ -26,7 +26,8 @@ std::string fault_of(const std::string& text) {
 TEST(Scene, ReadsWhatItSays) {
   const Scene scene = parse_scene(R"({"version": 1, "title": "T", "effects": ["waves", "foam"], "msaa": 2,
     "waves": {"wind_speed_mps": 12, "seed": 7, "half_storage": true}, "stereo": {"mode": "per-eye"},
-    "camera": {"position_m": [1, 2, -3], "yaw_deg": 90, "pitch_deg": 0, "vertical_fov_deg": 75}})", "s.json", "low");
+    "camera": {"position_m": [1, 2, -3], "yaw_deg": 90, "pitch_deg": 0, "vertical_fov_deg": 75}})",
+                                  "s.json", "low");
   EXPECT_EQ(scene.title, "T");
   EXPECT_EQ(scene.effects, (std::vector<std::string>{"waves", "foam"}));
   EXPECT_EQ(scene.settings.render.msaa, 2);
@@ -67,15 +68,19 @@ TEST(Scene, FaultsNameKeyValueRangeAndRemedy) {
       {R"({"version": 1, "version": 1})",
        "s.json:1: the key 'version' is given twice, first on line 1; remove one of the two"},
       {R"({"version": 1, "waves": 3})", "s.json:1: waves: 3 is not an object; write {\"key\": value, ...}"},
-      {R"({"version": 1, "waves": {"chop": "1"}})", "s.json:1: waves.chop: '1' is not a number; give a number from 0 to 2"},
-      {R"({"version": 1, "waves": {"chop": [1]}})", "s.json:1: waves.chop: a list of 1 is not a single value; give 0 to 2"},
+      {R"({"version": 1, "waves": {"chop": "1"}})",
+       "s.json:1: waves.chop: '1' is not a number; give a number from 0 to 2"},
+      {R"({"version": 1, "waves": {"chop": [1]}})",
+       "s.json:1: waves.chop: a list of 1 is not a single value; give 0 to 2"},
       {R"({"version": 1, "waves": {"half_storage": 1}})",
        "s.json:1: waves.half_storage: 1 is neither true nor false; give true or false"},
       {R"({"version": 1, "title": 3})", "s.json:1: title: 3 is not text; write \"text\""},
-      {R"({"version": 1, "effects": "waves"})", "s.json:1: effects: 'waves' is not a list; write \"effects\": [\"waves\"]"},
+      {R"({"version": 1, "effects": "waves"})",
+       "s.json:1: effects: 'waves' is not a list; write \"effects\": [\"waves\"]"},
       {R"({"version": 1, "effects": ["boats"]})",
        "s.json:1: effects: the effect 'boats' is not built yet in this version; remove it"},
-      {R"({"version": 1, "effects": ["waves", "waves"]})", "s.json:1: effects: 'waves' is given twice; remove one of the two"},
+      {R"({"version": 1, "effects": ["waves", "waves"]})",
+       "s.json:1: effects: 'waves' is given twice; remove one of the two"},
       {R"({"version": 1, "camera": {"position_m": [1, 2]}})",
        "s.json:1: camera.position_m: a list of 2 is not a list of 3 numbers; write [x, y, z]"},
       {R"({"version": 1, "camera": {"pitch_deg": 91}})",
@@ -87,8 +92,15 @@ TEST(Scene, FaultsNameKeyValueRangeAndRemedy) {
 }
 
 TEST(Scene, BrokenJsonNamesItsLine) {
-  const char* broken[] = {"", "{", "{\"version\": 1,}", "{\"version\": NaN}", "{\"version\": 1} x", "{\"a\": \"\xff\"}",
-                          "{\"version\": 1e999}", "// c\n{}", "{\"version\": 0x1}"};
+  const char* broken[] = {"",
+                          "{",
+                          "{\"version\": 1,}",
+                          "{\"version\": NaN}",
+                          "{\"version\": 1} x",
+                          "{\"a\": \"\xff\"}",
+                          "{\"version\": 1e999}",
+                          "// c\n{}",
+                          "{\"version\": 0x1}"};
   for (const char* text : broken) {
     const std::string message = fault_of(text);
     EXPECT_EQ(message.rfind("s.json:1: not valid JSON: ", 0), 0u) << message;
@@ -118,7 +130,11 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
   } catch (const Error& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("no scene is called 'strom' (did you mean 'storm'?)"), std::string::npos) << message;
-    EXPECT_NE(message.find("baked, calm, gerstner, harbour_clip, lagoon, open_sea, rain_pool, rivers, storm, swell or whirlpool"), std::string::npos) << message;
+    EXPECT_NE(
+        message.find(
+            "baked, calm, gerstner, harbour_clip, lagoon, open_sea, rain_pool, rivers, storm, swell or whirlpool"),
+        std::string::npos)
+        << message;
   }
   EXPECT_THROW(load_scene("./no-such-file.json", "low"), Error);
 }

@@ -16,8 +16,9 @@ using test::PictureDifference;
 
 class Golden : public test::GpuTest {};
 
-// Of a pixel's largest colour difference in linear light, white being 1. Other drivers and processors round differently, and
-// move the edges of crests by a part of a pixel; a change that an eye would see in this size moves either by more.
+// Of a pixel's largest colour difference in linear light, white being 1. Other drivers and processors round
+// differently, and move the edges of crests by a part of a pixel; a change that an eye would see in this size moves
+// either by more.
 constexpr PictureDifference tolerance{.mean = 0.004, .p99 = 0.06};
 
 bool within(const PictureDifference& d) { return d.mean <= tolerance.mean && d.p99 <= tolerance.p99; }
@@ -43,11 +44,13 @@ void expect_golden(const std::string& scene, const std::string& place) {
   const Image8 reference = read_png(file);
   const PictureDifference d = test::difference(drawn, reference);
   if (within(d)) return;
-  ADD_FAILURE() << scene << ", waves by the " << place << ", differs from " << file << ": mean " << d.mean << " of at most " << tolerance.mean << ", p99 " << d.p99
-                << " of at most " << tolerance.p99 << "; see " << test::leave(drawn, "golden_" + scene + "_" + place) << ", "
-                << test::leave(reference, "golden_" + scene + "_" + place + "_reference") << ", "
-                << test::leave(test::difference_picture(drawn, reference), "golden_" + scene + "_" + place + "_difference")
-                << "; if the change is wanted: SEASCAPE_WRITE_GOLDEN=1 build/release/tests_golden, and say why in the commit";
+  ADD_FAILURE()
+      << scene << ", waves by the " << place << ", differs from " << file << ": mean " << d.mean << " of at most "
+      << tolerance.mean << ", p99 " << d.p99 << " of at most " << tolerance.p99 << "; see "
+      << test::leave(drawn, "golden_" + scene + "_" + place) << ", "
+      << test::leave(reference, "golden_" + scene + "_" + place + "_reference") << ", "
+      << test::leave(test::difference_picture(drawn, reference), "golden_" + scene + "_" + place + "_difference")
+      << "; if the change is wanted: SEASCAPE_WRITE_GOLDEN=1 build/release/tests_golden, and say why in the commit";
 }
 
 TEST_F(Golden, OpenSea) { expect_golden("open_sea", "gpu"); }
@@ -78,8 +81,8 @@ TEST_F(Golden, WhatAnEyeWouldSeeIsOutsideTheTolerance) {
   const Image8 usual = draw("open_sea");
   EXPECT_TRUE(within(test::difference(usual, draw("open_sea"))));
   using Set = std::vector<std::pair<std::string, std::string>>;
-  for (const Set& set : {Set{{"sky.exposure_ev", "0.2"}}, Set{{"water.chlorophyll_mg_m3", "2"}}, Set{{"waves.seed", "2"}},
-                         Set{{"waves.chop", "0"}}, Set{{"sky.sun_elevation_deg", "24"}}})
+  for (const Set& set : {Set{{"sky.exposure_ev", "0.2"}}, Set{{"water.chlorophyll_mg_m3", "2"}},
+                         Set{{"waves.seed", "2"}}, Set{{"waves.chop", "0"}}, Set{{"sky.sun_elevation_deg", "24"}}})
     EXPECT_FALSE(within(test::difference(usual, draw("open_sea", set)))) << set[0].first;
 }
 

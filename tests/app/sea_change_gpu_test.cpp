@@ -18,7 +18,8 @@ namespace {
 
 class SeaChanges : public test::GpuTest {};
 
-// Draws frames of time `time_s` until a sea asked for has begun to come: its amplitudes leave the old ones a moment later.
+// Draws frames of time `time_s` until a sea asked for has begun to come: its amplitudes leave the old ones a moment
+// later.
 void draw_until_it_begins(test::SeaShot& shot, const Pose& head, double& time_s) {
   const WaveBins before = shot.experience().ocean().bins();
   for (int i = 0; i < 400; ++i) {
@@ -36,8 +37,12 @@ void draw_until_it_begins(test::SeaShot& shot, const Pose& head, double& time_s)
 TEST_F(SeaChanges, GrowIntoWhatAFreshStartDraws) {
   for (const char* place : {"gpu", "cpu"}) {
     SCOPED_TRACE(place);
-    const test::ShotOptions common{.scene = "open_sea", .preset = "medium", .width = 96, .height = 54,
-                                   .set = {{"waves.where", place}, {"waves.resolution", "64"}, {"waves.change_s", "1.5"}, {"msaa", "1"}}};
+    const test::ShotOptions common{
+        .scene = "open_sea",
+        .preset = "medium",
+        .width = 96,
+        .height = 54,
+        .set = {{"waves.where", place}, {"waves.resolution", "64"}, {"waves.change_s", "1.5"}, {"msaa", "1"}}};
     const Pose head = test::pose({0.0, 6.0, 0.0}, 10.0, -10.0);
     test::SeaShot live(common);
     double time_s = 10.0;
@@ -71,14 +76,19 @@ TEST_F(SeaChanges, GrowIntoWhatAFreshStartDraws) {
 TEST_F(SeaChanges, AreTheSameInBothPlaces) {
   std::vector<Image8> pictures;
   for (const char* place : {"gpu", "cpu"}) {
-    test::SeaShot live({.scene = "open_sea", .preset = "high", .width = 96, .height = 54,
-                        .set = {{"waves.where", place}, {"waves.resolution", "64"}, {"waves.change_s", "2"}, {"msaa", "1"}}});
+    test::SeaShot live(
+        {.scene = "open_sea",
+         .preset = "high",
+         .width = 96,
+         .height = 54,
+         .set = {{"waves.where", place}, {"waves.resolution", "64"}, {"waves.change_s", "2"}, {"msaa", "1"}}});
     Ocean& ocean = live.experience().ocean();
     const Pose head = test::pose({0.0, 6.0, 0.0}, 10.0, -10.0);
     live.draw(head, 10.0);
     live.set("waves.wind_speed_mps", "16");
     live.set("waves.chop", "0.4");
-    std::this_thread::sleep_for(std::chrono::seconds(2));  // made by then, so that both begin at once; draw_until_it_begins would not
+    std::this_thread::sleep_for(
+        std::chrono::seconds(2));  // made by then, so that both begin at once; draw_until_it_begins would not
     live.draw(head, 20.0);
     ASSERT_TRUE(ocean.changing());
     pictures.push_back(live.picture(head, 21.0));
@@ -104,9 +114,19 @@ std::vector<InputSpec> bank_and_island() {
 }
 
 test::ShotOptions over_a_bank(const std::string& change_s) {
-  return {.scene = "open_sea", .preset = "medium", .width = 96, .height = 54, .probe = true,
-          .set = {{"waves.where", "cpu"}, {"waves.resolution", "64"}, {"waves.change_s", change_s}, {"waves.depth_m", "20"}, {"waves.wind_to_deg", "20"}, {"msaa", "1"}},
-          .effects = std::vector<std::string>{"waves", "sea_depth"}, .inputs = bank_and_island()};
+  return {.scene = "open_sea",
+          .preset = "medium",
+          .width = 96,
+          .height = 54,
+          .probe = true,
+          .set = {{"waves.where", "cpu"},
+                  {"waves.resolution", "64"},
+                  {"waves.change_s", change_s},
+                  {"waves.depth_m", "20"},
+                  {"waves.wind_to_deg", "20"},
+                  {"msaa", "1"}},
+          .effects = std::vector<std::string>{"waves", "sea_depth"},
+          .inputs = bank_and_island()};
 }
 
 using Vertices = std::map<std::pair<double, double>, glm::dvec3>;
@@ -120,8 +140,8 @@ Vertices vertices(test::SeaShot& shot, const Viewpoint& view, double reach_m) {
   return result;
 }
 
-// What a bed makes of the waves comes with them: midway what is drawn is what a query finds, and at the end a fresh start. Controls seen: nothing of the bed handed over with the sea; the mix left
-// out of the windows (off by 56 mm).
+// What a bed makes of the waves comes with them: midway what is drawn is what a query finds, and at the end a fresh
+// start. Controls seen: nothing of the bed handed over with the sea; the mix left out of the windows (off by 56 mm).
 TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   const test::ShotOptions common = over_a_bank("1.5");
@@ -142,10 +162,12 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   EXPECT_LT(mix.share, 0.7);
   const Settings& settings = live.scene().settings;
   WaveField field(settings.sea, settings.waves);
-  field.take(live.experience().ocean().bins(), live.experience().ocean().chop(), live.experience().ocean().statistics());
+  field.take(live.experience().ocean().bins(), live.experience().ocean().chop(),
+             live.experience().ocean().statistics());
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + 0.7), tiles);
-  const PlaceSea now(place_inputs(live.scene()), field, mix), first(place_inputs(live.scene()), field, ShallowsMix{mix.from, nullptr});
+  const PlaceSea now(place_inputs(live.scene()), field, mix),
+      first(place_inputs(live.scene()), field, ShallowsMix{mix.from, nullptr});
   const test::DrawnMesh mesh(live, view);
   const double hs = 4.0 * std::sqrt(live.experience().ocean().statistics().height_variance);
   double worst = 0.0, other = 0.0;
@@ -173,13 +195,16 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   const Image8 anew = fresh.picture(head, time_s + 2.0);
   EXPECT_NEAR(live.experience().ocean().shallows().run_up_m(), fresh.experience().ocean().shallows().run_up_m(), 1e-3);
   EXPECT_GT(std::abs(live.experience().ocean().shallows().run_up_m() - first_m), 0.05);
-  EXPECT_LE(test::difference(changed, anew).p99, 8e-3) << test::leave(changed, "changed") << ' ' << test::leave(anew, "anew");
+  EXPECT_LE(test::difference(changed, anew).p99, 8e-3)
+      << test::leave(changed, "changed") << ' ' << test::leave(anew, "anew");
 }
 
-// No vertex jumps while another sea comes over a bed, nor when it begins or has come: from frame to frame (30 a second) none within 30 m leaves the straight way on by more than twice what the waves by
-// themselves do, and 3 mm (seen 9 mm, of which the waves do 7); further off none by more than that and 1/2,000 of its distance, which is less than a pixel (seen 1/1,830 to
-// 1/2,170 with the waves' own, from six times to begin at). Controls seen: windows that are read within 30 m copied in their turn alone (40 mm); a switch at half of the change (327 mm, 1/62 far off); near
-// windows taking turns too, so that the others come every sixth frame (1/1,220).
+// No vertex jumps while another sea comes over a bed, nor when it begins or has come: from frame to frame (30 a second)
+// none within 30 m leaves the straight way on by more than twice what the waves by themselves do, and 3 mm (seen 9 mm,
+// of which the waves do 7); further off none by more than that and 1/2,000 of its distance, which is less than a pixel
+// (seen 1/1,830 to 1/2,170 with the waves' own, from six times to begin at). Controls seen: windows that are read
+// within 30 m copied in their turn alone (40 mm); a switch at half of the change (327 mm, 1/62 far off); near windows
+// taking turns too, so that the others come every sixth frame (1/1,220).
 TEST_F(SeaChanges, NothingJumpsOverABed) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   test::SeaShot live(over_a_bank("6"));
@@ -200,15 +225,20 @@ TEST_F(SeaChanges, NothingJumpsOverABed) {
     for (const auto& [rest, at] : last[2]) {
       const auto before = last[1].find(rest), first = last[0].find(rest);
       if (before == last[1].end() || first == last[0].end()) continue;
-      const double off = glm::length(at - 2.0 * before->second + first->second), far = glm::distance(glm::dvec3(rest.first, 0.0, rest.second), viewer);
-      if (far < 30.0) bends.near = std::max(bends.near, off);
-      else bends.far = std::max(bends.far, off / far);
+      const double off = glm::length(at - 2.0 * before->second + first->second),
+                   far = glm::distance(glm::dvec3(rest.first, 0.0, rest.second), viewer);
+      if (far < 30.0)
+        bends.near = std::max(bends.near, off);
+      else
+        bends.far = std::max(bends.far, off / far);
     }
     return bends;
   };
   double time_s = 10.0;
   Bends calm, changing;
-  const auto most = [](Bends& sum, Bends b) { sum.near = std::max(sum.near, b.near), sum.far = std::max(sum.far, b.far); };
+  const auto most = [](Bends& sum, Bends b) {
+    sum.near = std::max(sum.near, b.near), sum.far = std::max(sum.far, b.far);
+  };
   for (int i = 0; i < 8; ++i) most(calm, bend(time_s += dt));
   live.set("waves.wind_speed_mps", "16");
   live.set("waves.wind_to_deg", "50");

@@ -53,7 +53,9 @@ TEST(Settings, EveryRowHasAMemberOfItsOwn) {
     if (const bool* flag = std::get_if<bool>(&before)) {
       other = !*flag;
     } else if (const auto* name = std::get_if<std::string>(&before)) {
-      other = changed.choices.empty() ? "another" : std::string(*name == changed.choices[0] ? changed.choices[1] : changed.choices[0]);
+      other = changed.choices.empty()
+                  ? "another"
+                  : std::string(*name == changed.choices[0] ? changed.choices[1] : changed.choices[0]);
     } else {
       const double number = std::get<double>(before);
       other = number == changed.least ? changed.most : changed.least;
@@ -67,7 +69,9 @@ TEST(Settings, EveryRowHasAMemberOfItsOwn) {
 // Control: comparing with > instead of >= at the ends of a range fails here.
 TEST(Settings, BothEndsOfARangeAreAllowedAndNothingBeyond) {
   for (const Setting& setting : settings_table()) {
-    if (!setting.choices.empty() || std::holds_alternative<FlagMember>(setting.member) || std::holds_alternative<TextMember>(setting.member)) continue;
+    if (!setting.choices.empty() || std::holds_alternative<FlagMember>(setting.member) ||
+        std::holds_alternative<TextMember>(setting.member))
+      continue;
     SCOPED_TRACE(setting.key);
     Settings settings;
     for (const double end : {setting.least, setting.most}) {
@@ -96,21 +100,26 @@ TEST(Settings, MessagesNamePlaceKeyValueRangeAndRemedy) {
             "--set: waves.cascades: 2.5 is not a whole number; give a whole number from 1 to 5");
   EXPECT_EQ(fault_of("waves.half_storage", "1"),
             "--set: waves.half_storage: '1' is neither true nor false; give true or false");
-  EXPECT_EQ(fault_of("stereo.mode", "both"), "--set: stereo.mode: 'both' is none of its names; give auto, single or per-eye");
-  EXPECT_EQ(fault_of("baked.loop", "a\nb"), "--set: baked.loop: 'a\\x0ab' is too long or has control characters; give a text of at most 400 bytes without control characters");
+  EXPECT_EQ(fault_of("stereo.mode", "both"),
+            "--set: stereo.mode: 'both' is none of its names; give auto, single or per-eye");
+  EXPECT_EQ(fault_of("baked.loop", "a\nb"),
+            "--set: baked.loop: 'a\\x0ab' is too long or has control characters; give a text of at most 400 bytes "
+            "without control characters");
   EXPECT_EQ(fault_of("waves.seed", "-1"),
             "--set: waves.seed: -1 is out of range; give a whole number from 0 to 4294967295");
 }
 
 // Control: without the nearest name (did_you_mean returning "") these fail.
 TEST(Settings, UnknownKeysNameTheNearest) {
-  EXPECT_EQ(fault_of("waves.wind_sped_mps", "9"),
-            "--set: unknown key 'waves.wind_sped_mps' (did you mean 'waves.wind_speed_mps'?); remove it, or take a key of "
-            "docs/settings.md");
+  EXPECT_EQ(
+      fault_of("waves.wind_sped_mps", "9"),
+      "--set: unknown key 'waves.wind_sped_mps' (did you mean 'waves.wind_speed_mps'?); remove it, or take a key of "
+      "docs/settings.md");
   EXPECT_NE(fault_of("wind_speed", "9").find("'waves.wind_speed_mps'"), std::string::npos);
   EXPECT_NE(fault_of("water.wind_speed_mps", "9").find("'waves.wind_speed_mps'"), std::string::npos);
   EXPECT_EQ(fault_of("zzzzzzzzzzzzzz", "9").find("did you mean"), std::string::npos);
-  // What is left of a key after its group is too short to say anything. Control: the name's length and the point's place added (tests/mutants).
+  // What is left of a key after its group is too short to say anything. Control: the name's length and the point's
+  // place added (tests/mutants).
   EXPECT_EQ(fault_of("zzzzzzzzzzzzzz.mps", "9").find("did you mean"), std::string::npos);
 }
 
@@ -171,7 +180,8 @@ TEST(Quality, AutoSuitsTheDeviceAndUnknownNamesAreWrongUsage) {
   EXPECT_EQ(resolve_preset("auto", DeviceClass::integrated), "high");
   EXPECT_EQ(resolve_preset("auto", DeviceClass::discrete), "ultra");
   EXPECT_EQ(resolve_preset("low", DeviceClass::discrete), "low");
-  // One sample a pixel of any preset for software drivers, unless the scene asks for its own. Control seen: whatever the scene asks for.
+  // One sample a pixel of any preset for software drivers, unless the scene asks for its own. Control seen: whatever
+  // the scene asks for.
   for (const DeviceClass device : {DeviceClass::software, DeviceClass::integrated, DeviceClass::discrete})
     for (const std::string_view preset : preset_names())
       for (const int asked : {2, 4}) {
@@ -187,7 +197,8 @@ TEST(Quality, AutoSuitsTheDeviceAndUnknownNamesAreWrongUsage) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.exit_code(), 2);
-    EXPECT_STREQ(error.what(), "--preset: unknown preset 'hihg' (did you mean 'high'?); take low, medium, high or ultra, or auto");
+    EXPECT_STREQ(error.what(),
+                 "--preset: unknown preset 'hihg' (did you mean 'high'?); take low, medium, high or ultra, or auto");
   }
 }
 
@@ -200,13 +211,15 @@ TEST(Quality, TellsWhichPresetsHaveValues) {
 
 // Control: std::to_string(double) in text_from fails here.
 TEST(Text, NumbersReadBackAsTheSameDouble) {
-  for (const double value : {0.0, -0.0, 0.1, 1.0 / 3.0, 300000.0, 1e-5, 9.9e-6, 1e15, -1.7976931348623157e308, 5e-324}) {
+  for (const double value :
+       {0.0, -0.0, 0.1, 1.0 / 3.0, 300000.0, 1e-5, 9.9e-6, 1e15, -1.7976931348623157e308, 5e-324}) {
     const auto back = real_from(text_from(value));
     ASSERT_TRUE(back.has_value()) << text_from(value);
     EXPECT_EQ(*back, value);
   }
   EXPECT_EQ(text_from(300000.0), "300000");
-  for (const char* wrong : {"", " 1", "1 ", "1,5", "inf", "nan", "1e999", "0x10", "--1"}) EXPECT_FALSE(real_from(wrong)) << wrong;
+  for (const char* wrong : {"", " 1", "1 ", "1,5", "inf", "nan", "1e999", "0x10", "--1"})
+    EXPECT_FALSE(real_from(wrong)) << wrong;
 }
 
 // Control: passing control characters through in in_quotes fails here.

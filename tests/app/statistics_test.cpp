@@ -64,7 +64,8 @@ TEST(Statistics, FewSamples) {
   EXPECT_EQ(summarise({}).median, 0.0);
   const std::vector<double> one{7.0};
   const Summary summary = summarise(one);
-  for (const double value : {summary.min, summary.p5, summary.median, summary.p95, summary.p99, summary.max, summary.mean})
+  for (const double value :
+       {summary.min, summary.p5, summary.median, summary.p95, summary.p99, summary.max, summary.mean})
     EXPECT_EQ(value, 7.0);
 }
 
@@ -89,8 +90,8 @@ TEST(Statistics, HugeSamples) {
 TEST(Statistics, MissedFrames) {
   const double budget = 1000.0 / 90.0;
   const std::vector<double> times{budget, std::nextafter(budget, 100.0), 13.0, 14.0, 8.0, std::nan("")};
-  EXPECT_EQ(count_missed(times, 90), 4u);   // just over, 13, 14 and the one without a time
-  EXPECT_EQ(count_missed(times, 72), 2u);   // 14 > 13.89
+  EXPECT_EQ(count_missed(times, 90), 4u);  // just over, 13, 14 and the one without a time
+  EXPECT_EQ(count_missed(times, 72), 2u);  // 14 > 13.89
   EXPECT_EQ(count_missed(times, 80), 3u);
   EXPECT_EQ(count_missed(times, 120), 5u);  // all but 8 ms
 }

@@ -22,17 +22,23 @@ TEST(AllocationCounter, SeesWhatThisProgramAllocates) {
   EXPECT_GE(counter.ours(), 3u);
 }
 
-// Frames 5 to 25 of a camera that moves, turns and rises, in both shapes of the frame and with the waves of either place. No
-// validation here: the layer allocates within our calls. oneTBB, which shares out the wave field's work, takes memory for its
-// tasks by malloc, which does not count here; with malloc watched, it took some in the first two of 600 evaluations and none
-// after. Controls: an allocation planted after each frame is counted; one planted in draw_frame, or in WaveUpload::update, fails.
+// Frames 5 to 25 of a camera that moves, turns and rises, in both shapes of the frame and with the waves of either
+// place. No validation here: the layer allocates within our calls. oneTBB, which shares out the wave field's work,
+// takes memory for its tasks by malloc, which does not count here; with malloc watched, it took some in the first two
+// of 600 evaluations and none after. Controls: an allocation planted after each frame is counted; one planted in
+// draw_frame, or in WaveUpload::update, fails.
 TEST(SteadyFrame, AllocatesNothing) {
   Device device{DeviceOptions{}};
   for (const char* place : {"gpu", "cpu"}) {
     for (const char* preset : {"medium", "high"}) {
-      test::SeaShot shot(device, {.scene = "storm", .preset = preset, .width = 64, .height = 48, .views = 2,
-                                  .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}},
-                                  .effects = {{"waves", "foam", "spray", "wave_particles"}}});
+      test::SeaShot shot(device,
+                         {.scene = "storm",
+                          .preset = preset,
+                          .width = 64,
+                          .height = 48,
+                          .views = 2,
+                          .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}},
+                          .effects = {{"waves", "foam", "spray", "wave_particles"}}});
       Frame& frame = shot.experience().frame();
       std::uint64_t ours = 0, planted = 0;
       for (int i = 0; i <= 25; ++i) {

@@ -38,7 +38,8 @@ TEST(Trace, AnyNameIsValidJson) {
 
 // Control: `now` left where it is after a frame makes all frames overlap at 0.
 TEST(Trace, FramesAndPassesDoNotOverlap) {
-  CaptureRun low = capture_run("low", 3.0, 20, {"fft", "surface", "sky"}), high = capture_run("high", 30.0, 10, {"fft"});
+  CaptureRun low = capture_run("low", 3.0, 20, {"fft", "surface", "sky"}),
+             high = capture_run("high", 30.0, 10, {"fft"});
   low.frames[3].gpu_ms = 1.0;                         // less than its passes together
   low.frames[4].pass_ms = {1.0, std::nan(""), -5.0};  // a timer that failed
   low.frames[5].cpu_ms = 50.0;

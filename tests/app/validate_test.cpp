@@ -32,27 +32,30 @@ std::vector<std::string> faults_of(const std::filesystem::path& file) {
 
 // Control: Faults that throws the first one (collect false) leaves one fault here.
 TEST(Validate, EveryFaultOfASceneIsTold) {
-  const auto file = made("bad_scene.json",
-                         "{\"version\": 1,\n\"effects\": [\"fom\",\n\"boats\"],\n\"waves\": {\"chop\": 3,\n\"chp\": 1},\n"
-                         "\"camera\": {\"pitch_deg\": 100},\n\"msaa\": 3}");
-  EXPECT_THAT(faults_of(file),
-              testing::ElementsAre(testing::HasSubstr(":2: effects: unknown effect 'fom' (did you mean 'foam'?)"),
-                                   testing::HasSubstr(":3: effects: the effect 'boats' is not built yet"),
-                                   testing::HasSubstr(":7: msaa: 3 is not one of the numbers it takes; give 1, 2, 4 or 8"),
-                                   testing::HasSubstr(":4: waves.chop: 3 is out of range; give a number from 0 to 2"),
-                                   testing::HasSubstr(":5: unknown key 'waves.chp' (did you mean 'chop'?)"),
-                                   testing::HasSubstr(":6: camera.pitch_deg: 100 is out of range")));
+  const auto file =
+      made("bad_scene.json",
+           "{\"version\": 1,\n\"effects\": [\"fom\",\n\"boats\"],\n\"waves\": {\"chop\": 3,\n\"chp\": 1},\n"
+           "\"camera\": {\"pitch_deg\": 100},\n\"msaa\": 3}");
+  EXPECT_THAT(
+      faults_of(file),
+      testing::ElementsAre(testing::HasSubstr(":2: effects: unknown effect 'fom' (did you mean 'foam'?)"),
+                           testing::HasSubstr(":3: effects: the effect 'boats' is not built yet"),
+                           testing::HasSubstr(":7: msaa: 3 is not one of the numbers it takes; give 1, 2, 4 or 8"),
+                           testing::HasSubstr(":4: waves.chop: 3 is out of range; give a number from 0 to 2"),
+                           testing::HasSubstr(":5: unknown key 'waves.chp' (did you mean 'chop'?)"),
+                           testing::HasSubstr(":6: camera.pitch_deg: 100 is out of range")));
 }
 
 TEST(Validate, EveryFaultOfAPathIsTold) {
   const auto file = made("bad_path.json",
                          "{\"keys\": [\n{\"time_s\": 0},\n{\"time_s\": 0, \"position_m\": [0, 1, 0], \"yaw\": 1},\n"
                          "{\"time_s\": 2, \"position_m\": [0, \"1\", 0]}]}");
-  EXPECT_THAT(faults_of(file), testing::ElementsAre(testing::HasSubstr(":1: the key 'version' is missing"),
-                                                    testing::HasSubstr(":2: the key 'keys[0].position_m' is missing"),
-                                                    testing::HasSubstr(":3: unknown key 'keys[1].yaw'"),
-                                                    testing::HasSubstr(":3: keys[1].time_s: 0 does not come after 0"),
-                                                    testing::HasSubstr(":4: keys[2].position_m[1]: '1' is not a number")));
+  EXPECT_THAT(faults_of(file),
+              testing::ElementsAre(testing::HasSubstr(":1: the key 'version' is missing"),
+                                   testing::HasSubstr(":2: the key 'keys[0].position_m' is missing"),
+                                   testing::HasSubstr(":3: unknown key 'keys[1].yaw'"),
+                                   testing::HasSubstr(":3: keys[1].time_s: 0 does not come after 0"),
+                                   testing::HasSubstr(":4: keys[2].position_m[1]: '1' is not a number")));
 }
 
 // Control: a switch of kinds that lacks .glb fails here.
@@ -62,7 +65,8 @@ TEST(Validate, EveryKindIsRead) {
     ASSERT_EQ(faults.size(), 1u) << name;
     EXPECT_THAT(faults[0], testing::Not(testing::HasSubstr("is not known"))) << name;
   }
-  EXPECT_THAT(faults_of(made("notes.txt", "")), testing::ElementsAre(testing::HasSubstr("the kind '.txt' is not known")));
+  EXPECT_THAT(faults_of(made("notes.txt", "")),
+              testing::ElementsAre(testing::HasSubstr("the kind '.txt' is not known")));
   EXPECT_EQ(faults_of("/no/such/scene.json").size(), 1u);
   Image8 image;
   image.width = 2, image.height = 1, image.channels = 4, image.pixels.assign(8, 200);

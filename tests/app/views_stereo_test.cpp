@@ -21,7 +21,8 @@ class Stereo : public test::GpuTest {};
 
 bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
-// Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave particles.
+// Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave
+// particles.
 std::vector<std::string> scenes() {
   if (long_run()) return {"open_sea", "calm", "storm", "swell", "rain_pool"};
   return {"open_sea", "storm", "rain_pool"};
@@ -39,11 +40,15 @@ std::vector<Pose> poses() {
 
 ShotOptions small(const std::string& scene, const std::string& preset) {
   // Both ways to the waves of a picture, in turn.
-  return {.scene = scene, .preset = preset, .width = 160, .height = 120,
+  return {.scene = scene,
+          .preset = preset,
+          .width = 160,
+          .height = 120,
           .set = {{"waves.where", scene == "open_sea" || scene == "calm" ? "cpu" : "gpu"}}};
 }
 
-// Straight down from high up, beside the sun's reflection, the sea is an even blue: 2 to 23 bytes of deviation by scene; a fill has none.
+// Straight down from high up, beside the sun's reflection, the sea is an even blue: 2 to 23 bytes of deviation by
+// scene; a fill has none.
 void expect_a_sea(const Image8& picture, const std::string& what, bool from_above = false) {
   const test::PictureStatistics s = test::statistics(picture);
   EXPECT_GT(s.mean, 25.0) << what << " is black";
@@ -84,8 +89,8 @@ void expect_one_pass_equals_each_eye(const std::string& preset) {
   }
 }
 
-// Controls: a second eye moved by a hundredth of a unit in views of two fails all of these; an eye distance that differs by a
-// millimetre is seen (AnotherEyeDistanceIsSeen).
+// Controls: a second eye moved by a hundredth of a unit in views of two fails all of these; an eye distance that
+// differs by a millimetre is seen (AnotherEyeDistanceIsSeen).
 TEST_F(Stereo, OnePassEqualsEachEyeAtLow) { expect_one_pass_equals_each_eye("low"); }
 TEST_F(Stereo, OnePassEqualsEachEyeAtMedium) { expect_one_pass_equals_each_eye("medium"); }
 TEST_F(Stereo, OnePassEqualsEachEyeAtHigh) { expect_one_pass_equals_each_eye("high"); }
@@ -102,7 +107,8 @@ TEST_F(Stereo, AnotherEyeDistanceIsSeen) {
   for (std::size_t eye = 0; eye < 2; ++eye) EXPECT_GT(differing_pixels(usual[eye], wider[eye]), 50);
 }
 
-// Two eyes at no distance with equal fields of view draw the same picture to the bit, which is also that of the one in the middle. Control: AnotherEyeDistanceIsSeen, above.
+// Two eyes at no distance with equal fields of view draw the same picture to the bit, which is also that of the one in
+// the middle. Control: AnotherEyeDistanceIsSeen, above.
 TEST_F(Stereo, hard_39_eyes_at_no_distance_see_the_same) {
   for (const char* preset : {"low", "high"}) {
     ShotOptions options = small("storm", preset);
@@ -114,12 +120,13 @@ TEST_F(Stereo, hard_39_eyes_at_no_distance_see_the_same) {
     EXPECT_EQ(differing_pixels(eyes[0], eyes[1]), 0) << preset;
     options.views = 1;
     options.eye = 0;
-    EXPECT_EQ(differing_pixels(SeaShot(options).picture(poses().front(), 12.5), eyes[0]), 0) << preset << ": the centre";
+    EXPECT_EQ(differing_pixels(SeaShot(options).picture(poses().front(), 12.5), eyes[0]), 0)
+        << preset << ": the centre";
   }
 }
 
-// A frame is a function of its place and time: what was drawn before it leaves no trace, in another order or at all. The
-// control: another time is seen.
+// A frame is a function of its place and time: what was drawn before it leaves no trace, in another order or at all.
+// The control: another time is seen.
 TEST_F(Stereo, TwoRunsAreIdenticalWhateverCameBefore) {
   for (const char* preset : {"medium", "high"}) {
     ShotOptions options = small("open_sea", preset);

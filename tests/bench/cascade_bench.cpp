@@ -16,14 +16,16 @@ WaveTable random_waves(int band) {
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
   WaveTable table;
   for (int i = 0; i < band * band; ++i) {
-    for (std::vector<float>* column : {&table.amplitude_re, &table.amplitude_im, &table.kx, &table.kz, &table.shift_x, &table.shift_z, &table.frequency})
+    for (std::vector<float>* column : {&table.amplitude_re, &table.amplitude_im, &table.kx, &table.kz, &table.shift_x,
+                                       &table.shift_z, &table.frequency})
       column->push_back(uniform(random));
     table.turns.push_back(random() >> 16);
   }
   return table;
 }
 
-// Spectrum, displacement, derivatives, Jacobian (from the derivatives) and second moments of one cascade, over two threads.
+// Spectrum, displacement, derivatives, Jacobian (from the derivatives) and second moments of one cascade, over two
+// threads.
 struct WholeCascade {
   WholeCascade(int n, int band)
       : plan(make_fft_plan(n, band)), table(random_waves(band)), workspace(workspace_floats(plan, false)) {
@@ -70,12 +72,18 @@ void whole_cascade(benchmark::State& state) {
   std::int64_t ticks = 0;
   for (auto _ : state) {
     alone.take([&] {
-      two.execute([&] { tbb::parallel_for(0, fields, [&](int i) { transforms[std::size_t(i)].run(spectra[std::size_t(i)]); }, tbb::simple_partitioner()); });
+      two.execute([&] {
+        tbb::parallel_for(
+            0, fields, [&](int i) { transforms[std::size_t(i)].run(spectra[std::size_t(i)]); },
+            tbb::simple_partitioner());
+      });
     });
     whole.take([&] { two.execute([&] { cascade.run(ticks += 11650, false); }); });
     with_mips.take([&] { two.execute([&] { cascade.run(ticks += 11650, true); }); });
     one.take([&] { fftw.run(); });
-    alone_1.take([&] { for (std::size_t i = 0; i < fields; ++i) transforms[i].run(spectra[i]); });
+    alone_1.take([&] {
+      for (std::size_t i = 0; i < fields; ++i) transforms[i].run(spectra[i]);
+    });
     tbb::task_arena(1).execute([&] { whole_1.take([&] { cascade.run(ticks += 11650, false); }); });
   }
   state.counters["alone_us"] = alone.median();
@@ -91,10 +99,16 @@ void whole_cascade(benchmark::State& state) {
   state.counters["whole_1thread_min"] = whole_1.least();
   state.counters["to_alone_1thread"] = whole_1.median() / alone_1.median();
 }
-BENCHMARK(whole_cascade)->ArgNames({"n", "band"})->Args({512, 64})->Args({512, 256})->Args({256, 64})->Unit(benchmark::kMicrosecond)->UseRealTime();
+BENCHMARK(whole_cascade)
+    ->ArgNames({"n", "band"})
+    ->Args({512, 64})
+    ->Args({512, 256})
+    ->Args({256, 64})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
 
-// The tile of wave particles, 256^2 with its whole mip chain, beside a cascade of 64 bins into 256^2 with four levels of it, on two threads. The bar: of
-// 10,000 particles it costs less (to_cascade below 1).
+// The tile of wave particles, 256^2 with its whole mip chain, beside a cascade of 64 bins into 256^2 with four levels
+// of it, on two threads. The bar: of 10,000 particles it costs less (to_cascade below 1).
 void wave_particles(benchmark::State& state) {
   WaveParticleSettings settings;
   settings.count = int(state.range(0));
@@ -119,7 +133,8 @@ void wave_particles(benchmark::State& state) {
     particles.take([&] { two.execute([&] { source.evaluate(ticks += 11650, false, levels, workspace); }); });
     with_mips.take([&] { two.execute([&] { cascade.run(ticks += 11650, true); }); });
     without.take([&] { two.execute([&] { cascade.run(ticks += 11650, false); }); });
-    tbb::task_arena(1).execute([&] { particles_1.take([&] { source.evaluate(ticks += 11650, false, levels, workspace); }); });
+    tbb::task_arena(1).execute(
+        [&] { particles_1.take([&] { source.evaluate(ticks += 11650, false, levels, workspace); }); });
     tbb::task_arena(1).execute([&] { with_mips_1.take([&] { cascade.run(ticks += 11650, true); }); });
   }
   state.counters["us"] = particles.median();
@@ -131,7 +146,16 @@ void wave_particles(benchmark::State& state) {
   state.counters["us_1thread_min"] = particles_1.least();
   state.counters["to_cascade_1thread"] = particles_1.median() / with_mips_1.median();
 }
-BENCHMARK(wave_particles)->ArgName("count")->Arg(800)->Arg(2048)->Arg(2049)->Arg(10000)->Arg(30000)->Arg(100000)->Unit(benchmark::kMicrosecond)->UseRealTime();
+BENCHMARK(wave_particles)
+    ->ArgName("count")
+    ->Arg(800)
+    ->Arg(2048)
+    ->Arg(2049)
+    ->Arg(10000)
+    ->Arg(30000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace seascape::bench

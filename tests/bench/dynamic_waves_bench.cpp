@@ -1,4 +1,5 @@
-// What a step of the dynamic waves costs, and their surface, beside one cascade of 256^2 of the wave field in the same loop: what counts are the ratios of minima.
+// What a step of the dynamic waves costs, and their surface, beside one cascade of 256^2 of the wave field in the same
+// loop: what counts are the ratios of minima.
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
@@ -17,7 +18,8 @@ template <class Work>
 void take(double& least_us, const Work& work) {
   const auto before = std::chrono::steady_clock::now();
   work();
-  least_us = std::min(least_us, std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
+  least_us =
+      std::min(least_us, std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
 }
 
 // Resolution, levels and sources. One thread, as the cascade.
@@ -30,7 +32,10 @@ void dynamic_waves(benchmark::State& state) {
   DynamicSurface surface(s);
   std::vector<WaveSource> sources;
   for (int i = 0; i < int(state.range(2)); ++i)
-    sources.push_back({.place_m = {0.3 * (i % 10) - 1.5, 0.3 * (i / 10) - 1.5}, .velocity_mps = {1.0, 0.0}, .length_m = 1.5, .head_m = 0.02});
+    sources.push_back({.place_m = {0.3 * (i % 10) - 1.5, 0.3 * (i / 10) - 1.5},
+                       .velocity_mps = {1.0, 0.0},
+                       .length_m = 1.5,
+                       .head_m = 0.02});
   const LodPlacement placement = lod_placement(s.windows, {0.0, 0.0}, {});
   // The first cascade's tile is larger: a cascade of 256^2 is what two take more than one.
   WaveQuality one_cascade, two_cascades;
@@ -60,7 +65,14 @@ void dynamic_waves(benchmark::State& state) {
 }
 BENCHMARK(dynamic_waves)
     ->ArgNames({"n", "levels", "sources"})
-    ->Args({64, 5, 1})->Args({128, 5, 1})->Args({256, 2, 1})->Args({256, 5, 1})->Args({256, 7, 1})->Args({512, 5, 1})->Args({256, 5, 10})->Args({256, 5, 100})
+    ->Args({64, 5, 1})
+    ->Args({128, 5, 1})
+    ->Args({256, 2, 1})
+    ->Args({256, 5, 1})
+    ->Args({256, 7, 1})
+    ->Args({512, 5, 1})
+    ->Args({256, 5, 10})
+    ->Args({256, 5, 100})
     ->Iterations(60)
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();

@@ -1,6 +1,7 @@
-// The timing proof of effects: a scene that had one and lost it takes as long as one that never had it (truths.md, section 5: 1,000 frames of
-// either in turn; the 95 % interval of the median difference lies within the greater of 1 % and 5 us): 6,000 frames of either, in sixty rounds of scenes built anew. Control in
-// the same run, with a fifteenth of the frames: with the effect they take longer than that.
+// The timing proof of effects: a scene that had one and lost it takes as long as one that never had it (truths.md,
+// section 5: 1,000 frames of either in turn; the 95 % interval of the median difference lies within the greater of 1 %
+// and 5 us): 6,000 frames of either, in sixty rounds of scenes built anew. Control in the same run, with a fifteenth of
+// the frames: with the effect they take longer than that.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -19,7 +20,9 @@ const ExperienceOptions small{96, 54, 1, false, false};
 
 // The first scene of ours that names the effect (the last from the root of the project).
 std::string scene_of(const std::string& effect) {
-  for (const char* name : {"open_sea", "storm", "rain_pool", "gerstner", "baked", "whirlpool", "rivers", "lagoon", "harbour_clip", "docs/data/every_effect.json"}) try {
+  for (const char* name : {"open_sea", "storm", "rain_pool", "gerstner", "baked", "whirlpool", "rivers", "lagoon",
+                           "harbour_clip", "docs/data/every_effect.json"})
+    try {
       const Scene scene = load_scene(name, "low");
       if (std::find(scene.effects.begin(), scene.effects.end(), effect) != scene.effects.end()) return name;
     } catch (const Error&) {
@@ -65,7 +68,9 @@ void effect_time(benchmark::State& state, const std::string& effect, bool presen
   for (const std::string_view effect : effect_names()) {
     if (!effect_is_built(effect)) continue;
     for (const bool present : {false, true})
-      benchmark::RegisterBenchmark((std::string(present ? "effect_present/" : "effect_absent/") + std::string(effect)).c_str(), effect_time, std::string(effect), present)
+      benchmark::RegisterBenchmark(
+          (std::string(present ? "effect_present/" : "effect_absent/") + std::string(effect)).c_str(), effect_time,
+          std::string(effect), present)
           ->Iterations(1)
           ->Unit(benchmark::kSecond);
   }

@@ -1,5 +1,5 @@
-// Our transforms beside FFTW's, one after the other within the same loop, so that a slow moment of the machine slows both: what counts
-// is the ratio of their medians.
+// Our transforms beside FFTW's, one after the other within the same loop, so that a slow moment of the machine slows
+// both: what counts is the ratio of their medians.
 #include <benchmark/benchmark.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -17,7 +17,8 @@ double disagreement(OurTransform& ours, FftwTransform& theirs, const Spectrum& s
   double difference = 0.0, largest = 0.0;
   for (int z = 0; z < ours.n; ++z)
     for (int x = 0; x < ours.n; ++x) {
-      const std::size_t a = std::size_t(z) * std::size_t(ours.stride) + std::size_t(x), b = std::size_t(z) * std::size_t(ours.n) + std::size_t(x);
+      const std::size_t a = std::size_t(z) * std::size_t(ours.stride) + std::size_t(x),
+                        b = std::size_t(z) * std::size_t(ours.n) + std::size_t(x);
       const double re = theirs.result()[b][0], im = theirs.result()[b][1];
       difference = std::max(difference, std::hypot(ours.re[a] - re, ours.im[a] - im));
       largest = std::max(largest, std::hypot(re, im));
@@ -25,8 +26,8 @@ double disagreement(OurTransform& ours, FftwTransform& theirs, const Spectrum& s
   return difference / largest;
 }
 
-// Four complex fields of n x n samples from a band: ours on one thread and over two, FFTW's in place and out of place on one thread
-// and, by the faster of these, over two. Ratios are to the faster FFTW.
+// Four complex fields of n x n samples from a band: ours on one thread and over two, FFTW's in place and out of place
+// on one thread and, by the faster of these, over two. Ratios are to the faster FFTW.
 void four_fields(benchmark::State& state) {
   const int n = int(state.range(0)), band = int(state.range(1));
   std::vector<Spectrum> spectra;
@@ -41,7 +42,8 @@ void four_fields(benchmark::State& state) {
   double difference = 0.0;
   for (int i = 0; i < fields; ++i) {
     const auto at = std::size_t(i);
-    difference = std::max({difference, disagreement(ours[at], in_place[at], spectra[at]), disagreement(ours[at], out_of_place[at], spectra[at])});
+    difference = std::max({difference, disagreement(ours[at], in_place[at], spectra[at]),
+                           disagreement(ours[at], out_of_place[at], spectra[at])});
   }
   tbb::task_arena two(2);
   const auto share = [&](auto work) {
@@ -49,11 +51,17 @@ void four_fields(benchmark::State& state) {
   };
   Times ours_1, ours_2, in_1, out_1, in_2, out_2;
   for (auto _ : state) {
-    ours_1.take([&] { for (std::size_t i = 0; i < fields; ++i) ours[i].run(spectra[i]); });
-    out_1.take([&] { for (FftwTransform& transform : out_of_place) transform.run(); });
+    ours_1.take([&] {
+      for (std::size_t i = 0; i < fields; ++i) ours[i].run(spectra[i]);
+    });
+    out_1.take([&] {
+      for (FftwTransform& transform : out_of_place) transform.run();
+    });
     // In place a transform eats its input; sums of sums would overflow after a few.
     for (std::size_t i = 0; i < fields; ++i) in_place[i].fill(spectra[i]);
-    in_1.take([&] { for (FftwTransform& transform : in_place) transform.run(); });
+    in_1.take([&] {
+      for (FftwTransform& transform : in_place) transform.run();
+    });
     ours_2.take([&] { share([&](int i) { ours[std::size_t(i)].run(spectra[std::size_t(i)]); }); });
     out_2.take([&] { share([&](int i) { out_of_place[std::size_t(i)].run(); }); });
     for (std::size_t i = 0; i < fields; ++i) in_place[i].fill(spectra[i]);
@@ -76,8 +84,17 @@ void four_fields(benchmark::State& state) {
 }
 BENCHMARK(four_fields)
     ->ArgNames({"n", "band"})
-    ->Args({16, 16})->Args({32, 32})->Args({64, 64})->Args({128, 128})->Args({256, 256})->Args({512, 512})->Args({1024, 1024})
-    ->Args({128, 64})->Args({256, 64})->Args({512, 64})->Args({512, 256})
+    ->Args({16, 16})
+    ->Args({32, 32})
+    ->Args({64, 64})
+    ->Args({128, 128})
+    ->Args({256, 256})
+    ->Args({512, 512})
+    ->Args({1024, 1024})
+    ->Args({128, 64})
+    ->Args({256, 64})
+    ->Args({512, 64})
+    ->Args({512, 256})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 

@@ -1,4 +1,5 @@
-// What a step of the foam costs, by windows and by what feeds it, beside one step of the waves that it is made of: what counts are the minima. One thread.
+// What a step of the foam costs, by windows and by what feeds it, beside one step of the waves that it is made of: what
+// counts are the minima. One thread.
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
@@ -20,7 +21,8 @@ void foam_step(benchmark::State& state) {
   spec.settings.windows.slices = int(state.range(1));
   InputSpec vortex;
   vortex.to = InputTarget::flow;
-  vortex.shape = VortexInput{.at_m = {0.0, -60.0}, .core_m = 12.0, .reach_m = 120.0, .swirl_mps = 6.0, .inflow_mps = 0.6};
+  vortex.shape =
+      VortexInput{.at_m = {0.0, -60.0}, .core_m = 12.0, .reach_m = 120.0, .swirl_mps = 6.0, .inflow_mps = 0.6};
   if (state.range(2) != 0) spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&vortex, 1));
   SeaState sea;
   sea.wind_speed_mps = 15.0;
@@ -32,7 +34,8 @@ void foam_step(benchmark::State& state) {
     const auto take = [](double& least_ms, const auto& work) {
       const auto before = std::chrono::steady_clock::now();
       work();
-      least_ms = std::min(least_ms, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+      least_ms = std::min(least_ms,
+                          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
     };
     foam.update(time_s, {0.0, 2.0, 0.0});
     for (auto _ : state) {
@@ -45,8 +48,17 @@ void foam_step(benchmark::State& state) {
   state.counters["of_waves_ms"] = waves;
   state.counters["ns_a_texel"] = 1e6 * (step - waves) / double(state.range(0) * state.range(0) * state.range(1));
 }
-BENCHMARK(foam_step)->ArgNames({"n", "slices", "flow"})->Args({64, 4, 0})->Args({128, 4, 0})->Args({256, 2, 0})->Args({256, 4, 0})->Args({256, 6, 0})->Args({256, 4, 1})->Iterations(24)->Unit(
-    benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(foam_step)
+    ->ArgNames({"n", "slices", "flow"})
+    ->Args({64, 4, 0})
+    ->Args({128, 4, 0})
+    ->Args({256, 2, 0})
+    ->Args({256, 4, 0})
+    ->Args({256, 6, 0})
+    ->Args({256, 4, 1})
+    ->Iterations(24)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void foam_lace(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(foam_pattern(int(state.range(0))));

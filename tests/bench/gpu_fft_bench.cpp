@@ -1,4 +1,5 @@
-// What the GPU's sea costs by the device's own timers: the shaders' transforms alone, and all passes that fill its tiles.
+// What the GPU's sea costs by the device's own timers: the shaders' transforms alone, and all passes that fill its
+// tiles.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 // One complex field of n x n samples from band x band bins, none of them zero.
 void gpu_transform(benchmark::State& state) {
-  const int n = int(state.range(0)), band = int(state.range(1)), radix = int(state.range(2)), slots = int(state.range(3));
+  const int n = int(state.range(0)), band = int(state.range(1)), radix = int(state.range(2)),
+            slots = int(state.range(3));
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(0.1f, 1.0f);
   std::vector<std::complex<float>> bins(std::size_t(band) * std::size_t(band));
@@ -43,14 +45,22 @@ void gpu_transform(benchmark::State& state) {
 }
 BENCHMARK(gpu_transform)
     ->ArgNames({"n", "band", "radix", "slots"})
-    ->Args({256, 256, 16, 8})->Args({256, 256, 16, 4})->Args({256, 256, 8, 8})->Args({512, 512, 16, 8})->Args({512, 512, 16, 4})
-    ->Args({512, 256, 16, 8})->Args({256, 64, 8, 8})->Args({512, 64, 8, 8})
+    ->Args({256, 256, 16, 8})
+    ->Args({256, 256, 16, 4})
+    ->Args({256, 256, 8, 8})
+    ->Args({512, 512, 16, 8})
+    ->Args({512, 512, 16, 4})
+    ->Args({512, 256, 16, 8})
+    ->Args({256, 64, 8, 8})
+    ->Args({512, 64, 8, 8})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
 
-// All tiles of a sea: spectrum, four complex fields a cascade, second moments, mip chains. One cascade is the longest tile alone.
+// All tiles of a sea: spectrum, four complex fields a cascade, second moments, mip chains. One cascade is the longest
+// tile alone.
 void wave_compute(benchmark::State& state) {
-  const WaveQuality quality{.resolution = int(state.range(0)), .cascades = int(state.range(1)), .half_storage = state.range(2) != 0};
+  const WaveQuality quality{
+      .resolution = int(state.range(0)), .cascades = int(state.range(1)), .half_storage = state.range(2) != 0};
   const SeaState sea;
   const WaveBins bins = make_wave_bins(sea, quality);
   WaveImages images(gpu().device, sea, quality, bins, sea_statistics(sea, bins), 1.0, WaveImages::Filled::stored);
@@ -80,7 +90,11 @@ void wave_compute(benchmark::State& state) {
 }
 BENCHMARK(wave_compute)
     ->ArgNames({"resolution", "cascades", "half"})
-    ->Args({64, 1, 0})->Args({128, 1, 0})->Args({128, 1, 1})->Args({128, 4, 0})->Args({256, 5, 0})
+    ->Args({64, 1, 0})
+    ->Args({128, 1, 0})
+    ->Args({128, 1, 1})
+    ->Args({128, 4, 0})
+    ->Args({256, 5, 0})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
 

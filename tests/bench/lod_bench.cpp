@@ -1,4 +1,5 @@
-// What the selection of patches costs, by preset and by how high the viewer stands; how it grows with the size of the ocean, the levels and the views.
+// What the selection of patches costs, by preset and by how high the viewer stands; how it grows with the size of the
+// ocean, the levels and the views.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -18,7 +19,9 @@ namespace {
 
 // A fresh breeze, as a preset draws it, at one time.
 struct Sea {
-  explicit Sea(std::string_view preset) : field(state(), quality(preset)) { field.evaluate(ticks_from_seconds(12.0), tiles); }
+  explicit Sea(std::string_view preset) : field(state(), quality(preset)) {
+    field.evaluate(ticks_from_seconds(12.0), tiles);
+  }
   static SeaState state() {
     SeaState sea;
     sea.wind_speed_mps = 9.5;
@@ -41,8 +44,8 @@ const Sea& sea_of(std::string_view preset) {
   return known != seas.end() ? known->second : seas.try_emplace(std::string(preset), preset).first->second;
 }
 
-// Viewpoints on a way and what an ocean would tell of its water there, made beforehand so that only selecting is timed: `eyes`
-// side by side, 1280 x 720 each, 60 degrees.
+// Viewpoints on a way and what an ocean would tell of its water there, made beforehand so that only selecting is timed:
+// `eyes` side by side, 1280 x 720 each, 60 degrees.
 struct Step {
   Viewpoint viewpoint;
   DisplacementBounds bounds;
@@ -61,14 +64,17 @@ std::vector<Step> on_a_way(const Sea& sea, double height_m, int eyes) {
     }
     viewpoint.pixels_per_radian = pixels_per_radian(viewpoint.eyes, 720.0);
     const SeaStatistics& s = sea.field.statistics();
-    bounds = {s.largest_height_m, s.largest_shift_m, s.mesh_error, water_below(sea.field, sea.tiles, viewpoint.viewer.position_m, s.near_motion)};
+    bounds = {s.largest_height_m, s.largest_shift_m, s.mesh_error,
+              water_below(sea.field, sea.tiles, viewpoint.viewer.position_m, s.near_motion)};
   }
   return way;
 }
 
-// Selects along the way, an iteration once along it. A patch of the result is what the issue calls a selected node. `by_water`: near patches are
-// culled by the water that stands there too. "ns/patch" is of the quietest rounds: of each of 32 parts of the way the least of all iterations.
-void select_along(benchmark::State& state, const LodSettings& settings, std::string_view preset, double height_m, int eyes, bool by_water = false) {
+// Selects along the way, an iteration once along it. A patch of the result is what the issue calls a selected node.
+// `by_water`: near patches are culled by the water that stands there too. "ns/patch" is of the quietest rounds: of each
+// of 32 parts of the way the least of all iterations.
+void select_along(benchmark::State& state, const LodSettings& settings, std::string_view preset, double height_m,
+                  int eyes, bool by_water = false) {
   Quadtree tree(settings);
   const Sea& sea = sea_of(preset);
   const std::vector<Step> way = on_a_way(sea, height_m, eyes);
@@ -80,12 +86,14 @@ void select_along(benchmark::State& state, const LodSettings& settings, std::str
     for (std::size_t part = 0; part < parts; ++part) {
       const auto from = std::chrono::steady_clock::now();
       for (std::size_t at = part * way.size() / parts; at < (part + 1) * way.size() / parts; ++at) {
-        const SurfaceSelection& selection = tree.select(way[at].viewpoint, way[at].bounds, by_water ? &sea.field : nullptr, by_water ? &sea.tiles : nullptr);
+        const SurfaceSelection& selection = tree.select(
+            way[at].viewpoint, way[at].bounds, by_water ? &sea.field : nullptr, by_water ? &sea.tiles : nullptr);
         benchmark::DoNotOptimize(selection.patches.data());
         visited += selection.visited_nodes;
         patches += std::int64_t(selection.patches.size());
       }
-      least_s[part] = std::min(least_s[part], std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
+      least_s[part] =
+          std::min(least_s[part], std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
     }
   const double steps = double(way.size()), selections = steps * double(state.iterations());
   const double least = std::accumulate(least_s.begin(), least_s.end(), 0.0);
@@ -126,7 +134,8 @@ void select_by_threshold(benchmark::State& state) {
 }
 BENCHMARK(select_by_threshold)->ArgsProduct({{0, 1, 2, 3}, {2}})->Unit(benchmark::kMicrosecond);
 
-// How it grows: with the ocean's size in metres, with the depth of the tree, with the number of eyes. At high, from 2 m.
+// How it grows: with the ocean's size in metres, with the depth of the tree, with the number of eyes. At high, from 2
+// m.
 void select_by_size(benchmark::State& state) {
   LodSettings settings = of_preset(2);
   settings.ocean_size_m = double(state.range(0));
@@ -142,7 +151,15 @@ void select_by_levels(benchmark::State& state) {
 BENCHMARK(select_by_levels)->ArgName("levels")->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 
 void select_by_views(benchmark::State& state) { select_along(state, of_preset(2), "high", 2.0, int(state.range(0))); }
-BENCHMARK(select_by_views)->ArgName("views")->Arg(0)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Arg(12)->Unit(benchmark::kMicrosecond);
+BENCHMARK(select_by_views)
+    ->ArgName("views")
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(8)
+    ->Arg(12)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace seascape

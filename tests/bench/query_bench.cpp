@@ -1,5 +1,5 @@
-// What answers to queries cost: single calls beside batches on one thread and on all cores, and time against error for each
-// number of steps, by fixed point and by Newton.
+// What answers to queries cost: single calls beside batches on one thread and on all cores, and time against error for
+// each number of steps, by fixed point and by Newton.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -22,7 +22,8 @@ constexpr std::size_t asked = 4096;
 enum Order { hulls, scattered };  // 64 hulls of 20 m by 5 m, 64 points each; or points over a square kilometre
 
 struct Sea {
-  explicit Sea(std::int64_t preset, std::int64_t order = scattered, double time_s = 10.0) : name(preset_names()[std::size_t(preset)]) {
+  explicit Sea(std::int64_t preset, std::int64_t order = scattered, double time_s = 10.0)
+      : name(preset_names()[std::size_t(preset)]) {
     Settings settings;
     apply_preset(settings, name);
     field.emplace(settings.sea, settings.waves);
@@ -32,7 +33,8 @@ struct Sea {
     glm::dvec2 hull(0.0);
     for (std::size_t i = 0; i < asked; ++i) {
       if (i % 64 == 0) hull = {within(500.0), within(500.0)};
-      places.push_back(order == hulls ? hull + glm::dvec2(within(2.5), within(10.0)) : glm::dvec2(within(500.0), within(500.0)));
+      places.push_back(order == hulls ? hull + glm::dvec2(within(2.5), within(10.0))
+                                      : glm::dvec2(within(500.0), within(500.0)));
     }
     name += order == hulls ? " hulls" : " scattered";
   }
@@ -49,8 +51,8 @@ void count(benchmark::State& state, const Sea& sea) {
     steps += answer.iterations;
     converged += answer.converged;
   }
-  state.counters["time/point"] =
-      benchmark::Counter(double(state.iterations()) * double(asked), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["time/point"] = benchmark::Counter(double(state.iterations()) * double(asked),
+                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["steps"] = double(steps) / double(asked);
   state.counters["converged"] = double(converged) / double(asked);
   state.SetLabel(sea.name);
@@ -71,8 +73,14 @@ void query_batch(benchmark::State& state, bool one_thread, QueryOptions options)
   for (auto _ : state) query(*sea.field, sea.tiles, sea.places, sea.answers, options);
   count(state, sea);
 }
-BENCHMARK_CAPTURE(query_batch, one_thread, true, {})->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(query_batch, all_cores, false, {})->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(query_batch, one_thread, true, {})
+    ->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(query_batch, all_cores, false, {})
+    ->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 // From the answers of 1/90 s before.
 void query_batch_from_previous(benchmark::State& state) {
@@ -84,7 +92,10 @@ void query_batch_from_previous(benchmark::State& state) {
   for (auto _ : state) query(*sea.field, sea.tiles, sea.places, sea.answers, {.previous = before});
   count(state, sea);
 }
-BENCHMARK(query_batch_from_previous)->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(query_batch_from_previous)
+    ->ArgsProduct({{0, 1, 2, 3}, {hulls, scattered}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 // The rest positions, by so many steps in double on the tiles' own field that nothing more changes.
 std::vector<glm::dvec2> rests_of(const Sea& sea) {
@@ -120,7 +131,10 @@ void query_steps(benchmark::State& state) {
   state.counters["error"] = error_of(sea, [&](std::size_t i) { return sea.answers[i].height_m; });
   state.counters["error_plain"] = error_of(sea, [&](std::size_t i) { return sea.answers[i].displacement.y; });
 }
-BENCHMARK(query_steps)->ArgsProduct({{0, 2}, benchmark::CreateDenseRange(0, 8, 1)})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(query_steps)
+    ->ArgsProduct({{0, 2}, benchmark::CreateDenseRange(0, 8, 1)})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 // The same search in plain loops, a point after another, so that the two kinds of step compare.
 template <bool Newton>
@@ -137,7 +151,8 @@ void plain_steps(benchmark::State& state) {
           const glm::dvec2 miss = sea.places[i] - rest - glm::dvec2(at.displacement.x, at.displacement.z);
           const glm::dvec3 g = at.shift_gradient;
           const double j = at.jacobian();
-          rest += glm::dvec2((1.0 + g.y) * miss.x - g.z * miss.y, (1.0 + g.x) * miss.y - g.z * miss.x) / (j > 0.1 ? j : 1.0);
+          rest += glm::dvec2((1.0 + g.y) * miss.x - g.z * miss.y, (1.0 + g.x) * miss.y - g.z * miss.x) /
+                  (j > 0.1 ? j : 1.0);
         } else {
           const glm::dvec3 d = sea.field->displacement(sea.tiles, rest, filter);
           rest = sea.places[i] - glm::dvec2(d.x, d.z);
@@ -150,8 +165,14 @@ void plain_steps(benchmark::State& state) {
 }
 void plain_fixed_point(benchmark::State& state) { plain_steps<false>(state); }
 void plain_newton(benchmark::State& state) { plain_steps<true>(state); }
-BENCHMARK(plain_fixed_point)->ArgsProduct({{2}, benchmark::CreateDenseRange(0, 8, 1)})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(plain_newton)->ArgsProduct({{2}, benchmark::CreateDenseRange(0, 4, 1)})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(plain_fixed_point)
+    ->ArgsProduct({{2}, benchmark::CreateDenseRange(0, 8, 1)})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(plain_newton)
+    ->ArgsProduct({{2}, benchmark::CreateDenseRange(0, 4, 1)})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace seascape

@@ -1,4 +1,5 @@
-// What benchmarks of transforms share: ours and FFTW's of the same spectrum, and times of several rivals within one loop.
+// What benchmarks of transforms share: ours and FFTW's of the same spectrum, and times of several rivals within one
+// loop.
 #pragma once
 #include <fftw3.h>
 #include <tbb/cache_aligned_allocator.h>
@@ -37,7 +38,11 @@ struct Spectrum {
 
 struct OurTransform {
   OurTransform(int size, int band)
-      : plan(make_fft_plan(size, band)), n(size), stride(size + 16), re(std::size_t(n) * std::size_t(stride)), im(re.size()),
+      : plan(make_fft_plan(size, band)),
+        n(size),
+        stride(size + 16),
+        re(std::size_t(n) * std::size_t(stride)),
+        im(re.size()),
         workspace(inverse_fft_floats(plan)) {}
   void run(const Spectrum& spectrum) {
     inverse_fft(plan, spectrum.re.data(), spectrum.im.data(), re.data(), im.data(), stride, workspace);
@@ -52,7 +57,8 @@ enum class Layout { in_place, out_of_place };
 // One thread, every bin of the grid, planned by measurement.
 class FftwTransform {
  public:
-  FftwTransform(int size, Layout layout) : n_(size), in_(grid()), out_(layout == Layout::in_place ? nullptr : fftwf_alloc_complex(cells()), &fftwf_free) {
+  FftwTransform(int size, Layout layout)
+      : n_(size), in_(grid()), out_(layout == Layout::in_place ? nullptr : fftwf_alloc_complex(cells()), &fftwf_free) {
     plan_ = fftwf_plan_dft_2d(n_, n_, in_.get(), result(), FFTW_BACKWARD, FFTW_MEASURE);
   }
   ~FftwTransform() { fftwf_destroy_plan(plan_); }
@@ -63,7 +69,8 @@ class FftwTransform {
     std::fill_n(&in_.get()[0][0], cells() * 2, 0.0f);
     for (int z = 0; z < band; ++z)
       for (int x = 0; x < band; ++x) {
-        const std::size_t to = std::size_t((z - band / 2 + n_) % n_) * std::size_t(n_) + std::size_t((x - band / 2 + n_) % n_);
+        const std::size_t to =
+            std::size_t((z - band / 2 + n_) % n_) * std::size_t(n_) + std::size_t((x - band / 2 + n_) % n_);
         const std::size_t from = std::size_t(z) * std::size_t(band) + std::size_t(x);
         in_.get()[to][0] = spectrum.re[from];
         in_.get()[to][1] = spectrum.im[from];

@@ -1,5 +1,5 @@
-// What the shallows cost when a scene loads: the factors' tables, and bending and shelter over an archipelago by the grid's size. What counts are the
-// minima; loads are once a scene, and never in a frame.
+// What the shallows cost when a scene loads: the factors' tables, and bending and shelter over an archipelago by the
+// grid's size. What counts are the minima; loads are once a scene, and never in a frame.
 #include <benchmark/benchmark.h>
 
 #include "ocean/inputs/inputs.h"
@@ -23,7 +23,9 @@ Inputs archipelago() {
     spec.shape = AreaInput{.round = true, .at_m = at, .size_m = glm::dvec2(size)};
   };
   add({0.0, 0.0}, 2000.0, -12.0f, 300.0);
-  for (int i = 0; i < 10; ++i) add({700.0 * std::cos(2.4 * i) * std::sqrt(i / 10.0), 700.0 * std::sin(2.4 * i) * std::sqrt(i / 10.0)}, 150.0 + 10.0 * i, 5.0f, 60.0);
+  for (int i = 0; i < 10; ++i)
+    add({700.0 * std::cos(2.4 * i) * std::sqrt(i / 10.0), 700.0 * std::sin(2.4 * i) * std::sqrt(i / 10.0)},
+        150.0 + 10.0 * i, 5.0f, 60.0);
   return Inputs(InputTarget::sea_depth, specs);
 }
 
@@ -48,8 +50,12 @@ void shallows_refraction(benchmark::State& state) {
   const Sea sea;
   const ShallowWater water(sea.state, sea.bins);
   const Inputs bed = archipelago();
-  const auto depth = [&](glm::dvec2 place, double footprint) { return -double(bed.value(place, footprint, 0.0, glm::vec4(float(-sea.state.depth_m))).x); };
-  for (auto _ : state) benchmark::DoNotOptimize(Refraction(sea.state, sea.bins, water, bed.bounds(), depth, {.cells = int(state.range(0))}).empty());
+  const auto depth = [&](glm::dvec2 place, double footprint) {
+    return -double(bed.value(place, footprint, 0.0, glm::vec4(float(-sea.state.depth_m))).x);
+  };
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        Refraction(sea.state, sea.bins, water, bed.bounds(), depth, {.cells = int(state.range(0))}).empty());
 }
 BENCHMARK(shallows_refraction)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond)->UseRealTime();
 
@@ -57,7 +63,9 @@ void shallows_read(benchmark::State& state) {
   const Sea sea;
   const ShallowWater water(sea.state, sea.bins);
   const Inputs bed = archipelago();
-  const auto depth = [&](glm::dvec2 place, double footprint) { return -double(bed.value(place, footprint, 0.0, glm::vec4(float(-sea.state.depth_m))).x); };
+  const auto depth = [&](glm::dvec2 place, double footprint) {
+    return -double(bed.value(place, footprint, 0.0, glm::vec4(float(-sea.state.depth_m))).x);
+  };
   const Refraction r(sea.state, sea.bins, water, bed.bounds(), depth);
   double x = -900.0;
   for (auto _ : state) {

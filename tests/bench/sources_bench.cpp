@@ -1,4 +1,5 @@
-// What the tiles of sources beside the spectrum cost: Gerstner waves by their number, recorded loops by their size; one thread and two.
+// What the tiles of sources beside the spectrum cost: Gerstner waves by their number, recorded loops by their size; one
+// thread and two.
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
@@ -32,8 +33,8 @@ void gerstner_tile(benchmark::State& state) {
 }
 BENCHMARK(gerstner_tile)->ArgsProduct({{1, 4, 8, 24, 48}, {1, 2}})->Unit(benchmark::kMicrosecond)->UseRealTime();
 
-// The same texels summed wave by wave: each is a product of two complex numbers, of its column and its row, and eight fields take a part of it. Its rival: without mip
-// chain and moments, on one thread.
+// The same texels summed wave by wave: each is a product of two complex numbers, of its column and its row, and eight
+// fields take a part of it. Its rival: without mip chain and moments, on one thread.
 void gerstner_direct(benchmark::State& state) {
   const Gerstner source(waves_of(state.range(0)));
   constexpr int n = Gerstner::tile_samples;
@@ -47,9 +48,11 @@ void gerstner_direct(benchmark::State& state) {
       const GerstnerWave& wave = source.waves()[w];
       const double frequency = std::sqrt(9.81 * glm::length(source.drawn(wave)));
       for (int i = 0; i < n; ++i) {
-        const double x = 2.0 * std::numbers::pi * wave.mx * i / n, z = 2.0 * std::numbers::pi * wave.mz * i / n - frequency * time_s;
+        const double x = 2.0 * std::numbers::pi * wave.mx * i / n,
+                     z = 2.0 * std::numbers::pi * wave.mz * i / n - frequency * time_s;
         column[(2 * w) * n + i] = float(std::cos(x)), column[(2 * w + 1) * n + i] = float(std::sin(x));
-        row[(2 * w) * n + i] = float(wave.amplitude_m * std::cos(z)), row[(2 * w + 1) * n + i] = float(wave.amplitude_m * std::sin(z));
+        row[(2 * w) * n + i] = float(wave.amplitude_m * std::cos(z)),
+                          row[(2 * w + 1) * n + i] = float(wave.amplitude_m * std::sin(z));
       }
     }
     for (int z = 0; z < n; ++z) {
@@ -62,7 +65,8 @@ void gerstner_direct(benchmark::State& state) {
         for (int x = 0; x < n; ++x) {
           const float cosine = c[x] * rc - s[x] * rs, sine = c[x] * rs + s[x] * rc;
           to[x] -= u.x * sine, to[n + x] += cosine, to[2 * n + x] -= u.y * sine, to[3 * n + x] -= u.x * k.y * cosine;
-          to[4 * n + x] -= k.x * sine, to[5 * n + x] -= k.y * sine, to[6 * n + x] -= u.x * k.x * cosine, to[7 * n + x] -= u.y * k.y * cosine;
+          to[4 * n + x] -= k.x * sine, to[5 * n + x] -= k.y * sine, to[6 * n + x] -= u.x * k.x * cosine,
+              to[7 * n + x] -= u.y * k.y * cosine;
         }
       }
     }
@@ -78,7 +82,8 @@ void baked_tile(benchmark::State& state) {
   const int n = int(state.range(0));
   BakedLoop loop{n, 16, 4.0, 100.0, {}};
   loop.texels.resize(16 * loop.frame_floats());
-  for (std::size_t i = 0; i < loop.texels.size(); ++i) loop.texels[i] = float(std::sin(0.3 * double(i % std::size_t(n))));
+  for (std::size_t i = 0; i < loop.texels.size(); ++i)
+    loop.texels[i] = float(std::sin(0.3 * double(i % std::size_t(n))));
   const Baked source(std::move(loop), {});
   test::SourceTile tile(source, 0);
   std::int64_t ticks = 0;

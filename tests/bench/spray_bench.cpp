@@ -1,4 +1,5 @@
-// What a step of the spray costs by how much is aloft, its waves apart, and what telling a frame of it does; beside one cascade of 256 x 256 samples of the wave field. Minima; one thread.
+// What a step of the spray costs by how much is aloft, its waves apart, and what telling a frame of it does; beside one
+// cascade of 256 x 256 samples of the wave field. Minima; one thread.
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
@@ -29,7 +30,8 @@ void spray_step(benchmark::State& state) {
     const auto take = [](double& least_ms, const auto& work) {
       const auto before = std::chrono::steady_clock::now();
       work();
-      least_ms = std::min(least_ms, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+      least_ms = std::min(least_ms,
+                          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
     };
     spray.update(time_s, viewer);
     for (auto _ : state) {
@@ -48,7 +50,14 @@ void spray_step(benchmark::State& state) {
   state.counters["cascade_ms"] = cascade;
   state.counters["step_of_cascade"] = step / cascade;
 }
-BENCHMARK(spray_step)->ArgName("most")->Arg(500)->Arg(2000)->Arg(8000)->Iterations(60)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(spray_step)
+    ->ArgName("most")
+    ->Arg(500)
+    ->Arg(2000)
+    ->Arg(8000)
+    ->Iterations(60)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace seascape

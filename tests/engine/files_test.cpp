@@ -117,7 +117,8 @@ TEST(Files, SaysWhatIsWrong) {
   EXPECT_THAT(error_of([&] { read_text(folder.path()); }), HasSubstr("is a folder"));
   EXPECT_THAT(error_of([&] { read_text(folder / "plain/below"); }), HasSubstr("is a file, not a folder"));
   EXPECT_THAT(error_of([&] { read_text(folder / "plain", 0); }), HasSubstr("is larger than"));
-  EXPECT_THAT(error_of([&] { write_atomically(folder / "none/a", std::string_view("x")); }), HasSubstr("folder does not exist"));
+  EXPECT_THAT(error_of([&] { write_atomically(folder / "none/a", std::string_view("x")); }),
+              HasSubstr("folder does not exist"));
   EXPECT_THAT(error_of([&] { write_atomically(folder.path(), std::string_view("x")); }), HasSubstr("is a folder"));
   EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain"); }), HasSubstr("is a file"));
   EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain/below"); }), HasSubstr("is a file"));
@@ -140,8 +141,10 @@ TEST(Files, RespectsPermissions) {
   {
     const AsNobody nobody;
     EXPECT_THAT(error_of([&] { read_text(folder / "secret"); }), HasSubstr("no permission to read"));
-    EXPECT_THAT(error_of([&] { write_atomically(folder / "fixed", std::string_view("y")); }), HasSubstr("no permission to write"));
-    EXPECT_THAT(error_of([&] { write_atomically(folder / "closed/a", std::string_view("y")); }), HasSubstr("no permission to write"));
+    EXPECT_THAT(error_of([&] { write_atomically(folder / "fixed", std::string_view("y")); }),
+                HasSubstr("no permission to write"));
+    EXPECT_THAT(error_of([&] { write_atomically(folder / "closed/a", std::string_view("y")); }),
+                HasSubstr("no permission to write"));
     EXPECT_THAT(error_of([&] { make_output_directory(folder / "closed"); }), HasSubstr("no permission to write"));
     EXPECT_THAT(error_of([&] { make_output_directory(folder / "closed/below"); }), HasSubstr("no permission to write"));
   }

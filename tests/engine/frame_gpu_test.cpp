@@ -11,9 +11,10 @@ namespace {
 
 class FrameVertices : public test::GpuTest {};
 
-// A frame whose lists outgrow the room gets more, and what it has bound already stays. The sea at ultra once asked for more patches than
-// there was room for, and the frame was refused. Controls seen: the smaller buffer destroyed at once (the validation layer), a list that
-// begins where the last one did, room only for as much as the frame has asked for so far, so that every frame makes a buffer anew.
+// A frame whose lists outgrow the room gets more, and what it has bound already stays. The sea at ultra once asked for
+// more patches than there was room for, and the frame was refused. Controls seen: the smaller buffer destroyed at once
+// (the validation layer), a list that begins where the last one did, room only for as much as the frame has asked for
+// so far, so that every frame makes a buffer anew.
 TEST_F(FrameVertices, GrowWithWhatFramesAskFor) {
   Device& device = test::device();
   TargetSpec spec;
@@ -46,9 +47,11 @@ TEST_F(FrameVertices, GrowWithWhatFramesAskFor) {
       }
     });
     for (std::size_t i = 0; i < lists.size(); ++i)
-      for (VkDeviceSize b = 0; b < lists[i].offset; ++b) ASSERT_EQ(static_cast<unsigned char*>(lists[i].host)[b], i + 1) << "frame " << f;
+      for (VkDeviceSize b = 0; b < lists[i].offset; ++b)
+        ASSERT_EQ(static_cast<unsigned char*>(lists[i].host)[b], i + 1) << "frame " << f;
     frame.submit();
-    if (f + 1 == 2 * Frame::slots) frame.finish(), objects = device.objects().size(), bytes = device.memory().used_bytes();
+    if (f + 1 == 2 * Frame::slots)
+      frame.finish(), objects = device.objects().size(), bytes = device.memory().used_bytes();
   }
   frame.finish();
   EXPECT_EQ(device.objects().size(), objects);

@@ -43,7 +43,8 @@ std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Control: inside() answering yes to every regular file reads the buffer above the folder, and the one through the link.
+// Control: inside() answering yes to every regular file reads the buffer above the folder, and the one through the
+// link.
 TEST(GltfFaults, BuffersOnlyFromTheModelsFolder) {
   const TemporaryFolder folder;
   const GltfMaker maker = triangle();
@@ -61,8 +62,8 @@ TEST(GltfFaults, BuffersOnlyFromTheModelsFolder) {
   EXPECT_EQ(load("beside%20it.bin").parts.size(), 1u);
   EXPECT_EQ(load("below/b.bin").name, "a");
   EXPECT_EQ(load("data:application/octet-stream;base64," + test::base64(maker.data)).parts[0].positions[1].z, 1.0f);
-  for (const char* uri : {"../above.bin", "link.bin", "pipe.bin", "none.bin", "below", "/etc/passwd", "file:///etc/passwd",
-                          "http://localhost/a.bin", "..%2Fabove.bin"})
+  for (const char* uri : {"../above.bin", "link.bin", "pipe.bin", "none.bin", "below", "/etc/passwd",
+                          "file:///etc/passwd", "http://localhost/a.bin", "..%2Fabove.bin"})
     EXPECT_THAT(error_of([&] { load(uri); }), HasSubstr("a.gltf: is a broken model: File not found")) << uri;
   write_atomically(folder / "model/short.bin", data.substr(1));
   EXPECT_THAT(error_of([&] { load("short.bin"); }), HasSubstr("File size mismatch"));
@@ -121,7 +122,8 @@ TEST(GltfFaults, NodesThatGoRound) {
   EXPECT_EQ(load_gltf_from_memory(maker.glb(), "chain").parts.size(), 1u);
 }
 
-// Control: a bound that forgets the accessor's own offset, or the last element's size, lets one of these read past the end.
+// Control: a bound that forgets the accessor's own offset, or the last element's size, lets one of these read past the
+// end.
 TEST(GltfFaults, AccessorsOutOfTheirBuffers) {
   struct Case {
     int view, offset, type, count;
@@ -146,20 +148,26 @@ TEST(GltfFaults, AccessorsOutOfTheirBuffers) {
     maker.view(bytes, 4);
     const int accessor = maker.accessor(c.view, c.offset, c.type, static_cast<std::size_t>(c.count), c.kind, c.more);
     maker.primitives = fmt::format(R"({{"attributes":{{"POSITION":{}}}}})", accessor);
-    if (*c.message) EXPECT_THAT(fault_of(maker), HasSubstr(c.message)) << c.kind << c.offset;
-    else EXPECT_NO_THROW(load_gltf_from_memory(maker.glb(), "negative offsets are read as none"));
+    if (*c.message)
+      EXPECT_THAT(fault_of(maker), HasSubstr(c.message)) << c.kind << c.offset;
+    else
+      EXPECT_NO_THROW(load_gltf_from_memory(maker.glb(), "negative offsets are read as none"));
   }
 }
 
 // Control: without the check against the accessor's count the sparse index writes past the values.
 TEST(GltfFaults, SparseOutOfRange) {
-  for (const auto& [count, index, values] : {std::tuple{1, 3, 12}, {0, 0, 12}, {4, 0, 48}, {-1, 0, 12}, {1, 0, 8}, {2, 0, 24}}) {
+  for (const auto& [count, index, values] :
+       {std::tuple{1, 3, 12}, {0, 0, 12}, {4, 0, 48}, {-1, 0, 12}, {1, 0, 8}, {2, 0, 24}}) {
     GltfMaker maker;
     const int base = maker.view_of(corner_places);
     const int places = maker.view({static_cast<std::uint8_t>(index)}, 0);
     const int changed = maker.view(std::vector<std::uint8_t>(static_cast<std::size_t>(values)), 0);
-    const int accessor = maker.accessor(base, 0, 5126, 3, "VEC3", fmt::format(
-        R"(,"sparse":{{"count":{},"indices":{{"bufferView":{},"componentType":5121}},"values":{{"bufferView":{}}}}})", count, places, changed));
+    const int accessor = maker.accessor(
+        base, 0, 5126, 3, "VEC3",
+        fmt::format(
+            R"(,"sparse":{{"count":{},"indices":{{"bufferView":{},"componentType":5121}},"values":{{"bufferView":{}}}}})",
+            count, places, changed));
     maker.primitives = fmt::format(R"({{"attributes":{{"POSITION":{}}}}})", accessor);
     EXPECT_NE(fault_of(maker), "") << count << ' ' << index;
   }
@@ -201,10 +209,12 @@ TEST(GltfFaults, NumbersOutOfRange) {
     EXPECT_THAT(fault_of(maker), HasSubstr("position 1 that is not finite"));
   }
   GltfMaker maker;
-  maker.primitives = fmt::format(R"({{"attributes":{{"POSITION":{}}}}})", maker.floats("VEC3", std::vector<float>(9, 1e30f)));
+  maker.primitives =
+      fmt::format(R"({{"attributes":{{"POSITION":{}}}}})", maker.floats("VEC3", std::vector<float>(9, 1e30f)));
   maker.nodes = R"({"mesh":0,"scale":[1e12,1,1]})";
   EXPECT_THAT(fault_of(maker), HasSubstr("not finite"));
-  for (const char* node : {R"("rotation":[0,0,0,0])", R"("scale":[1,1])", R"("matrix":[1])", R"("translation":[1e300,0,0])"}) {
+  for (const char* node :
+       {R"("rotation":[0,0,0,0])", R"("scale":[1,1])", R"("matrix":[1])", R"("translation":[1e300,0,0])"}) {
     GltfMaker other = triangle();
     other.nodes = fmt::format(R"({{"mesh":0,{}}})", node);
     EXPECT_THAT(fault_of(other), HasSubstr("node 0 has a ")) << node;
@@ -227,7 +237,8 @@ TEST(GltfFaults, TooManyVertices) {
   EXPECT_THAT(fault_of(maker), HasSubstr("has over 16 M vertices"));
 }
 
-// Control: with the binary chunk's 8 header bytes left out of its bound, the cut file reads past its end (seen under asan).
+// Control: with the binary chunk's 8 header bytes left out of its bound, the cut file reads past its end (seen under
+// asan).
 TEST(GltfFaults, CutOrDamagedBinaryFiles) {
   const std::vector<std::uint8_t> whole = triangle().glb();
   for (std::size_t size = 0; size < whole.size(); ++size)

@@ -56,14 +56,15 @@ TEST(Gltf, ReadsATriangle) {
   EXPECT_TRUE(near(model.most, {1, 0, 1}));
 }
 
-// Control: parent and child multiplied the other way round give other positions; without the swap of corners the mirrored
-// triangle faces down.
+// Control: parent and child multiplied the other way round give other positions; without the swap of corners the
+// mirrored triangle faces down.
 TEST(Gltf, NodesPlaceAndTurnAndMirror) {
   GltfMaker maker = triangle();
-  maker.nodes = R"({"translation":[10,0,0],"rotation":[0,0.70710678,0,0.70710678],"children":[1]},{"mesh":0,"scale":[2,3,-4]})";
+  maker.nodes =
+      R"({"translation":[10,0,0],"rotation":[0,0.70710678,0,0.70710678],"children":[1]},{"mesh":0,"scale":[2,3,-4]})";
   const MeshPart part = load(maker).parts[0];
   EXPECT_TRUE(near(part.positions[0], {10, 0, 0}));
-  EXPECT_TRUE(near(part.positions[1], {6, 0, 0}));   // z 1, scaled to -4, turned a quarter round y: x -4
+  EXPECT_TRUE(near(part.positions[1], {6, 0, 0}));  // z 1, scaled to -4, turned a quarter round y: x -4
   EXPECT_TRUE(near(part.positions[2], {10, 0, -2}));
   for (const glm::vec3& normal : part.normals) EXPECT_TRUE(near(normal, {0, 1, 0}));
   const glm::vec3 face = glm::cross(part.positions[part.indices[1]] - part.positions[part.indices[0]],
@@ -97,7 +98,8 @@ TEST(Gltf, StripsAndFans) {
   };
   EXPECT_THAT(with_mode(5).indices, ElementsAre(0, 1, 2, 1, 3, 2, 2, 3, 4));
   EXPECT_THAT(with_mode(6).indices, ElementsAre(1, 2, 0, 2, 3, 0, 3, 4, 0));
-  for (const int mode : {0, 1, 2, 3, 7}) EXPECT_THAT(error_of([&] { with_mode(mode); }), HasSubstr("only triangles are read"));
+  for (const int mode : {0, 1, 2, 3, 7})
+    EXPECT_THAT(error_of([&] { with_mode(mode); }), HasSubstr("only triangles are read"));
   EXPECT_THAT(error_of([&] { with_mode(4); }), HasSubstr("not a multiple of 3"));
 }
 
@@ -108,7 +110,8 @@ TEST(Gltf, IntegersAndStrides) {
   const int view = maker.view({0, 0, 0, 99, 127, 0x80, 0, 99, 0, 0, 64, 99}, 4);
   const int normalised = maker.accessor(view, 0, 5120, 3, "VEC3", R"(,"normalized":true)");
   const int plain = maker.accessor(view, 0, 5120, 3, "VEC3");
-  const int uvs = maker.accessor(maker.view({0, 0, 0xff, 0xff, 0xff, 0x7f, 0, 0, 1, 0, 2, 0}, 0), 0, 5123, 3, "VEC2", R"(,"normalized":true)");
+  const int uvs = maker.accessor(maker.view({0, 0, 0xff, 0xff, 0xff, 0x7f, 0, 0, 1, 0, 2, 0}, 0), 0, 5123, 3, "VEC2",
+                                 R"(,"normalized":true)");
   maker.extra = R"(,"extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"])";
   maker.primitives = fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}}}})", normalised, uvs);
   MeshPart part = load(maker).parts[0];
@@ -124,9 +127,11 @@ TEST(Gltf, IntegersAndStrides) {
 // Control: without each_sparse the second position stays where the base has it.
 TEST(Gltf, SparseValues) {
   GltfMaker maker;
-  const int base = maker.view_of(corner_places), places = maker.view({1, 0}, 0), values = maker.view_of({5.0f, 6.0f, 7.0f});
+  const int base = maker.view_of(corner_places), places = maker.view({1, 0}, 0),
+            values = maker.view_of({5.0f, 6.0f, 7.0f});
   const std::string sparse = fmt::format(
-      R"(,"sparse":{{"count":1,"indices":{{"bufferView":{},"componentType":5123}},"values":{{"bufferView":{}}}}})", places, values);
+      R"(,"sparse":{{"count":1,"indices":{{"bufferView":{},"componentType":5123}},"values":{{"bufferView":{}}}}})",
+      places, values);
   int accessor = maker.accessor(base, 0, 5126, 3, "VEC3", sparse);
   maker.primitives = fmt::format(R"({{"attributes":{{"POSITION":{}}}}})", accessor);
   EXPECT_TRUE(near(load(maker).parts[0].positions[1], {5, 6, 7}));

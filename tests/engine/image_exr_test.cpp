@@ -1,8 +1,8 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfMultiView.h>
 #include <ImfMultiPartOutputFile.h>
+#include <ImfMultiView.h>
 #include <ImfOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
@@ -37,11 +37,13 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 // Every value is exact in half floats.
 ImageF pattern(int width, int height) {
   ImageF image{width, height, {}};
-  for (int i = 0; i < width * height * 4; ++i) image.pixels.push_back(static_cast<float>((i * 37) % 1024) / 32.0f - 8.0f);
+  for (int i = 0; i < width * height * 4; ++i)
+    image.pixels.push_back(static_cast<float>((i * 37) % 1024) / 32.0f - 8.0f);
   return image;
 }
 
-// A file of float channels `names`, each holding 100 * x + y + its place in the list, x and y in data window coordinates.
+// A file of float channels `names`, each holding 100 * x + y + its place in the list, x and y in data window
+// coordinates.
 void write_channels(const std::filesystem::path& file, Imf::Header header, const std::vector<std::string>& names,
                     bool tiled = false) {
   const Imath::Box2i window = header.dataWindow();
@@ -69,11 +71,14 @@ void write_channels(const std::filesystem::path& file, Imf::Header header, const
   }
 }
 
-Imf::Header header_of(const Imath::Box2i& shown, const Imath::Box2i& data, Imf::Compression compression = Imf::ZIP_COMPRESSION) {
+Imf::Header header_of(const Imath::Box2i& shown, const Imath::Box2i& data,
+                      Imf::Compression compression = Imf::ZIP_COMPRESSION) {
   return Imf::Header(shown, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, compression);
 }
 
-Imath::Box2i box(int left, int top, int right, int bottom) { return {Imath::V2i(left, top), Imath::V2i(right, bottom)}; }
+Imath::Box2i box(int left, int top, int right, int bottom) {
+  return {Imath::V2i(left, top), Imath::V2i(right, bottom)};
+}
 
 float at(const ImageF& image, int x, int y, int channel) {
   return image.pixels[static_cast<std::size_t>((y * image.width + x) * 4 + channel)];
@@ -97,7 +102,8 @@ TEST(ExrFile, RoundTrip) {
 // Control: without the clamp the first value becomes infinite and the file is refused.
 TEST(ExrFile, LargeValuesAreClampedAndFaultyOnesKept) {
   ImageF image{1, 1, {1e6f, -1e6f, 65504.0f, 1e-9f}};
-  EXPECT_THAT(read_exr_from_memory(bytes_of(exr_bytes(image, "m")), "m").pixels, ElementsAre(65504.0f, -65504.0f, 65504.0f, 0.0f));
+  EXPECT_THAT(read_exr_from_memory(bytes_of(exr_bytes(image, "m")), "m").pixels,
+              ElementsAre(65504.0f, -65504.0f, 65504.0f, 0.0f));
   image.pixels = {std::nanf(""), std::numeric_limits<float>::infinity(), 1.0f, 1.0f};
   const std::string bytes = exr_bytes(image, "m");
   EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(bytes), "a.exr"); }),
@@ -121,7 +127,8 @@ TEST(ExrFile, ThePictureIsTheDisplayWindow) {
         const bool held = x + 10 <= 30 && y + 20 <= 100;
         const float base = held ? static_cast<float>(100 * (x + 10) + y + 20) : 0.0f;
         for (int c = 0; c < 4; ++c)
-          ASSERT_EQ(at(image, x, y, c), held ? base + static_cast<float>(3 - c) : 0.0f) << x << ' ' << y << ' ' << c << tiled;
+          ASSERT_EQ(at(image, x, y, c), held ? base + static_cast<float>(3 - c) : 0.0f)
+              << x << ' ' << y << ' ' << c << tiled;
       }
   }
   write_channels(folder / "b.exr", header_of(box(0, 0, 3, 3), box(100, 100, 103, 103)), {"R"});
@@ -147,7 +154,8 @@ TEST(ExrFile, MissingChannels) {
   EXPECT_THAT(error_of([&] { read_exr(folder / "a.exr"); }), HasSubstr("has: channels depth.Z left.R"));
 }
 
-// Control: with ZIP left out of the list nothing is compared; each compression that keeps floats must give the same values.
+// Control: with ZIP left out of the list nothing is compared; each compression that keeps floats must give the same
+// values.
 TEST(ExrFile, EveryCompression) {
   const TemporaryFolder folder;
   const Imath::Box2i window = box(-3, -7, 60, 300);
@@ -207,7 +215,8 @@ TEST(ExrFile, CutAnywhereIsRefused) {
   const std::string whole = exr_bytes(pattern(20, 40), "memory");
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(read_exr_from_memory(bytes_of(whole).first(size), "cut"), Error) << size;
-  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(whole).first(500), "cut.exr"); }), HasSubstr("cut.exr: is a broken EXR"));
+  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(whole).first(500), "cut.exr"); }),
+              HasSubstr("cut.exr: is a broken EXR"));
 }
 
 // Control: without check() in exr_header.cpp the last two are answered only after gigabytes are asked for.
@@ -223,12 +232,15 @@ TEST(ExrFile, HeadersThatLieAreRefused) {
     return bytes;
   };
   EXPECT_EQ(with_window(3, 3), good);
-  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(with_window(16384, 3)), "a"); }), HasSubstr("over 16384 a side"));
-  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(with_window(-1, 3)), "a"); }), HasSubstr("a window is missing or empty"));
+  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(with_window(16384, 3)), "a"); }),
+              HasSubstr("over 16384 a side"));
+  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(with_window(-1, 3)), "a"); }),
+              HasSubstr("a window is missing or empty"));
   EXPECT_THROW(read_exr_from_memory(bytes_of(with_window(16383, 16383)), "a"), Error);
   std::string wide = good;
   wide.replace(wide.find("chlist") + 7, 4, "\xff\xff\xff\x7f");
-  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(wide), "a"); }), HasSubstr("attribute channels is larger than the file"));
+  EXPECT_THAT(error_of([&] { read_exr_from_memory(bytes_of(wide), "a"); }),
+              HasSubstr("attribute channels is larger than the file"));
 }
 
 // Control: each check of exr_bytes taken out lets one of these through.

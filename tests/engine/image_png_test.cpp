@@ -20,15 +20,16 @@ using testing::HasSubstr;
 
 Image8 pattern(int width, int height, int channels) {
   Image8 image{width, height, channels, {}};
-  for (int i = 0; i < width * height * channels; ++i) image.pixels.push_back(static_cast<std::uint8_t>(i * 37 + i / 11));
+  for (int i = 0; i < width * height * channels; ++i)
+    image.pixels.push_back(static_cast<std::uint8_t>(i * 37 + i / 11));
   return image;
 }
 
 std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 // A PNG of another kind, by libpng's own writer.
-std::vector<std::uint8_t> other_png(unsigned format, int width, int height, const void* pixels, const void* palette = nullptr,
-                                    unsigned colours = 0) {
+std::vector<std::uint8_t> other_png(unsigned format, int width, int height, const void* pixels,
+                                    const void* palette = nullptr, unsigned colours = 0) {
   png_image image;
   std::memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
@@ -77,7 +78,8 @@ TEST(PngFile, OtherKindsBecomeRgbOrRgba) {
   image = read_png_from_memory(other_png(PNG_FORMAT_RGBA_COLORMAP, 2, 1, places, palette, 2), "palette");
   EXPECT_EQ(image.channels, 4);
   EXPECT_THAT(image.pixels, ElementsAre(40, 50, 60, 128, 10, 20, 30, 255));
-  const std::uint16_t linear[6] = {0, 65535, 13933, 65535, 0, 0};  // 16-bit linear light; 13933/65535 is sRGB 127.1; libpng takes 1/2.2: 126.1
+  const std::uint16_t linear[6] = {0, 65535, 13933, 65535,
+                                   0, 0};  // 16-bit linear light; 13933/65535 is sRGB 127.1; libpng takes 1/2.2: 126.1
   image = read_png_from_memory(other_png(PNG_FORMAT_LINEAR_RGB, 2, 1, linear), "linear");
   EXPECT_THAT(image.pixels, ElementsAre(0, 255, testing::AllOf(testing::Ge(126), testing::Le(128)), 255, 0, 0));
 }
@@ -87,14 +89,16 @@ TEST(PngFile, CutAnywhereIsRefused) {
   const std::vector<std::uint8_t> whole = png_bytes(pattern(9, 9, 3), "memory");
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(read_png_from_memory(std::span(whole).first(size), "cut"), Error) << size;
-  EXPECT_THAT(error_of([&] { read_png_from_memory(std::span(whole).first(40), "cut.png"); }), HasSubstr("cut.png: is a broken PNG"));
+  EXPECT_THAT(error_of([&] { read_png_from_memory(std::span(whole).first(40), "cut.png"); }),
+              HasSubstr("cut.png: is a broken PNG"));
 }
 
 // Control seen: a largest side that is one too many.
 TEST(PngFile, TheLargestSideIsRead) {
   const Image8 wide = pattern(largest_image_side, 1, 3);
   EXPECT_EQ(read_png_from_memory(png_bytes(wide, "memory"), "wide").pixels, wide.pixels);
-  EXPECT_EQ(read_png_from_memory(png_bytes(pattern(1, largest_image_side, 4), "memory"), "high").height, largest_image_side);
+  EXPECT_EQ(read_png_from_memory(png_bytes(pattern(1, largest_image_side, 4), "memory"), "high").height,
+            largest_image_side);
 }
 
 // Control: with the answer of png_image_finish_read ignored, damage to the pixels passes.

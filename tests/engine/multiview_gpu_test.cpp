@@ -11,8 +11,8 @@ namespace {
 
 class Multiview : public test::GpuTest {};
 
-// The project's own software driver, Mesa 25, draws multiview rightly; so do GPUs of today. Mesa 22.3 is the control: there
-// the check says no (seen by VK_DRIVER_FILES= with Debian's own driver), and this test is passed over.
+// The project's own software driver, Mesa 25, draws multiview rightly; so do GPUs of today. Mesa 22.3 is the control:
+// there the check says no (seen by VK_DRIVER_FILES= with Debian's own driver), and this test is passed over.
 TEST_F(Multiview, TheDriverThatTheProjectBringsPasses) {
   const std::string driver = test::device().facts().driver;
   const bool known_bad = driver.find("Mesa 22.") != std::string::npos;
@@ -27,12 +27,14 @@ TEST_F(Multiview, AWrongPictureIsSeen) {
   auto words = read_spirv(folder / "multiview_check.frag.spv");
   int swapped = 0;
   for (std::size_t at = 5; at < words.size(); at += words[at] >> 16)
-    if ((words[at] & 0xffffu) == 43 && (words[at + 3] == 0x3f800000u || words[at + 3] == 0u)) {  // OpConstant 1.0 or 0.0
+    if ((words[at] & 0xffffu) == 43 &&
+        (words[at + 3] == 0x3f800000u || words[at + 3] == 0u)) {  // OpConstant 1.0 or 0.0
       words[at + 3] ^= 0x3f800000u;
       ++swapped;
     }
   ASSERT_GE(swapped, 2);
-  write_atomically(folder / "multiview_check.frag.spv", std::string_view(reinterpret_cast<const char*>(words.data()), words.size() * 4));
+  write_atomically(folder / "multiview_check.frag.spv",
+                   std::string_view(reinterpret_cast<const char*>(words.data()), words.size() * 4));
   ShaderLibrary wrong(folder.path());
   EXPECT_FALSE(multiview_works(test::device(), wrong));
 }

@@ -17,22 +17,22 @@ namespace seascape {
 
 namespace {
 
-// A few facts about a module, read straight from its words (SPIR-V 1.3 specification, 2.3 and 3.32). No part of the code
-// under test.
+// A few facts about a module, read straight from its words (SPIR-V 1.3 specification, 2.3 and 3.32). No part of the
+// code under test.
 struct Module {
   explicit Module(const std::vector<std::uint32_t>& w) {
     for (std::size_t at = 5; at < w.size(); at += w[at] >> 16) {
       const std::uint32_t op = w[at] & 0xffffu, *a = &w[at] + 1;
       const std::size_t count = (w[at] >> 16) - 1;
       ++instructions;
-      if (op == 43 && count == 3) constants[a[1]] = a[2];                              // OpConstant
-      if (op >= 48 && op <= 52) ++specialisable;                                       // OpSpecConstant...
-      if (op == 71 && count >= 3 && a[1] == 1) specialisation_ids.insert(a[2]);        // OpDecorate SpecId
-      if (op == 71 && count >= 3 && a[1] == 33) bindings.insert(a[2]);                 // OpDecorate Binding
-      if (op == 72 && count >= 4 && a[2] == 35) members[{a[0], a[3]}] = a[1];          // OpMemberDecorate Offset
-      if (op == 48 || op == 49) flags.insert(a[1]);                                    // OpSpecConstantTrue, False
+      if (op == 43 && count == 3) constants[a[1]] = a[2];                        // OpConstant
+      if (op >= 48 && op <= 52) ++specialisable;                                 // OpSpecConstant...
+      if (op == 71 && count >= 3 && a[1] == 1) specialisation_ids.insert(a[2]);  // OpDecorate SpecId
+      if (op == 71 && count >= 3 && a[1] == 33) bindings.insert(a[2]);           // OpDecorate Binding
+      if (op == 72 && count >= 4 && a[2] == 35) members[{a[0], a[3]}] = a[1];    // OpMemberDecorate Offset
+      if (op == 48 || op == 49) flags.insert(a[1]);                              // OpSpecConstantTrue, False
       if (op == 71 && count >= 3 && a[1] == 1) ids[a[0]] = a[2];
-      if (op == 65) chains.emplace_back(a + 3, a + count);                             // OpAccessChain: indices
+      if (op == 65) chains.emplace_back(a + 3, a + count);  // OpAccessChain: indices
     }
   }
   // Whether anything of the frame's data at this offset is read: the block holds FrameData as its one member.
@@ -90,8 +90,10 @@ TEST(Specialisation, LeavesNothingOfDebugViewsWhereThereAreNone) {
 }
 
 TEST(Specialisation, TheProbeIsABindingOnlyWhereItIsAskedFor) {
-  EXPECT_THAT(Module(words("surface.vert", surface_values(true, true, false, false))).bindings, ::testing::Contains(8u));
-  EXPECT_THAT(Module(words("surface.vert", surface_values(false, true, false, false))).bindings, ::testing::Not(::testing::Contains(8u)));
+  EXPECT_THAT(Module(words("surface.vert", surface_values(true, true, false, false))).bindings,
+              ::testing::Contains(8u));
+  EXPECT_THAT(Module(words("surface.vert", surface_values(false, true, false, false))).bindings,
+              ::testing::Not(::testing::Contains(8u)));
 }
 
 // The library's reflection agrees with the words: a binding that is stripped is not asked for by a descriptor layout.
@@ -107,21 +109,38 @@ TEST(Specialisation, TheLibraryListsTheBindingsThatAreLeft) {
   }
 }
 
-// With every effect there is. A stage may have 16 samplers on many devices (the least of maxPerStageDescriptorSamplers, Vulkan 1.1, table 54). The control: an
-// image of the sea bound with a sampler of its own again is seen.
+// With every effect there is. A stage may have 16 samplers on many devices (the least of maxPerStageDescriptorSamplers,
+// Vulkan 1.1, table 54). The control: an image of the sea bound with a sampler of its own again is seen.
 TEST(Specialisation, AllEffectsTogetherShareFewSamplers) {
   std::vector<SpecValue> values = surface_values(false, true, true, true);
-  for (const auto& [constant, value] : {std::pair{7u, 5u}, {8u, 3u}, {10u, 1u}, {11u, 1u}, {12u, 1u}, {13u, 8u}, {14u, 1u}, {15u, 1u}, {16u, 1u}, {17u, 1u}, {18u, 3u}, {19u, 3u}, {21u, 1u}, {24u, 7u}, {28u, 1u}})
+  for (const auto& [constant, value] : {std::pair{7u, 5u},
+                                        {8u, 3u},
+                                        {10u, 1u},
+                                        {11u, 1u},
+                                        {12u, 1u},
+                                        {13u, 8u},
+                                        {14u, 1u},
+                                        {15u, 1u},
+                                        {16u, 1u},
+                                        {17u, 1u},
+                                        {18u, 3u},
+                                        {19u, 3u},
+                                        {21u, 1u},
+                                        {24u, 7u},
+                                        {28u, 1u}})
     values.push_back({constant, value});
   ShaderLibrary library;
   std::size_t images = 0;
-  for (const char* name : {"surface.vert", "surface.frag", "surface_clip.frag", "surface_points.frag", "surface_light.frag"}) {
+  for (const char* name :
+       {"surface.vert", "surface.frag", "surface_clip.frag", "surface_points.frag", "surface_light.frag"}) {
     std::size_t samplers = 0;
     for (const ShaderBinding& b : library.load(name, values)->bindings) {
       const bool combined = b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
       samplers += combined || b.type == VK_DESCRIPTOR_TYPE_SAMPLER;
       images += b.type == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-      EXPECT_FALSE(combined && (b.name.starts_with("sea_") || b.name.ends_with("_windows") || b.name.ends_with("_hulls"))) << name << ": " << b.name << " has a sampler of its own";
+      EXPECT_FALSE(combined &&
+                   (b.name.starts_with("sea_") || b.name.ends_with("_windows") || b.name.ends_with("_hulls")))
+          << name << ": " << b.name << " has a sampler of its own";
     }
     EXPECT_LE(samplers, 6u) << name;  // two of the sea, and of the sky's map and of stored points
   }
@@ -132,7 +151,8 @@ TEST(Specialisation, AllEffectsTogetherShareFewSamplers) {
 TEST(Specialisation, EveryCombinationOfFlagsIsValid) {
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
   std::string fault;
-  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { fault = text; });
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { fault = text; });
   int modules = 0;
   for (const auto& entry : std::filesystem::directory_iterator(ShaderLibrary::default_directory())) {
     if (entry.path().extension() != ".spv") continue;
@@ -147,7 +167,9 @@ TEST(Specialisation, EveryCombinationOfFlagsIsValid) {
     for (unsigned chosen = 0; chosen <= all; ++chosen) {
       // Of many none, each, a third of the pairs (each with SEASCAPE_LONG=1) and all.
       if (flags.size() > 6u && std::popcount(chosen) > 2 && chosen != all) continue;
-      if (flags.size() > 6u && std::popcount(chosen) == 2 && std::getenv("SEASCAPE_LONG") == nullptr && (std::countr_zero(chosen) + std::bit_width(chosen)) % 3 != 0) continue;
+      if (flags.size() > 6u && std::popcount(chosen) == 2 && std::getenv("SEASCAPE_LONG") == nullptr &&
+          (std::countr_zero(chosen) + std::bit_width(chosen)) % 3 != 0)
+        continue;
       std::vector<SpecValue> values;
       for (std::size_t i = 0; i < flags.size(); ++i) values.push_back({flags[i], chosen >> i & 1u});
       const auto result = specialise(raw, values, name);

@@ -15,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::reads([&] {
     try {
       const Arguments arguments = parse_arguments(words);
-      fuzz::require(arguments.width >= 0 && arguments.width <= 16384 && arguments.height <= 16384, "sizes are in range");
+      fuzz::require(arguments.width >= 0 && arguments.width <= 16384 && arguments.height <= 16384,
+                    "sizes are in range");
       fuzz::require(arguments.fps >= 0.1 && arguments.fps <= 1000.0, "rates are in range");
       fuzz::require((arguments.command == Command::text) == !arguments.text.empty(), "help has a text");
     } catch (const Error& fault) {

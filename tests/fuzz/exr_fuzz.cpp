@@ -7,7 +7,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const seascape::ImageF image = seascape::read_exr_from_memory({data, size}, "input", seascape::Values::any);
-    if (image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4) std::abort();
+    if (image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4)
+      std::abort();
   } catch (const seascape::Error&) {
   }
   return 0;

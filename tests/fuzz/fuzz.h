@@ -1,6 +1,6 @@
-// What every fuzz target asks of a reader: it returns, or throws an Error that is one clear line. Seen to be caught: line breaks
-// passed through in_quotes (command_line), no bound on coordinates (csv), no lower bound of settings (scene), six digits in a
-// written path (camera_path), seas written without quotes (curves).
+// What every fuzz target asks of a reader: it returns, or throws an Error that is one clear line. Seen to be caught:
+// line breaks passed through in_quotes (command_line), no bound on coordinates (csv), no lower bound of settings
+// (scene), six digits in a written path (camera_path), seas written without quotes (curves).
 #pragma once
 #include <cstdint>
 #include <cstdio>
@@ -26,7 +26,8 @@ bool reads(Read&& read) {
     return true;
   } catch (const Error& fault) {
     const std::string_view line = fault.what();
-    require(line.find('\n') == std::string_view::npos && line.find('\0') == std::string_view::npos, "an error is one line");
+    require(line.find('\n') == std::string_view::npos && line.find('\0') == std::string_view::npos,
+            "an error is one line");
     require(line.size() < 4000, "an error is short");
     require(!fault.fault().empty() && !fault.remedy().empty(), "an error says what is wrong and what to do");
     require(fault.exit_code() == 1 || fault.exit_code() == 2, "the exit code is 1 or 2");

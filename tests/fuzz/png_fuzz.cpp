@@ -1,5 +1,5 @@
-// Any bytes as a PNG, as they are and with the check sums of their chunks mended (or few would get past those): an Error or
-// a picture of the size it states, nothing else.
+// Any bytes as a PNG, as they are and with the check sums of their chunks mended (or few would get past those): an
+// Error or a picture of the size it states, nothing else.
 #include <cstdlib>
 
 #include "engine/error.h"

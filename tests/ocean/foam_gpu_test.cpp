@@ -18,25 +18,41 @@ using Set = std::vector<std::pair<std::string, std::string>>;
 
 class DrawnFoamWindows : public test::GpuTest {};
 
-// Every texel of every slice, as half floats, after steps, a walk, changes of height by octaves and a jump of the time. Controls seen: a slice that is copied once and then
-// never again; a layer filled with the slice of its own number.
+// Every texel of every slice, as half floats, after steps, a walk, changes of height by octaves and a jump of the time.
+// Controls seen: a slice that is copied once and then never again; a layer filled with the slice of its own number.
 TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
-  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "18"}};
-  SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
+  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"},  {"foam.levels", "3"},
+                {"foam.settle_s", "1"},     {"waves.resolution", "64"}, {"waves.wind_speed_mps", "18"}};
+  SeaShot shot({.scene = "open_sea",
+                .preset = "medium",
+                .width = 48,
+                .height = 32,
+                .set = set,
+                .effects = std::vector<std::string>{"waves", "foam"}});
   std::set<int> octaves;
   struct Moment {
     double time_s;
     glm::dvec3 at;
   };
-  for (const Moment& moment : {Moment{5.0, {0.0, 3.0, 0.0}}, {5.1, {0.0, 3.0, 0.0}}, {5.2, {2.3, 3.0, -1.1}}, {5.3, {7.0, 3.0, 4.0}}, {5.35, {7.0, 40.0, 4.0}}, {5.5, {9.0, 5.0, 4.0}},
-                               {90.0, {9.0, 5.0, 4.0}}, {90.2, {300.0, 5.0, -80.0}}, {90.4, {300.0, 60.0, -80.0}}, {90.6, {300.0, 110.0, -80.0}}, {90.8, {300.0, 110.0, -80.0}}}) {
+  for (const Moment& moment : {Moment{5.0, {0.0, 3.0, 0.0}},
+                               {5.1, {0.0, 3.0, 0.0}},
+                               {5.2, {2.3, 3.0, -1.1}},
+                               {5.3, {7.0, 3.0, 4.0}},
+                               {5.35, {7.0, 40.0, 4.0}},
+                               {5.5, {9.0, 5.0, 4.0}},
+                               {90.0, {9.0, 5.0, 4.0}},
+                               {90.2, {300.0, 5.0, -80.0}},
+                               {90.4, {300.0, 60.0, -80.0}},
+                               {90.6, {300.0, 110.0, -80.0}},
+                               {90.8, {300.0, 110.0, -80.0}}}) {
     shot.draw(pose(moment.at, 0.0, -20.0), moment.time_s);
     const DrawnFoam* drawn = shot.experience().ocean().foam();
     ASSERT_NE(drawn, nullptr);
     const LodField<float>& field = drawn->sea().foam().field();
     double most = 0.0;
     for (int slice = 0; slice < field.slices(); ++slice) {
-      const std::vector<std::uint8_t> got = read_image(test::device(), drawn->windows(), std::uint32_t(field.layer(slice)));
+      const std::vector<std::uint8_t> got =
+          read_image(test::device(), drawn->windows(), std::uint32_t(field.layer(slice)));
       std::vector<std::uint16_t> want(64 * 64);
       halves_from_floats(field.texels(slice), want.data(), want.size());
       ASSERT_EQ(got.size(), want.size() * 2);
@@ -49,8 +65,8 @@ TEST_F(DrawnFoamWindows, HoldTheProcessorsFoam) {
   EXPECT_EQ(octaves.size(), 3u) << "each layer was slice 0's at some height";
 }
 
-// A round slick of foam on calm water, from straight above: white within, as without it beyond, where its rest position lies, in both frame shapes. Control seen: x and z
-// changed about.
+// A round slick of foam on calm water, from straight above: white within, as without it beyond, where its rest position
+// lies, in both frame shapes. Control seen: x and z changed about.
 TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   constexpr int width = 160, height = 120;
   InputSpec input;
@@ -58,19 +74,31 @@ TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   input.value.x = 50.0f;
   input.shape = AreaInput{.round = true, .at_m = {6.0, 0.0}, .size_m = {24.0, 10.0}};
   for (const char* msaa : {"1", "4"}) {
-    const Set set{{"msaa", msaa}, {"waves.wind_speed_mps", "0"}, {"foam.texel_m", "0.25"}, {"foam.resolution", "256"}, {"sky.sun_elevation_deg", "40"}};
+    const Set set{{"msaa", msaa},
+                  {"waves.wind_speed_mps", "0"},
+                  {"foam.texel_m", "0.25"},
+                  {"foam.resolution", "256"},
+                  {"sky.sun_elevation_deg", "40"}};
     const auto shot_of = [&](std::vector<std::string> effects) {
-      return SeaShot({.scene = "calm", .preset = "high", .width = width, .height = height, .set = set, .effects = std::move(effects), .inputs = {input}});
+      return SeaShot({.scene = "calm",
+                      .preset = "high",
+                      .width = width,
+                      .height = height,
+                      .set = set,
+                      .effects = std::move(effects),
+                      .inputs = {input}});
     };
     SeaShot with = shot_of({"waves", "foam"}), without = shot_of({"waves"});
     const Viewpoint view = with.viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
     const Image8 white = with.picture(view, 4.0), plain = without.picture(view, 4.0);
     // Metres a pixel on the level sea, straight down.
-    const double metres = 2.0 * 30.0 * std::tan(glm::radians(0.5 * with.scene().settings.render.vertical_fov_deg)) / height;
+    const double metres =
+        2.0 * 30.0 * std::tan(glm::radians(0.5 * with.scene().settings.render.vertical_fov_deg)) / height;
     int within = 0, beyond = 0;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        const glm::dvec2 place((x + 0.5 - width / 2) * metres, (y + 0.5 - height / 2) * metres), off = (place - glm::dvec2(6.0, 0.0)) / glm::dvec2(12.0, 5.0);
+        const glm::dvec2 place((x + 0.5 - width / 2) * metres, (y + 0.5 - height / 2) * metres),
+            off = (place - glm::dvec2(6.0, 0.0)) / glm::dvec2(12.0, 5.0);
         const std::size_t i = std::size_t(y * width + x);
         const glm::dvec3 p = test::light_at(plain, i), w = test::light_at(white, i);
         if (glm::length(off) < 0.85) {
@@ -86,7 +114,8 @@ TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   }
 }
 
-// Steep waves along a curve leave foam where they run and nowhere else; without the effect nothing of it. Control seen: a sea of foam that is made without them, as it was once.
+// Steep waves along a curve leave foam where they run and nowhere else; without the effect nothing of it. Control seen:
+// a sea of foam that is made without them, as it was once.
 TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
   if (!test::device().facts().float32_linear) GTEST_SKIP() << "this device leaves such waves out";
   InputSpec curve;
@@ -94,21 +123,37 @@ TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
   curve.value.x = 1.0f;
   curve.feather_m = 4.0;
   SplineInput spline;
-  for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(0, -24), glm::dvec2(90, -20)}) spline.points.push_back({at, 30.0, curve.value});
+  for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(0, -24), glm::dvec2(90, -20)})
+    spline.points.push_back({at, 30.0, curve.value});
   curve.shape = spline;
-  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"foam.levels", "3"}, {"foam.settle_s", "1"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"},
-                {"gerstner.set1_shore", "true"}, {"gerstner.set1_height_m", "3"}, {"gerstner.set1_wavelength_m", "14"}};
+  const Set set{{"foam.simulated", "true"},
+                {"foam.resolution", "64"},
+                {"foam.levels", "3"},
+                {"foam.settle_s", "1"},
+                {"waves.resolution", "64"},
+                {"waves.wind_speed_mps", "0"},
+                {"waves.swell_height_m", "0"},
+                {"gerstner.set1_shore", "true"},
+                {"gerstner.set1_height_m", "3"},
+                {"gerstner.set1_wavelength_m", "14"}};
   for (const bool with : {true, false}) {
     std::vector<std::string> effects{"waves", "foam"};
     if (with) effects.emplace_back("gerstner");
-    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = effects, .inputs = {curve}});
+    SeaShot shot({.scene = "open_sea",
+                  .preset = "medium",
+                  .width = 48,
+                  .height = 32,
+                  .set = set,
+                  .effects = effects,
+                  .inputs = {curve}});
     for (int i = 0; i < 24; ++i) shot.draw(pose({0.0, 3.0, 0.0}, 0.0, -20.0), 5.0 + i / 12.0);
     const LodField<float>& field = shot.experience().ocean().foam()->sea().foam().field();
     double within = 0.0, beyond = 0.0;
     field.each(1, [&](LodIndex w) {
       const glm::dvec2 at = field.middle(1, w);
       double& most = std::abs(at.y + 23.0) < 12.0 ? within : beyond;
-      if (std::abs(std::abs(at.y + 23.0) - 16.0) > 2.0 || &most == &within) most = std::max(most, double(field.texel(1, w)));
+      if (std::abs(std::abs(at.y + 23.0) - 16.0) > 2.0 || &most == &within)
+        most = std::max(most, double(field.texel(1, w)));
     });
     if (with) {
       EXPECT_GT(within, 0.1);
@@ -119,12 +164,22 @@ TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {
   }
 }
 
-// A storm draws the lace out along the wind, and it stays where it lies on the water when the grid origin moves on with the viewer, 400 km from the world's; below
-// Beaufort 6 it is as it was laid. Controls seen: an origin that is not drawn out; the wide laying's origin drawn out as the others.
+// A storm draws the lace out along the wind, and it stays where it lies on the water when the grid origin moves on with
+// the viewer, 400 km from the world's; below Beaufort 6 it is as it was laid. Controls seen: an origin that is not
+// drawn out; the wide laying's origin drawn out as the others.
 TEST_F(DrawnFoamWindows, LaceIsDrawnOutByTheWindAndStaysWhereItLies) {
   for (const double wind_mps : {8.0, 24.0}) {
-    const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"waves.resolution", "64"}, {"waves.wind_speed_mps", std::to_string(wind_mps)}, {"waves.wind_to_deg", "70"}};
-    SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
+    const Set set{{"foam.simulated", "true"},
+                  {"foam.resolution", "64"},
+                  {"waves.resolution", "64"},
+                  {"waves.wind_speed_mps", std::to_string(wind_mps)},
+                  {"waves.wind_to_deg", "70"}};
+    SeaShot shot({.scene = "open_sea",
+                  .preset = "medium",
+                  .width = 48,
+                  .height = 32,
+                  .set = set,
+                  .effects = std::vector<std::string>{"waves", "foam"}});
     const glm::dvec2 place(4e5, -3e5), blown(std::sin(glm::radians(70.0)), -std::cos(glm::radians(70.0)));
     // Where in its tile each laying has a place, as shaders/lib/foam.glsl finds it.
     const auto layings = [&](const glm::dvec2& at, const glm::dvec2& origin) {
@@ -135,24 +190,40 @@ TEST_F(DrawnFoamWindows, LaceIsDrawnOutByTheWindAndStaysWhereItLies) {
       const glm::dvec2 lace = drawn_out(data.wind.z), wide = drawn_out(data.wind.w);
       const double c = double(gpu::foam_turn_cos), s = double(gpu::foam_turn_sin);
       return std::array{lace / double(gpu::foam_side_m) + glm::dvec2(data.origin.x, data.origin.y),
-                        glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m) + glm::dvec2(data.origin.z, data.origin.w),
-                        glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m) + glm::dvec2(data.look.x, data.look.y)};
+                        glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m) +
+                            glm::dvec2(data.origin.z, data.origin.w),
+                        glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m) +
+                            glm::dvec2(data.look.x, data.look.y)};
     };
-    const auto before = layings(place, place + glm::dvec2(7.0, -13.0)), after = layings(place, place + glm::dvec2(-21.0, 40.0));
-    const auto along = layings(place + 1.0 * blown, place), across = layings(place + glm::dvec2(-blown.y, blown.x), place), there = layings(place, place);
+    const auto before = layings(place, place + glm::dvec2(7.0, -13.0)),
+               after = layings(place, place + glm::dvec2(-21.0, 40.0));
+    const auto along = layings(place + 1.0 * blown, place),
+               across = layings(place + glm::dvec2(-blown.y, blown.x), place), there = layings(place, place);
     for (std::size_t laying = 0; laying < 3; ++laying) {
       const glm::dvec2 off = before[laying] - after[laying];
       EXPECT_LT(glm::length(off - glm::round(off)), 1e-4) << laying << ", " << wind_mps << " m/s";
-      const double drawn = glm::length(across[laying] - there[laying]) / glm::length(along[laying] - there[laying]), want = wind_mps < 9.0 ? 1.0 : laying == 2 ? 5.5 : 2.3;
+      const double drawn = glm::length(across[laying] - there[laying]) / glm::length(along[laying] - there[laying]),
+                   want = wind_mps < 9.0 ? 1.0
+                          : laying == 2  ? 5.5
+                                         : 2.3;
       EXPECT_NEAR(drawn, want, 0.1 * want * double(want > 1.0) + 1e-5) << laying << ", " << wind_mps << " m/s";
     }
   }
 }
 
-// Where the sea is still and nobody foams it, the effect costs no pass after its first frame. Control seen: a copy in every frame.
+// Where the sea is still and nobody foams it, the effect costs no pass after its first frame. Control seen: a copy in
+// every frame.
 TEST_F(DrawnFoamWindows, RestWhereNothingFoams) {
-  const Set set{{"foam.simulated", "true"}, {"foam.resolution", "64"}, {"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"}};
-  SeaShot shot({.scene = "open_sea", .preset = "medium", .width = 48, .height = 32, .set = set, .effects = std::vector<std::string>{"waves", "foam"}});
+  const Set set{{"foam.simulated", "true"},
+                {"foam.resolution", "64"},
+                {"waves.wind_speed_mps", "0"},
+                {"waves.swell_height_m", "0"}};
+  SeaShot shot({.scene = "open_sea",
+                .preset = "medium",
+                .width = 48,
+                .height = 32,
+                .set = set,
+                .effects = std::vector<std::string>{"waves", "foam"}});
   shot.draw(pose({0.0, 3.0, 0.0}, 0.0, -10.0), 1.0);
   for (int i = 1; i < 6; ++i) {
     shot.draw(pose({0.3 * i, 3.0, 0.0}, 0.0, -10.0), 1.0 + 0.1 * i);

@@ -46,9 +46,11 @@ double percentile(std::vector<double> values, double share) {
 struct Steps {
   std::vector<double> moved;  // the surface at equal rest position, in pixels of the bars' display
   std::vector<double> lit;    // its light where it is shown in both, reprojected by depth, 0 to 1
-  std::vector<double> held;   // the same with the mesh held as the frame before had it, of frames that change more than three times the median
+  std::vector<double> held;   // the same with the mesh held as the frame before had it, of frames that change more than
+                              // three times the median
   double most_moved = 0.0;    // of any pixel of any frame
-  double most_popped = 0.0;   // how far any pixel's point of any frame is from the surface of the frame before, in the same pixels
+  double most_popped =
+      0.0;  // how far any pixel's point of any frame is from the surface of the frame before, in the same pixels
 };
 double median(const std::vector<double>& of) { return percentile(of, 0.5); }
 double worst(const std::vector<double>& of) { return *std::max_element(of.begin(), of.end()); }
@@ -57,24 +59,28 @@ double slide(const std::vector<double>& of, std::size_t n) {
   constexpr std::size_t frames = 4;
   double most = 0.0;
   for (std::size_t first = n - std::min(n, frames - 1); first <= n && first + frames <= of.size(); ++first)
-    most = std::max(most, *std::min_element(of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(first + frames)));
+    most = std::max(most,
+                    *std::min_element(of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(first + frames)));
   return most;
 }
-// The greatest over the median of the glide or, in one that rises to where nothing moves any more, of the 20 frames about it. What is
-// below `floor` is no spike, nor what the mesh has no part in: where it is `held` the same is seen but for a tenth (wet light on crests that come into
-// view is finer than pixels are, and reprojection does not keep it).
+// The greatest over the median of the glide or, in one that rises to where nothing moves any more, of the 20 frames
+// about it. What is below `floor` is no spike, nor what the mesh has no part in: where it is `held` the same is seen
+// but for a tenth (wet light on crests that come into view is finer than pixels are, and reprojection does not keep
+// it).
 double spike(const std::vector<double>& of, double floor, const std::vector<double>& held = {}, bool slides = false) {
   double most = 0.0;
   for (std::size_t n = 0; n < of.size(); ++n) {
     const std::size_t first = of.size() <= 100 || n < 10 ? 0 : std::min(n - 10, of.size() - 21);
     const std::size_t end = of.size() <= 100 ? of.size() : first + 21;
     if (!(of[n] > floor) || (n < held.size() && of[n] <= 1.1 * held[n])) continue;
-    most = std::max(most, of[n] / std::max(median({of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(end)}), slides ? slide(of, n) : 0.0));
+    most =
+        std::max(most, of[n] / std::max(median({of.begin() + std::ptrdiff_t(first), of.begin() + std::ptrdiff_t(end)}),
+                                        slides ? slide(of, n) : 0.0));
   }
   return most;
 }
-// Of how far the surface moves. A tenth of ultra's pixel is no spike, nor is a slide: a viewer who climbs 3 % a frame sees a level go in seven frames or in four, and
-// none between some two.
+// Of how far the surface moves. A tenth of ultra's pixel is no spike, nor is a slide: a viewer who climbs 3 % a frame
+// sees a level go in seven frames or in four, and none between some two.
 double jump(const std::vector<double>& moved) { return spike(moved, 0.1, {}, true); }
 
 struct Shot {
@@ -104,19 +110,22 @@ void compare(const Shot& before, const Shot& now, Steps& steps) {
     }
     // Where the frame before showed the point that this pixel shows, unless something stood in front of it there.
     const glm::dvec3 then = before.mesh.seen(now.shown[i].point.at);
-    const double x = (then.x - fov.left) / (fov.right - fov.left) * width - 0.5, y = (fov.up - then.y) / (fov.up - fov.down) * height - 0.5;
+    const double x = (then.x - fov.left) / (fov.right - fov.left) * width - 0.5,
+                 y = (fov.up - then.y) / (fov.up - fov.down) * height - 0.5;
     if (then.z <= 0.0 || !(x >= 0.0 && y >= 0.0 && x < width - 1 && y < height - 1)) continue;
     glm::dvec3 light(0.0);
     bool hidden = false;
     for (int corner = 0; corner < 4; ++corner) {
       const std::size_t at = std::size_t(int(y) + corner / 2) * width + std::size_t(int(x) + corner % 2);
-      const double fx = x - std::floor(x), fy = y - std::floor(y), share = (corner % 2 ? fx : 1.0 - fx) * (corner / 2 ? fy : 1.0 - fy);
+      const double fx = x - std::floor(x), fy = y - std::floor(y),
+                   share = (corner % 2 ? fx : 1.0 - fx) * (corner / 2 ? fy : 1.0 - fy);
       hidden = hidden || !before.shown[at].any || std::abs(before.shown[at].depth / then.z - 1.0) > 0.05;
       for (int c = 0; c < 3; ++c) light[c] += share * double(before.light.pixels[4 * at + std::size_t(c)]);
     }
     if (hidden) continue;
     double most = 0.0;
-    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(light[c] - double(now.light.pixels[4 * i + std::size_t(c)])));
+    for (int c = 0; c < 3; ++c)
+      most = std::max(most, std::abs(light[c] - double(now.light.pixels[4 * i + std::size_t(c)])));
     lit.push_back(most);
   }
   // None is farther from the surface than from where its own point of it stood: those that moved most are asked first.
@@ -137,7 +146,8 @@ void compare(const Shot& before, const Shot& now, Steps& steps) {
 using Path = std::function<Pose(int frame)>;
 
 // `between` may change the shot before frame n is drawn.
-Steps glide(SeaShot& shot, const Path& path, int frames, const std::function<void(int)>& between = [](int) {}) {
+Steps glide(
+    SeaShot& shot, const Path& path, int frames, const std::function<void(int)>& between = [](int) {}) {
   std::optional<Shot> before;
   Steps steps;
   const auto shoot = [&](const Pose& head) {
@@ -167,10 +177,20 @@ Steps glide(SeaShot& shot, const Path& path, int frames, const std::function<voi
   return steps;
 }
 
-// No glitter: its sparks, which come and go with every step, would hide all else. Everything else of the light is there.
-SeaShot sea_of(const std::string& scene, const std::string& preset, const std::string& size_m, const std::string& join) {
-  return SeaShot({.scene = scene, .preset = preset, .width = width, .height = height, .probe = true,
-                  .set = {{"waves.resolution", "64"}, {"water.glitter", "0"}, {"frame.shape", "tile"}, {"lod.ocean_size_m", size_m}, {"lod.join", join}}});
+// No glitter: its sparks, which come and go with every step, would hide all else. Everything else of the light is
+// there.
+SeaShot sea_of(const std::string& scene, const std::string& preset, const std::string& size_m,
+               const std::string& join) {
+  return SeaShot({.scene = scene,
+                  .preset = preset,
+                  .width = width,
+                  .height = height,
+                  .probe = true,
+                  .set = {{"waves.resolution", "64"},
+                          {"water.glitter", "0"},
+                          {"frame.shape", "tile"},
+                          {"lod.ocean_size_m", size_m},
+                          {"lod.join", join}}});
 }
 
 struct NamedPath {
@@ -182,14 +202,28 @@ struct NamedPath {
 std::vector<NamedPath> paths(double low_m, const glm::dvec2& from = {0.0, 0.0}) {
   const int frames = long_run() ? 100 : 60, climb = long_run() ? 240 : 60;
   const double rise = (long_run() ? 2e4 : 100.0) / low_m;
-  return {{"forward", [=](int n) { return pose({from.x + 0.12 * n, low_m, from.y - 0.07 * n}, 20.0, -8.0); }, frames},
-          {"climbing", [=](int n) { return pose({from.x + 0.05 * n, low_m * std::pow(rise, double(n) / climb), from.y + 0.1 * n}, 60.0, -20.0); }, climb},
-          {"turning", [=](int n) { return pose({from.x + 0.05 * n, low_m + 1.0, from.y - 0.13 * n}, 200.0 + 1.1 * n, -12.0, 0.3 * n); }, frames}};
+  return {{"forward",
+           [=](int n) {
+             return pose({from.x + 0.12 * n, low_m, from.y - 0.07 * n}, 20.0, -8.0);
+           },
+           frames},
+          {"climbing",
+           [=](int n) {
+             return pose({from.x + 0.05 * n, low_m * std::pow(rise, double(n) / climb), from.y + 0.1 * n}, 60.0, -20.0);
+           },
+           climb},
+          {"turning",
+           [=](int n) {
+             return pose({from.x + 0.05 * n, low_m + 1.0, from.y - 0.13 * n}, 200.0 + 1.1 * n, -12.0, 0.3 * n);
+           },
+           frames}};
 }
 
 std::string told(const Steps& s) {
-  return std::to_string(median(s.moved)) + " pixels, at most " + std::to_string(worst(s.moved)) + ", any " + std::to_string(s.most_moved) + ", popped " + std::to_string(s.most_popped) + ", spike " +
-         std::to_string(spike(s.moved, 0.0)) + ", jump " + std::to_string(jump(s.moved)) + "; light " + std::to_string(median(s.lit)) + ", spike " + std::to_string(spike(s.lit, 0.0, s.held));
+  return std::to_string(median(s.moved)) + " pixels, at most " + std::to_string(worst(s.moved)) + ", any " +
+         std::to_string(s.most_moved) + ", popped " + std::to_string(s.most_popped) + ", spike " +
+         std::to_string(spike(s.moved, 0.0)) + ", jump " + std::to_string(jump(s.moved)) + "; light " +
+         std::to_string(median(s.lit)) + ", spike " + std::to_string(spike(s.lit, 0.0, s.held));
 }
 
 // A preset with the bars' pixels, and a sea.
@@ -202,8 +236,10 @@ void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.preset << ' ' <
 std::vector<Kind> kinds() {
   if (!long_run()) return {{"low", 8.0, "open_sea", "4096"}, {"high", 2.0, "open_sea", "4096"}};
   std::vector<Kind> all;
-  for (const auto& [preset, pixels] : {std::pair("low", 8.0), std::pair("medium", 4.0), std::pair("high", 2.0), std::pair("ultra", 1.0)})
-    for (const auto& [scene, size] : {std::pair("open_sea", "4096"), std::pair("open_sea", "256"), std::pair("storm", "8192"), std::pair("storm", "256")})
+  for (const auto& [preset, pixels] :
+       {std::pair("low", 8.0), std::pair("medium", 4.0), std::pair("high", 2.0), std::pair("ultra", 1.0)})
+    for (const auto& [scene, size] : {std::pair("open_sea", "4096"), std::pair("open_sea", "256"),
+                                      std::pair("storm", "8192"), std::pair("storm", "256")})
       all.push_back({preset, pixels, scene, size});
   return all;
 }
@@ -224,12 +260,13 @@ INSTANTIATE_TEST_SUITE_P(Seas, GlideAt, ::testing::ValuesIn(kinds()), [](const a
   return std::string(p.param.preset) + "_" + p.param.scene + "_" + p.param.size;
 });
 
-// Where vertices slide, no frame changes the surface or its light three times as much as frames about it do. The surface is the harder
-// of the two: see the planted pop. Controls seen: nodes that split only below the height from which
-// the water's motion is seen (low, climbing: 4.2 pixels at once, 4.6 times the median), a tree of the ocean's 256 m alone, which takes its skirt along when its centre moves on
-// (climbing, 26 times the median at low and 32 at high), one that ends at half of the skirt's multiplier of ocean sizes (storm on 256 m, climbing: 33 times at
-// ultra, 1.4 pixels; 3.4 at high), and what vertices average found of the finest level nearer than the viewer, level by level (storm, climbing: the whole picture at once, 8.4 times at low);
-// and APlantedPopIsCaught.
+// Where vertices slide, no frame changes the surface or its light three times as much as frames about it do. The
+// surface is the harder of the two: see the planted pop. Controls seen: nodes that split only below the height from
+// which the water's motion is seen (low, climbing: 4.2 pixels at once, 4.6 times the median), a tree of the ocean's 256
+// m alone, which takes its skirt along when its centre moves on (climbing, 26 times the median at low and 32 at high),
+// one that ends at half of the skirt's multiplier of ocean sizes (storm on 256 m, climbing: 33 times at ultra, 1.4
+// pixels; 3.4 at high), and what vertices average found of the finest level nearer than the viewer, level by level
+// (storm, climbing: the whole picture at once, 8.4 times at low); and APlantedPopIsCaught.
 TEST_P(GlideAt, NothingPopsOrSwims) {
   each("morphed", [&](const Steps& s, const std::string& what) {
     EXPECT_LE(spike(s.lit, 0.0, s.held), 3.0) << what;
@@ -238,13 +275,15 @@ TEST_P(GlideAt, NothingPopsOrSwims) {
   });
 }
 
-// Where edges are masked a level comes or goes at once: no pixel's point of the water by more than the preset's pixels, along the surface or off it.
-// Control seen: nodes that split where morphed ones do (5.6 pixels at medium, 2.5 at high, all but 3.1 and 1.5 of it along the surface).
+// Where edges are masked a level comes or goes at once: no pixel's point of the water by more than the preset's pixels,
+// along the surface or off it. Control seen: nodes that split where morphed ones do (5.6 pixels at medium, 2.5 at high,
+// all but 3.1 and 1.5 of it along the surface).
 TEST_P(GlideAt, MaskedJoinsPopByNoMoreThanThePresetsPixels) {
   each("masked", [](const Steps& s, const std::string& what) { EXPECT_LE(s.most_moved, GetParam().pixels) << what; });
 }
 
-// The control of what counts as the mesh's doing: a spike that is there with the mesh held is not, one that is half gone then is.
+// The control of what counts as the mesh's doing: a spike that is there with the mesh held is not, one that is half
+// gone then is.
 TEST(GlideRule, ASpikeThatTheMeshMakesCounts) {
   const std::vector<double> of{1.0, 1.1, 0.9, 5.0, 1.0}, held{0.0, 0.0, 0.0, 4.8, 0.0}, half{0.0, 0.0, 0.0, 2.5, 0.0};
   EXPECT_LE(spike(of, 0.0, held), 3.0);
@@ -252,7 +291,8 @@ TEST(GlideRule, ASpikeThatTheMeshMakesCounts) {
   EXPECT_GT(spike(of, 0.0), 3.0);
 }
 
-// What comes and goes within three frames is a jump, in one, two or three; over four it is a slide, unless one of these does thrice what the others do.
+// What comes and goes within three frames is a jump, in one, two or three; over four it is a slide, unless one of these
+// does thrice what the others do.
 TEST(GlideRule, ASlideIsNoJump) {
   for (int frames = 1; frames <= 5; ++frames) {
     std::vector<double> of(60, 0.04);
@@ -279,7 +319,8 @@ TEST_F(Glide, APlantedPopIsCaught) {
   EXPECT_GT(jump(popped.moved), 3.0) << told(popped);
 }
 
-// Hard case 15 as it is drawn: a thousand kilometres from the origin nothing trembles either. Controls: those of the glides above.
+// Hard case 15 as it is drawn: a thousand kilometres from the origin nothing trembles either. Controls: those of the
+// glides above.
 TEST_F(Glide, hard_15_nothing_trembles_a_million_metres_away) {
   SeaShot shot = sea_of("open_sea", "low", "4096", "morphed");
   for (const NamedPath& p : paths(2.5, {1e6 + 0.3, -1e6 - 0.7})) {
@@ -291,11 +332,16 @@ TEST_F(Glide, hard_15_nothing_trembles_a_million_metres_away) {
   }
 }
 
-// A camera at rest over a sea that stands still draws the same bytes, in both shapes of the frame and by either way to the waves. The
-// control: a millimetre is seen.
+// A camera at rest over a sea that stands still draws the same bytes, in both shapes of the frame and by either way to
+// the waves. The control: a millimetre is seen.
 TEST_F(Glide, ARestingCameraDrawsIdenticalFrames) {
-  for (const auto& [preset, where] : {std::pair("low", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("ultra", "gpu")}) {
-    SeaShot shot({.scene = "storm", .preset = preset, .width = 160, .height = 120, .set = {{"waves.resolution", "64"}, {"waves.where", where}}});
+  for (const auto& [preset, where] :
+       {std::pair("low", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("ultra", "gpu")}) {
+    SeaShot shot({.scene = "storm",
+                  .preset = preset,
+                  .width = 160,
+                  .height = 120,
+                  .set = {{"waves.resolution", "64"}, {"waves.where", where}}});
     const Pose rest = pose({1234.5, 9.0, -77.7}, 33.0, -9.0, 4.0), off = pose({1234.501, 9.0, -77.7}, 33.0, -9.0, 4.0);
     const Image8 first = shot.picture(rest, time_s);
     for (int n = 0; n < 5; ++n) EXPECT_EQ(shot.picture(rest, time_s).pixels, first.pixels) << preset << ", frame " << n;

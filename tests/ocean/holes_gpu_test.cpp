@@ -16,7 +16,8 @@ using test::SeaShot;
 
 class Holes : public test::GpuTest {};
 
-// Places and directions of sight: from 0.2 m (over the water there) to 20 km up, level, grazing, straight down, rolled, and far from the origin.
+// Places and directions of sight: from 0.2 m (over the water there) to 20 km up, level, grazing, straight down, rolled,
+// and far from the origin.
 std::vector<Pose> poses() {
   std::vector<Pose> list;
   int i = 0;
@@ -28,7 +29,8 @@ std::vector<Pose> poses() {
     list.push_back(pose({1e5 + along, height, -1e6}, 47.0 * i + 270.0, 8.0, -80.0));
     ++i;
   }
-  for (int turn = 0; turn < 8; ++turn) list.push_back(pose({0.5 * turn, 1.7, 0.3}, 45.0 * turn, 0.0, turn % 2 ? 180.0 : 0.0));
+  for (int turn = 0; turn < 8; ++turn)
+    list.push_back(pose({0.5 * turn, 1.7, 0.3}, 45.0 * turn, 0.0, turn % 2 ? 180.0 : 0.0));
   return list;
 }
 
@@ -50,8 +52,14 @@ Pose above_water(Pose p, const WaveField& field, WaveTiles& tiles, double time_s
 }
 
 void expect_no_holes(const std::string& scene, const std::string& preset, const std::string& join = "masked") {
-  SeaShot shot({.scene = scene, .preset = preset, .width = 160, .height = 120,
-                .set = {{"debug.view", "holes"}, {"waves.resolution", "64"}, {"camera.vertical_fov_deg", "80"}, {"lod.join", join}}});
+  SeaShot shot({.scene = scene,
+                .preset = preset,
+                .width = 160,
+                .height = 120,
+                .set = {{"debug.view", "holes"},
+                        {"waves.resolution", "64"},
+                        {"camera.vertical_fov_deg", "80"},
+                        {"lod.join", join}}});
   const WaveField field(shot.scene().settings.sea, shot.scene().settings.waves);
   WaveTiles tiles;
   int number = 0;
@@ -60,12 +68,14 @@ void expect_no_holes(const std::string& scene, const std::string& preset, const 
     const Image8 picture = shot.picture(above_water(p, field, tiles, time_s), time_s);
     const int holes = magenta(picture);
     EXPECT_EQ(holes, 0) << scene << " " << preset << ", pose " << number << ": "
-                        << test::leave(picture, "holes_" + scene + "_" + preset + "_" + join + "_" + std::to_string(number));
+                        << test::leave(picture,
+                                       "holes_" + scene + "_" + preset + "_" + join + "_" + std::to_string(number));
     ++number;
   }
 }
 
-// Controls: APatchLeftOutIsSeen; and culling by a hundredth of the sea's displacement fails in the storm and the open sea.
+// Controls: APatchLeftOutIsSeen; and culling by a hundredth of the sea's displacement fails in the storm and the open
+// sea.
 TEST_F(Holes, NoneInCalmWater) { expect_no_holes("calm", "low"); }
 TEST_F(Holes, NoneInAStorm) { expect_no_holes("storm", "low"); }
 TEST_F(Holes, NoneInTheDesktopFrame) { expect_no_holes("open_sea", "high"); }
@@ -77,7 +87,10 @@ TEST_F(Holes, NoneWhereVerticesSlide) {
 // The control: a patch left out is a hole that is seen, in both shapes of the frame.
 TEST_F(Holes, APatchLeftOutIsSeen) {
   for (const char* preset : {"low", "high"}) {
-    SeaShot shot({.scene = "open_sea", .preset = preset, .width = 160, .height = 120,
+    SeaShot shot({.scene = "open_sea",
+                  .preset = preset,
+                  .width = 160,
+                  .height = 120,
                   .set = {{"debug.view", "holes"}, {"waves.resolution", "64"}, {"debug.drop_patch", "0"}}});
     const Pose down = pose({5.0, 10.0, 5.0}, 0.0, -60.0);
     EXPECT_GT(magenta(shot.picture(down, 5.0)), 100) << preset;

@@ -1,5 +1,5 @@
-// Where patches and the skirt meet: the vertices that the drawing vertex shader puts out are the same to the bit, for both ways to
-// join levels.
+// Where patches and the skirt meet: the vertices that the drawing vertex shader puts out are the same to the bit, for
+// both ways to join levels.
 #include <bit>
 #include <cstring>
 #include <map>
@@ -59,20 +59,27 @@ Shared shared_vertices(SeaShot& shot, const Viewpoint& eyes) {
   return result;
 }
 
-// All four borders of the tree, each level, both joins, three sizes, calm and storm: from just above the water, from where the
-// levels are few, and far from the origin off the tree's corners. Controls seen: a footprint that follows the patch's stride; row 0
-// of the skirt moved outwards by 1e-6 of its place.
+// All four borders of the tree, each level, both joins, three sizes, calm and storm: from just above the water, from
+// where the levels are few, and far from the origin off the tree's corners. Controls seen: a footprint that follows the
+// patch's stride; row 0 of the skirt moved outwards by 1e-6 of its place.
 TEST_F(Joints, SharedVerticesAreTheSameToTheBitAsTheShaderPutsThemOut) {
   for (const char* preset : {"low", "high"})
     for (const char* scene : {"calm", "storm"})
       for (const char* size : {"256", "1024", "8192"}) {
-        SeaShot shot({.scene = scene, .preset = preset, .width = 16, .height = 16, .probe = true,
+        SeaShot shot({.scene = scene,
+                      .preset = preset,
+                      .width = 16,
+                      .height = 16,
+                      .probe = true,
                       // A coarser mesh than the preset's: all of it is to fit the probe.
-                      .set = {{"waves.resolution", "32"}, {"lod.ocean_size_m", size}, {"lod.pixel_error", preset == std::string("low") ? "10" : "4"}}});
+                      .set = {{"waves.resolution", "32"},
+                              {"lod.ocean_size_m", size},
+                              {"lod.pixel_error", preset == std::string("low") ? "10" : "4"}}});
         for (const char* join : {"masked", "morphed"}) {
           shot.set("lod.join", join);
           Shared sum;
-          for (const glm::dvec3& place : {glm::dvec3(5.0, 3.0, 7.0), glm::dvec3(-64.0, 60.0, 128.0), glm::dvec3(1e5 + 0.3, 900.0, -2e5)}) {
+          for (const glm::dvec3& place :
+               {glm::dvec3(5.0, 3.0, 7.0), glm::dvec3(-64.0, 60.0, 128.0), glm::dvec3(1e5 + 0.3, 900.0, -2e5)}) {
             const Shared shared = shared_vertices(shot, lod_test::everything_from(place));
             EXPECT_EQ(shared.unequal, 0) << join << ' ' << preset << ' ' << scene << ' ' << size;
             EXPECT_GT(shared.places, 200) << join << ' ' << preset << ' ' << scene << ' ' << size;

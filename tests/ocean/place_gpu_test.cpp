@@ -1,4 +1,5 @@
-// What belongs to places as it is drawn: levels and currents against the processor's sea, clipping, colour and shadow where the inputs lie.
+// What belongs to places as it is drawn: levels and currents against the processor's sea, clipping, colour and shadow
+// where the inputs lie.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -61,10 +62,18 @@ struct Worst {
 double bar(const Worst& worst) { return std::min(1e-3 * worst.hs_m, 5e-3); }
 
 // A thousand vertices near the viewer against PlaceSea.
-Worst worst(const std::vector<std::string>& effects, Set set, double time_s, const std::vector<InputSpec>& inputs = lake_and_whirlpool()) {
+Worst worst(const std::vector<std::string>& effects, Set set, double time_s,
+            const std::vector<InputSpec>& inputs = lake_and_whirlpool()) {
   const Pose head = pose({12.3, 6.0, -45.6}, 30.0, -30.0);
   set.emplace_back("waves.where", "cpu");
-  SeaShot shot({.scene = "open_sea", .preset = "high", .width = 64, .height = 36, .probe = true, .set = set, .effects = effects, .inputs = inputs});
+  SeaShot shot({.scene = "open_sea",
+                .preset = "high",
+                .width = 64,
+                .height = 36,
+                .probe = true,
+                .set = set,
+                .effects = effects,
+                .inputs = inputs});
   for (int i = 0; i < 2; ++i) shot.draw(head, time_s);
   const SurfaceSelection& selection = *shot.experience().ocean().selection();
   const auto bytes = read_buffer(test::device(), shot.experience().surface().probed());
@@ -76,7 +85,8 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s, con
   const PlaceInputs places = place_inputs(shot.scene());
   const PlaceSea place(places, field);
   const LodWindowSettings& windows = places.settings.windows;
-  const LodPlacement seen = lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
+  const LodPlacement seen =
+      lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
   const glm::dvec2 viewer(head.position_m.x - selection.grid_origin_m.x, head.position_m.z - selection.grid_origin_m.y);
   Worst result;
   double variance = field.statistics().height_variance;
@@ -100,8 +110,9 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s, con
   return result;
 }
 
-// A lake higher than the sea, its shore a slope of 24 m; and a whirlpool of 3 m/s that carries the waves round. Controls seen: the level read half a
-// texel off; the flow's x and z changed about; one pattern alone; the patterns' sum left at its height; the inputs themselves instead of what lies between texels (1 cm).
+// A lake higher than the sea, its shore a slope of 24 m; and a whirlpool of 3 m/s that carries the waves round.
+// Controls seen: the level read half a texel off; the flow's x and z changed about; one pattern alone; the patterns'
+// sum left at its height; the inputs themselves instead of what lies between texels (1 cm).
 TEST_F(DrawnPlaces, StandWhereTheProcessorSays) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   const Worst level = worst({"waves", "level"}, {}, 33.3);
@@ -114,7 +125,8 @@ TEST_F(DrawnPlaces, StandWhereTheProcessorSays) {
   }
 }
 
-// Waves over a bank and the land on it, with a bed that falls by a metre in nine, and a dry one by one in one. Controls seen: the second layer of a slice read as the first; a shift along the wrong axis; no land; no run-up.
+// Waves over a bank and the land on it, with a bed that falls by a metre in nine, and a dry one by one in one. Controls
+// seen: the second layer of a slice read as the first; a shift along the wrong axis; no land; no run-up.
 TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   for (const char* depth : {"40", "6"}) {
@@ -143,11 +155,13 @@ TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   bay.value = glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
   bay.feather_m = 12.0;
   SplineInput spline;
-  for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(-40, -24), glm::dvec2(0, -44), glm::dvec2(40, -62), glm::dvec2(80, -40), glm::dvec2(120, -10)})
+  for (const glm::dvec2 at : {glm::dvec2(-90, -20), glm::dvec2(-40, -24), glm::dvec2(0, -44), glm::dvec2(40, -62),
+                              glm::dvec2(80, -40), glm::dvec2(120, -10)})
     spline.points.push_back({at, 70.0, bay.value});
   bay.shape = spline;
-  const Set set{{"gerstner.set1_shore", "true"}, {"gerstner.set1_height_m", "1"}, {"gerstner.set1_wavelength_m", "22"}, {"gerstner.set1_octaves", "2"}, {"gerstner.set1_waves", "6"},
-                {"gerstner.set1_spread_deg", "40"}, {"gerstner.chop", "0.7"}};
+  const Set set{{"gerstner.set1_shore", "true"}, {"gerstner.set1_height_m", "1"}, {"gerstner.set1_wavelength_m", "22"},
+                {"gerstner.set1_octaves", "2"},  {"gerstner.set1_waves", "6"},    {"gerstner.set1_spread_deg", "40"},
+                {"gerstner.chop", "0.7"}};
   for (const double time : {33.3, 61.7}) {
     const Worst alone = worst({"waves", "gerstner"}, set, time, {bay});
     EXPECT_GT(alone.moved, 300);
@@ -155,7 +169,10 @@ TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   }
   // Beside the set everywhere, over a bank and in a current.
   Set both = set;
-  both.insert(both.end(), {{"gerstner.set2_height_m", "0.5"}, {"gerstner.set2_to_deg", "120"}, {"waves.depth_m", "40"}, {"flow.speed_mps", "0.7"}});
+  both.insert(both.end(), {{"gerstner.set2_height_m", "0.5"},
+                           {"gerstner.set2_to_deg", "120"},
+                           {"waves.depth_m", "40"},
+                           {"flow.speed_mps", "0.7"}});
   std::vector<InputSpec> inputs = bank_and_island();
   inputs.push_back(bay);
   const Worst all = worst({"waves", "gerstner", "sea_depth", "flow"}, both, 33.3, inputs);
@@ -163,16 +180,24 @@ TEST_F(DrawnPlaces, WavesAlongACurveAreTheProcessors) {
   EXPECT_LE(all.error_m, bar(all)) << all.hs_m;
 }
 
-// Pixels whose water stands where it is clipped show the sky that is beneath them, and no others do; in both frame shapes. Control seen: clipped by the rest
-// position (waves of the storm stand metres beside it).
+// Pixels whose water stands where it is clipped show the sky that is beneath them, and no others do; in both frame
+// shapes. Control seen: clipped by the rest position (waves of the storm stand metres beside it).
 TEST_F(DrawnPlaces, ClipWhatStandsWithinTheInput) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   constexpr int width = 160, height = 120;
-  const std::vector<InputSpec> inputs{area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {3.0, -5.0}, {24.0, 18.0}, 0.0)};
+  const std::vector<InputSpec> inputs{
+      area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {3.0, -5.0}, {24.0, 18.0}, 0.0)};
   for (const char* msaa : {"1", "4"}) {
     const Set set{{"msaa", msaa}, {"debug.view", "holes"}};
     const auto shot_of = [&](std::vector<std::string> effects) {
-      return SeaShot({.scene = "storm", .preset = "high", .width = width, .height = height, .probe = true, .set = set, .effects = std::move(effects), .inputs = inputs});
+      return SeaShot({.scene = "storm",
+                      .preset = "high",
+                      .width = width,
+                      .height = height,
+                      .probe = true,
+                      .set = set,
+                      .effects = std::move(effects),
+                      .inputs = inputs});
     };
     SeaShot with = shot_of({"waves", "clip"}), without = shot_of({"waves"});
     const Viewpoint view = with.viewpoint(pose({3.0, 25.0, 5.0}, 0.0, -70.0));
@@ -194,9 +219,11 @@ TEST_F(DrawnPlaces, ClipWhatStandsWithinTheInput) {
   }
 }
 
-// A boat, a ball, a heeled drum and a box in a storm, some of them lifted out of it or under it: pixels whose water stands within one of them show the sky beneath, by its height too, and no
-// others; in both frame shapes. What is drawn and what a query says differ along the edges alone, by parts of a pixel: in two thousandths of them at most (seen 29 of 19,200). Controls seen:
-// heights left out (257 wrong); a volume's own axes taken for the world's (998); hulls' maps read two texels off (71); a tree that forgets halves (965).
+// A boat, a ball, a heeled drum and a box in a storm, some of them lifted out of it or under it: pixels whose water
+// stands within one of them show the sky beneath, by its height too, and no others; in both frame shapes. What is drawn
+// and what a query says differ along the edges alone, by parts of a pixel: in two thousandths of them at most (seen 29
+// of 19,200). Controls seen: heights left out (257 wrong); a volume's own axes taken for the world's (998); hulls' maps
+// read two texels off (71); a tree that forgets halves (965).
 TEST_F(DrawnPlaces, VolumesClipWhatStandsWithinThem) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   constexpr int width = 160, height = 120;
@@ -210,17 +237,36 @@ TEST_F(DrawnPlaces, VolumesClipWhatStandsWithinThem) {
     spec.shape = shape;
   };
   ShapeInput boat;
-  boat.model = test::wigley_model({}), boat.from = ShapeInput::From::hull, boat.at_m = {3.0, -9.0}, boat.turn_deg = 70.0, boat.roll_deg = 20.0, boat.scale = 1.5;
+  boat.model = test::wigley_model({}), boat.from = ShapeInput::From::hull, boat.at_m = {3.0, -9.0},
+  boat.turn_deg = 70.0, boat.roll_deg = 20.0, boat.scale = 1.5;
   add(boat);
   add(VolumeInput{.form = Form::sphere, .at_m = {-7.0, 0.5, -3.0}, .radius_m = 3.5});
-  add(VolumeInput{.form = Form::cylinder, .at_m = {9.0, -0.5, 1.0}, .radius_m = 3.0, .length_m = 3.0, .turn_deg = 30.0, .roll_deg = 40.0});
-  add(VolumeInput{.form = Form::box, .at_m = {2.0, 0.0, 0.0}, .size_m = {6.0, 1.6, 4.0}, .turn_deg = 20.0, .pitch_deg = 15.0});
-  add(VolumeInput{.form = Form::capsule, .at_m = {-4.0, 1.0, -14.0}, .radius_m = 1.5, .length_m = 9.0, .turn_deg = 50.0, .pitch_deg = 80.0});
+  add(VolumeInput{.form = Form::cylinder,
+                  .at_m = {9.0, -0.5, 1.0},
+                  .radius_m = 3.0,
+                  .length_m = 3.0,
+                  .turn_deg = 30.0,
+                  .roll_deg = 40.0});
+  add(VolumeInput{
+      .form = Form::box, .at_m = {2.0, 0.0, 0.0}, .size_m = {6.0, 1.6, 4.0}, .turn_deg = 20.0, .pitch_deg = 15.0});
+  add(VolumeInput{.form = Form::capsule,
+                  .at_m = {-4.0, 1.0, -14.0},
+                  .radius_m = 1.5,
+                  .length_m = 9.0,
+                  .turn_deg = 50.0,
+                  .pitch_deg = 80.0});
   add(VolumeInput{.form = Form::box, .at_m = {-6.0, 30.0, 2.0}, .size_m = {20.0, 6.0, 20.0}});
   inputs.push_back(area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {-14.0, -10.0}, {6.0, 6.0}, 0.0));
   for (const char* msaa : {"1", "4"}) {
     const auto shot_of = [&](std::vector<std::string> effects) {
-      return SeaShot({.scene = "storm", .preset = "high", .width = width, .height = height, .probe = true, .set = {{"msaa", msaa}, {"debug.view", "holes"}}, .effects = std::move(effects), .inputs = inputs});
+      return SeaShot({.scene = "storm",
+                      .preset = "high",
+                      .width = width,
+                      .height = height,
+                      .probe = true,
+                      .set = {{"msaa", msaa}, {"debug.view", "holes"}},
+                      .effects = std::move(effects),
+                      .inputs = inputs});
     };
     SeaShot with = shot_of({"waves", "clip"}), without = shot_of({"waves"});
     const Viewpoint view = with.viewpoint(pose({0.0, 25.0, 5.0}, 0.0, -65.0));
@@ -245,26 +291,36 @@ TEST_F(DrawnPlaces, VolumesClipWhatStandsWithinThem) {
   }
 }
 
-// With four samples a pixel the edges of what is clipped are four samples fine: a pixel's share of hole is that of sixteen pixels in its place, to a tenth (a fifth with one sample). Control seen: a pixel's samples left
-// out together.
+// With four samples a pixel the edges of what is clipped are four samples fine: a pixel's share of hole is that of
+// sixteen pixels in its place, to a tenth (a fifth with one sample). Control seen: a pixel's samples left out together.
 TEST_F(DrawnPlaces, EdgesOfWhatIsClippedAreAsFineAsSamples) {
-  if (!test::device().facts().sample_shading) GTEST_SKIP() << "this device's pixels cannot ask for what lies at their samples";
+  if (!test::device().facts().sample_shading)
+    GTEST_SKIP() << "this device's pixels cannot ask for what lies at their samples";
   constexpr int width = 96, height = 72, finer = 4;
   InputSpec box;
   box.to = InputTarget::clip;
   box.blend = InputBlend::replace;
   box.value.x = 1.0f;
-  box.shape = VolumeInput{.form = VolumeInput::Form::box, .at_m = {1.0, 0.0, -6.0}, .size_m = {14.0, 9.0, 10.0}, .turn_deg = 23.0};
-  const std::vector<InputSpec> inputs{box, area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {-14.0, -10.0}, {9.0, 9.0}, 0.0)};
+  box.shape = VolumeInput{
+      .form = VolumeInput::Form::box, .at_m = {1.0, 0.0, -6.0}, .size_m = {14.0, 9.0, 10.0}, .turn_deg = 23.0};
+  const std::vector<InputSpec> inputs{
+      box, area(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}, {-14.0, -10.0}, {9.0, 9.0}, 0.0)};
   // Of each pixel: holes are magenta, and water is as green as red.
   const auto holes = [&](const char* msaa, int times) {
-    SeaShot shot({.scene = "calm", .preset = "high", .width = std::uint32_t(times * width), .height = std::uint32_t(times * height), .set = {{"msaa", msaa}, {"debug.view", "holes"}}, .effects = std::vector<std::string>{"waves", "clip"}, .inputs = inputs});
+    SeaShot shot({.scene = "calm",
+                  .preset = "high",
+                  .width = std::uint32_t(times * width),
+                  .height = std::uint32_t(times * height),
+                  .set = {{"msaa", msaa}, {"debug.view", "holes"}},
+                  .effects = std::vector<std::string>{"waves", "clip"},
+                  .inputs = inputs});
     const Image8 picture = shot.picture(pose({0.0, 25.0, 5.0}, 0.0, -65.0), 4.0);
     std::vector<double> shares(std::size_t(width * height), 0.0);
     for (int y = 0; y < times * height; ++y)
       for (int x = 0; x < times * width; ++x) {
         const glm::dvec3 light = test::light_at(picture, std::size_t(y) * std::size_t(times * width) + std::size_t(x));
-        shares[std::size_t(y / times) * width + std::size_t(x / times)] += std::clamp(light.x - light.y, 0.0, 1.0) / (times * times);
+        shares[std::size_t(y / times) * width + std::size_t(x / times)] +=
+            std::clamp(light.x - light.y, 0.0, 1.0) / (times * times);
       }
     return shares;
   };
@@ -289,8 +345,15 @@ TEST_F(DrawnPlaces, EdgesOfWhatIsClippedAreAsFineAsSamples) {
 }
 
 // How many patches are drawn, and how many pixels show water.
-std::pair<std::size_t, int> patches_and_water(const std::string& scene, const Set& set, const InputSpec& input, const Pose& head, std::vector<std::string> effects) {
-  SeaShot shot({.scene = scene, .preset = "high", .width = 160, .height = 120, .set = set, .effects = std::move(effects), .inputs = {input}});
+std::pair<std::size_t, int> patches_and_water(const std::string& scene, const Set& set, const InputSpec& input,
+                                              const Pose& head, std::vector<std::string> effects) {
+  SeaShot shot({.scene = scene,
+                .preset = "high",
+                .width = 160,
+                .height = 120,
+                .set = set,
+                .effects = std::move(effects),
+                .inputs = {input}});
   const Image8 picture = shot.picture(shot.viewpoint(head), 4.0);
   int water = 0;
   for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) {
@@ -300,15 +363,20 @@ std::pair<std::size_t, int> patches_and_water(const std::string& scene, const Se
   return {shot.experience().ocean().selection()->patches.size(), water};
 }
 
-// Patches that lie within a volume as a whole are left out, and none that a wave over it shows: the storm's crests over a low one are there.
+// Patches that lie within a volume as a whole are left out, and none that a wave over it shows: the storm's crests over
+// a low one are there.
 TEST_F(DrawnPlaces, PatchesWithinAVolumeAreNotDrawn) {
   InputSpec raft;
   raft.to = InputTarget::clip;
   raft.blend = InputBlend::replace;
   raft.value.x = 1.0f;
   for (const bool high : {true, false}) {
-    raft.shape = VolumeInput{.form = VolumeInput::Form::box, .at_m = {0.0, 0.0, -150.0}, .size_m = {400.0, high ? 200.0 : 3.0, 300.0}};
-    const auto drawn = [&](std::vector<std::string> effects) { return patches_and_water("storm", {{"debug.view", "holes"}}, raft, pose({0.0, 30.0, 0.0}, 0.0, -45.0), std::move(effects)); };
+    raft.shape = VolumeInput{
+        .form = VolumeInput::Form::box, .at_m = {0.0, 0.0, -150.0}, .size_m = {400.0, high ? 200.0 : 3.0, 300.0}};
+    const auto drawn = [&](std::vector<std::string> effects) {
+      return patches_and_water("storm", {{"debug.view", "holes"}}, raft, pose({0.0, 30.0, 0.0}, 0.0, -45.0),
+                               std::move(effects));
+    };
     const auto [left, water] = drawn({"waves", "clip"});
     const auto [all, everywhere] = drawn({"waves"});
     if (high) {
@@ -322,12 +390,14 @@ TEST_F(DrawnPlaces, PatchesWithinAVolumeAreNotDrawn) {
   }
 }
 
-// Patches that are clipped as a whole are not drawn at all: of a pond in dry land few are left, and the picture shows its water. Control seen: none left out.
+// Patches that are clipped as a whole are not drawn at all: of a pond in dry land few are left, and the picture shows
+// its water. Control seen: none left out.
 TEST_F(DrawnPlaces, PatchesWithoutWaterAreNotDrawn) {
   InputSpec pond = area(InputTarget::clip, {0.0f, 0.0f, 0.0f, 0.0f}, {0.0, -30.0}, {30.0, 20.0}, 0.0);
   pond.blend = InputBlend::replace;
   const auto drawn = [&](std::vector<std::string> effects) {
-    return patches_and_water("calm", {{"clip.by_default", "true"}, {"debug.view", "holes"}}, pond, pose({0.0, 12.0, 0.0}, 0.0, -20.0), std::move(effects));
+    return patches_and_water("calm", {{"clip.by_default", "true"}, {"debug.view", "holes"}}, pond,
+                             pose({0.0, 12.0, 0.0}, 0.0, -20.0), std::move(effects));
   };
   const auto [left, water] = drawn({"waves", "clip"});
   const auto [all, everywhere] = drawn({"waves"});
@@ -336,19 +406,29 @@ TEST_F(DrawnPlaces, PatchesWithoutWaterAreNotDrawn) {
   EXPECT_LT(water, everywhere * 3 / 4);
 }
 
-// A colour laid on the water makes it as bright as that, and a shadow takes the sun's glitter and light from it, within the input and nowhere else. Controls
-// seen: what lies beneath the colour left as bright; a shadow that leaves the glitter.
+// A colour laid on the water makes it as bright as that, and a shadow takes the sun's glitter and light from it, within
+// the input and nowhere else. Controls seen: what lies beneath the colour left as bright; a shadow that leaves the
+// glitter.
 TEST_F(DrawnPlaces, ColourAndShadeOnlyWhatLiesWithinTheInput) {
   constexpr int width = 160, height = 120;
-  const Viewpoint view = SeaShot({.scene = "calm", .preset = "high", .width = width, .height = height}).viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
+  const Viewpoint view = SeaShot({.scene = "calm", .preset = "high", .width = width, .height = height})
+                             .viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
   const auto picture = [&](std::vector<std::string> effects, const std::vector<InputSpec>& inputs) {
-    SeaShot shot({.scene = "calm", .preset = "high", .width = width, .height = height, .set = {{"sky.sun_elevation_deg", "80"}}, .effects = std::move(effects), .inputs = inputs});
+    SeaShot shot({.scene = "calm",
+                  .preset = "high",
+                  .width = width,
+                  .height = height,
+                  .set = {{"sky.sun_elevation_deg", "80"}},
+                  .effects = std::move(effects),
+                  .inputs = inputs});
     return shot.picture(view, 2.0);
   };
   const glm::dvec2 middle(0.0), size(16.0);
   const Image8 plain = picture({"waves"}, {});
-  const Image8 red = picture({"waves", "albedo"}, {area(InputTarget::albedo, {0.5f, 0.0f, 0.0f, 1.0f}, middle, size, 0.0)});
-  const Image8 dark = picture({"waves", "shadow"}, {area(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f}, middle, size, 0.0)});
+  const Image8 red =
+      picture({"waves", "albedo"}, {area(InputTarget::albedo, {0.5f, 0.0f, 0.0f, 1.0f}, middle, size, 0.0)});
+  const Image8 dark =
+      picture({"waves", "shadow"}, {area(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f}, middle, size, 0.0)});
   const auto within = [&](int x, int y) { return std::hypot(x - width / 2 + 0.5, y - height / 2 + 0.5) < 20.0; };
   const auto beyond = [&](int x, int y) { return std::hypot(x - width / 2 + 0.5, y - height / 2 + 0.5) > 45.0; };
   glm::dvec3 in_plain(0.0), in_red(0.0), in_dark(0.0);
@@ -366,17 +446,26 @@ TEST_F(DrawnPlaces, ColourAndShadeOnlyWhatLiesWithinTheInput) {
   EXPECT_LT(in_dark.y, 0.8 * in_plain.y) << test::leave(dark, "shadow");
 }
 
-// In a storm a red disc that stays in its place and a green one that goes with the waves lie on the water, of which each pixel shows where it stands and where it
-// rests: the green over the red. Controls seen: the two layers of a slice changed about; both asked for at the rest position.
+// In a storm a red disc that stays in its place and a green one that goes with the waves lie on the water, of which
+// each pixel shows where it stands and where it rests: the green over the red. Controls seen: the two layers of a slice
+// changed about; both asked for at the rest position.
 TEST_F(DrawnPlaces, ColoursStayOrGoWithTheWaves) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   constexpr int width = 160, height = 120;
   const glm::dvec2 middle(0.0), size(16.0);
-  std::vector<InputSpec> discs{area(InputTarget::albedo, {0.9f, 0.0f, 0.0f, 1.0f}, middle, size, 0.0), area(InputTarget::albedo, {0.0f, 0.9f, 0.0f, 1.0f}, middle, size, 0.0)};
+  std::vector<InputSpec> discs{area(InputTarget::albedo, {0.9f, 0.0f, 0.0f, 1.0f}, middle, size, 0.0),
+                               area(InputTarget::albedo, {0.0f, 0.9f, 0.0f, 1.0f}, middle, size, 0.0)};
   discs[1].follow_waves = true;
   for (const bool both : {true, false}) {
     if (!both) discs.erase(discs.begin());
-    SeaShot shot({.scene = "storm", .preset = "high", .width = width, .height = height, .probe = true, .set = {{"foam.simulated", "false"}, {"water.whitecaps", "0"}}, .effects = std::vector<std::string>{"waves", "albedo"}, .inputs = discs});
+    SeaShot shot({.scene = "storm",
+                  .preset = "high",
+                  .width = width,
+                  .height = height,
+                  .probe = true,
+                  .set = {{"foam.simulated", "false"}, {"water.whitecaps", "0"}},
+                  .effects = std::vector<std::string>{"waves", "albedo"},
+                  .inputs = discs});
     const Viewpoint view = shot.viewpoint(pose({0.0, 30.0, 0.0}, 0.0, -90.0));
     int told = 0, wrong = 0, apart = 0;
     Image8 picture;
@@ -386,9 +475,11 @@ TEST_F(DrawnPlaces, ColoursStayOrGoWithTheWaves) {
         const auto pixel = std::size_t(i++);
         if (!shown.any) continue;
         const double rest = glm::length(shown.point.rest), stands = std::hypot(shown.point.at.x, shown.point.at.z);
-        if (std::abs(rest - 8.0) < 1.0 || std::abs(stands - 8.0) < 1.0) continue;  // from 30 m up texels are up to a metre wide
+        if (std::abs(rest - 8.0) < 1.0 || std::abs(stands - 8.0) < 1.0)
+          continue;  // from 30 m up texels are up to a metre wide
         const glm::dvec3 light = test::light_at(picture, pixel);
-        const bool green = light.y > 2.0 * light.x && light.y > 2.0 * light.z, red = light.x > 2.0 * light.y && light.x > 2.0 * light.z;
+        const bool green = light.y > 2.0 * light.x && light.y > 2.0 * light.z,
+                   red = light.x > 2.0 * light.y && light.x > 2.0 * light.z;
         ++told;
         wrong += green != (rest < 8.0) || red != (both && rest > 8.0 && stands < 8.0);
         apart += (rest < 8.0) != (stands < 8.0);

@@ -1,4 +1,5 @@
-// A soak: a sea with all that is simulated in it, at eight times its speed, under a viewer who travels and a wind that becomes a storm and calms down again.
+// A soak: a sea with all that is simulated in it, at eight times its speed, under a viewer who travels and a wind that
+// becomes a storm and calms down again.
 #include <gtest/gtest.h>
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -40,7 +41,8 @@ double variance(const WaveTiles& tiles, int cascades) {
     const int n = tiles.samples(c);
     double of_tile = 0.0;
     for (int z = 0; z < n; ++z)
-      for (int x = 0; x < n; ++x) of_tile += std::pow(double(tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(c, 0) + x].y), 2);
+      for (int x = 0; x < n; ++x)
+        of_tile += std::pow(double(tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(c, 0) + x].y), 2);
     sum += of_tile / (double(n) * n);
   }
   return sum;
@@ -48,13 +50,21 @@ double variance(const WaveTiles& tiles, int cascades) {
 
 class Soak {
  public:
-  Soak() : calm_(made(8.0)), storm_(made(26.0)), field_(calm_.state, quality, particles()), foam_(foam_spec(), calm_.state, quality), rain_(rain_settings()), spray_({.most = 512, .range_m = 24.0, .rate_hz = 4.0}, calm_.state, quality, {}, 3.85), bins_(calm_.bins) {}
+  Soak()
+      : calm_(made(8.0)),
+        storm_(made(26.0)),
+        field_(calm_.state, quality, particles()),
+        foam_(foam_spec(), calm_.state, quality),
+        rain_(rain_settings()),
+        spray_({.most = 512, .range_m = 24.0, .rate_hz = 4.0}, calm_.state, quality, {}, 3.85),
+        bins_(calm_.bins) {}
 
   // A frame; false where anything is no number or out of its range.
   void frame(double time_s) {
     change(time_s);
     field_.evaluate(ticks_from_seconds(time_s), tiles_);
-    const glm::dvec3 viewer(12.0 * time_s, 2.0 + 25.0 * (1.0 + std::sin(time_s / 70.0)), 300.0 * std::sin(time_s / 40.0));
+    const glm::dvec3 viewer(12.0 * time_s, 2.0 + 25.0 * (1.0 + std::sin(time_s / 70.0)),
+                            300.0 * std::sin(time_s / 40.0));
     rain_.update(time_s, viewer);
     foam_.update(time_s, viewer, &rain_.surface());
     spray_.update(time_s, {viewer.x, 3.0, viewer.z});
@@ -127,12 +137,15 @@ class Soak {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const DynamicSample ripples = rain_.surface().sea(places_[i], 0.0);
       const float foam = foam_.foam().covered(places_[i], 0.0);
-      ASSERT_TRUE(std::isfinite(answers_[i].height_m + answers_[i].residual_m + ripples.displacement.x + ripples.displacement.y + ripples.height_gradient.y));
+      ASSERT_TRUE(std::isfinite(answers_[i].height_m + answers_[i].residual_m + ripples.displacement.x +
+                                ripples.displacement.y + ripples.height_gradient.y));
       ASSERT_LT(std::abs(answers_[i].height_m), 40.0);
       ASSERT_TRUE(foam >= 0.0f && foam <= 1.0f);
       most_foam = std::max(most_foam, double(foam));
     }
-    for (const Spray::Puff& p : spray_.puffs()) ASSERT_TRUE(std::isfinite(glm::length(p.place_m) + glm::length(p.velocity_mps) + p.radius_m) && p.age_s <= p.life_s);
+    for (const Spray::Puff& p : spray_.puffs())
+      ASSERT_TRUE(std::isfinite(glm::length(p.place_m) + glm::length(p.velocity_mps) + p.radius_m) &&
+                  p.age_s <= p.life_s);
     most_puffs = std::max(most_puffs, spray_.puffs().size());
     ASSERT_LE(spray_.puffs().size(), 512u);
     ASSERT_FALSE(rain_.take_fault());
@@ -153,10 +166,12 @@ class Soak {
   int phase_ = 0;
 };
 
-// Hard 78: Ten minutes of the sea at eight times its speed (a day with SEASCAPE_LONG), with rain, foam, spray, wave particles, a travelling viewer, a storm and the calm after it: every number finite and in its
-// range at every frame; the heap's live bytes after it within 256 KiB of those before the storm; the waves' energy in the last quarter within 5 % of that in the first, the rain's within a third, and the field
-// to 1e-6 of its height what a field made anew is. Control: 1 KiB kept a frame (1.9 MB) and amplitudes a thousandth lower a frame of a
-// change (energy -59 %); drops that grow by 1e-4 a tick, or fade by 3e-5 (the rain's energy 4.1 and 0.39 times).
+// Hard 78: Ten minutes of the sea at eight times its speed (a day with SEASCAPE_LONG), with rain, foam, spray, wave
+// particles, a travelling viewer, a storm and the calm after it: every number finite and in its range at every frame;
+// the heap's live bytes after it within 256 KiB of those before the storm; the waves' energy in the last quarter within
+// 5 % of that in the first, the rain's within a third, and the field to 1e-6 of its height what a field made anew is.
+// Control: 1 KiB kept a frame (1.9 MB) and amplitudes a thousandth lower a frame of a change (energy -59 %); drops that
+// grow by 1e-4 a tick, or fade by 3e-5 (the rain's energy 4.1 and 0.39 times).
 TEST(Soak, hard_78_ten_minutes_at_eight_times_the_speed) {
   Soak soak;
   soak.all_s = std::getenv("SEASCAPE_LONG") ? 86400.0 : test::sanitized ? 60.0 : 600.0;
@@ -197,7 +212,8 @@ TEST(Soak, hard_78_ten_minutes_at_eight_times_the_speed) {
   const double height = std::sqrt(anew.statistics().height_variance);
   for (int i = 0; i < 100; ++i) {
     const glm::dvec2 place(91.0 * i, -37.0 * i);
-    EXPECT_NEAR(soak.field().displacement(soak.tiles(), place, 0.0).y, anew.displacement(tiles, place, 0.0).y, 1e-6 * height);
+    EXPECT_NEAR(soak.field().displacement(soak.tiles(), place, 0.0).y, anew.displacement(tiles, place, 0.0).y,
+                1e-6 * height);
   }
 }
 

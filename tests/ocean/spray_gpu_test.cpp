@@ -1,4 +1,5 @@
-// Spray as it is drawn: seen where it flies, hidden by the crests before it in every shape of the frame, and no draw where there is none.
+// Spray as it is drawn: seen where it flies, hidden by the crests before it in every shape of the frame, and no draw
+// where there is none.
 #include <algorithm>
 #include <cmath>
 
@@ -25,18 +26,29 @@ class DrawnSprayPuffs : public test::GpuTest {
   }
 };
 
-// Each puff is projected by hand. Where none lies that may be seen, nothing is drawn over the sea, though many lie there behind a crest that stands half a metre and more before
-// them; elsewhere there is spray. In either shape of the frame, of one sample and four, forward and deferred. Controls seen: no depth test in the forward pass, and none in the fragment shader.
+// Each puff is projected by hand. Where none lies that may be seen, nothing is drawn over the sea, though many lie
+// there behind a crest that stands half a metre and more before them; elsewhere there is spray. In either shape of the
+// frame, of one sample and four, forward and deferred. Controls seen: no depth test in the forward pass, and none in
+// the fragment shader.
 TEST_F(DrawnSprayPuffs, AreHiddenBehindCrests) {
   constexpr int width = 240, height = 136;
   struct Shape {
     const char *msaa, *shape, *lighting;
   };
-  for (const Shape& shape : {Shape{"1", "tile", "forward"}, {"4", "desktop", "forward"}, {"1", "tile", "deferred"}, {"1", "desktop", "deferred"}}) {
+  for (const Shape& shape : {Shape{"1", "tile", "forward"},
+                             {"4", "desktop", "forward"},
+                             {"1", "tile", "deferred"},
+                             {"1", "desktop", "deferred"}}) {
     SCOPED_TRACE(std::string(shape.msaa) + " " + shape.shape + " " + shape.lighting);
-    const Set set{{"msaa", shape.msaa}, {"frame.shape", shape.shape}, {"frame.lighting", shape.lighting}, {"spray.amount", "2"}, {"spray.range_m", "200"}, {"spray.most", "8000"}};
+    const Set set{{"msaa", shape.msaa},  {"frame.shape", shape.shape}, {"frame.lighting", shape.lighting},
+                  {"spray.amount", "2"}, {"spray.range_m", "200"},     {"spray.most", "8000"}};
     const auto shot_of = [&](std::vector<std::string> effects) {
-      return SeaShot({.scene = "storm", .preset = "medium", .width = width, .height = height, .set = set, .effects = std::move(effects)});
+      return SeaShot({.scene = "storm",
+                      .preset = "medium",
+                      .width = width,
+                      .height = height,
+                      .set = set,
+                      .effects = std::move(effects)});
     };
     SeaShot with = shot_of({"waves", "spray"}), without = shot_of({"waves"});
     EXPECT_EQ(with.experience().deferred(), std::string(shape.lighting) == "deferred");
@@ -76,17 +88,21 @@ TEST_F(DrawnSprayPuffs, AreHiddenBehindCrests) {
           query(field, tiles, {&place, 1}, {&water, 1}, {.footprint_m = 0.5, .most_iterations = 12});
           hidden = water.height_m - on.y > 0.5 && glm::length(s * relative) > 2.0;
         }
-        const double pixels = 0.5 * height / eye.fov.up / at.w, around = hidden ? 0.4 * pixels * double(puff.place.w) : pixels * double(puff.place.w + glm::length(glm::vec3(puff.streak))) + 1.5;
+        const double pixels = 0.5 * height / eye.fov.up / at.w,
+                     around = hidden ? 0.4 * pixels * double(puff.place.w)
+                                     : pixels * double(puff.place.w + glm::length(glm::vec3(puff.streak))) + 1.5;
         const double x = (0.5 + 0.5 * at.x / at.w) * width, y = (0.5 + 0.5 * at.y / at.w) * height;
         for (int j = std::max(int(y - around), 0); j <= std::min(int(y + around), height - 1); ++j)
-          for (int i = std::max(int(x - around), 0); i <= std::min(int(x + around), width - 1); ++i) (hidden ? behind : may)[std::size_t(j * width + i)] = 1;
+          for (int i = std::max(int(x - around), 0); i <= std::min(int(x + around), width - 1); ++i)
+            (hidden ? behind : may)[std::size_t(j * width + i)] = 1;
       }
       for (std::size_t i = 0; i < may.size(); ++i) {
         const bool same = test::light_at(a, i) == test::light_at(b, i);
         seen += may[i] && !same;
         if (may[i]) continue;
         hidden_pixels += behind[i];
-        EXPECT_TRUE(same) << time_s << " s, pixel " << int(i) % width << " " << int(i) / width << (behind[i] ? ", behind a crest" : "") << test::leave(a, "spray_hidden");
+        EXPECT_TRUE(same) << time_s << " s, pixel " << int(i) % width << " " << int(i) / width
+                          << (behind[i] ? ", behind a crest" : "") << test::leave(a, "spray_hidden");
         if (!same) break;
       }
     }
@@ -96,11 +112,13 @@ TEST_F(DrawnSprayPuffs, AreHiddenBehindCrests) {
   }
 }
 
-// Where no wind tears anything off there is no draw more than without the effect, nor from high above; down again, or once it blows, the first frame has it.
+// Where no wind tears anything off there is no draw more than without the effect, nor from high above; down again, or
+// once it blows, the first frame has it.
 TEST_F(DrawnSprayPuffs, CostNoDrawWhereNoneFly) {
   const Set set{{"waves.resolution", "64"}, {"waves.wind_speed_mps", "6"}, {"waves.change_s", "0"}};
   const auto shot_of = [&](std::vector<std::string> effects) {
-    return SeaShot({.scene = "storm", .preset = "medium", .width = 64, .height = 36, .set = set, .effects = std::move(effects)});
+    return SeaShot(
+        {.scene = "storm", .preset = "medium", .width = 64, .height = 36, .set = set, .effects = std::move(effects)});
   };
   SeaShot with = shot_of({"waves", "spray"}), without = shot_of({"waves"});
   const Pose low = pose({0.0, 6.0, 0.0}, 330.0, -5.0), high = pose({0.0, 400.0, 0.0}, 330.0, -45.0);

@@ -1,5 +1,5 @@
-// Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU and what belongs to
-// places; with tiles that the GPU computed, and with tiles that were uploaded.
+// Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU
+// and what belongs to places; with tiles that the GPU computed, and with tiles that were uploaded.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -37,8 +37,9 @@ struct Errors {
 };
 
 // Draws `scene` and compares `count` random vertices; `late_s` shifts the field's time (a control).
-Errors errors(WavePlace place, const std::string& scene, const std::string& preset, std::vector<std::pair<std::string, std::string>> set, const Pose& head,
-              double time_s, int count, double late_s = 0.0) {
+Errors errors(WavePlace place, const std::string& scene, const std::string& preset,
+              std::vector<std::pair<std::string, std::string>> set, const Pose& head, double time_s, int count,
+              double late_s = 0.0) {
   set.emplace_back("waves.where", test::place_value(place));
   SeaShot shot({.scene = scene, .preset = preset, .width = 64, .height = 36, .probe = true, .set = std::move(set)});
   shot.draw(head, time_s);
@@ -57,7 +58,8 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
   const PlaceInputs inputs = place_inputs(shot.scene());
   const PlaceSea sea(inputs, field);
   const LodWindowSettings& windows = inputs.settings.windows;
-  const LodPlacement seen = lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
+  const LodPlacement seen =
+      lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
   double variance = field.statistics().height_variance;
   for (const auto& source : field.others()) variance += source->statistics().height_variance;
   result.hs_m = 4.0 * std::sqrt(variance);
@@ -68,7 +70,8 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
     glm::vec4 rest, drawn;
     std::memcpy(&rest, &bytes[at * 32], 16);
     std::memcpy(&drawn, &bytes[at * 32 + 16], 16);
-    const glm::dvec3 want = sea.sea(field, tiles, selection.grid_origin_m + glm::dvec2(rest), double(rest.z), &seen).displacement;
+    const glm::dvec3 want =
+        sea.sea(field, tiles, selection.grid_origin_m + glm::dvec2(rest), double(rest.z), &seen).displacement;
     const glm::dvec2 from_viewer = glm::dvec2(rest) - viewer;
     const glm::dvec3 got(double(drawn.x) - from_viewer.x, drawn.z, double(drawn.y) - from_viewer.y);
     // What two roundings of a float come to beyond the patches, 2 mm at 20 km, is no error of the sea.
@@ -78,30 +81,40 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
     result.resolved += glm::length(want) > 0.05 * result.hs_m;
     if (error > result.worst_m || std::isnan(error)) {
       result.worst_m = std::isnan(error) ? 1e9 : error;
-      result.where = scene + " " + preset + ": rest " + std::to_string(rest.x) + ", " + std::to_string(rest.y) + " m, footprint " +
-                     std::to_string(rest.z) + " m, " + std::to_string(glm::length(from_viewer)) + " m away";
+      result.where = scene + " " + preset + ": rest " + std::to_string(rest.x) + ", " + std::to_string(rest.y) +
+                     " m, footprint " + std::to_string(rest.z) + " m, " + std::to_string(glm::length(from_viewer)) +
+                     " m away";
     }
   }
   return result;
 }
 
-// A loop's fading is the picture's alone: queries have its waves at every distance, as the setting says. Nor do they know what is simulated.
-const std::vector<std::pair<std::string, std::string>> unfaded{{"baked.fade_m", "0"}, {"dynamic_waves.rain_per_m2_s", "0"}};
+// A loop's fading is the picture's alone: queries have its waves at every distance, as the setting says. Nor do they
+// know what is simulated.
+const std::vector<std::pair<std::string, std::string>> unfaded{{"baked.fade_m", "0"},
+                                                               {"dynamic_waves.rain_per_m2_s", "0"}};
 
 const Pose near_water = pose({12.3, 2.0, -45.6}, 30.0, -12.0);
 
-const std::vector<std::string> scenes{"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool", "lagoon", "rivers", "harbour_clip"};
-const std::vector<std::string> some_scenes{"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "lagoon"};
+const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
+                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+const std::vector<std::string> some_scenes{"open_sea",  "calm",     "storm", "swell",
+                                           "rain_pool", "gerstner", "baked", "lagoon"};
 // What there is of places is the processor's, wherever the waves are: with SEASCAPE_LONG=1 all scenes in both.
-const std::vector<std::string>& scenes_in(WavePlace place) { return place == WavePlace::cpu || std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes; }
+const std::vector<std::string>& scenes_in(WavePlace place) {
+  return place == WavePlace::cpu || std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes;
+}
 // What there is of places is where a scene's own path goes.
 Pose head_of(const std::string& scene) {
-  if (scene == "lagoon") return load_camera_path(scene).at(13.0).pose;  // before the beach, where waves run along a curve
-  return scene == "whirlpool" || scene == "rivers" || scene == "harbour_clip" ? load_camera_path(scene).at(2.0).pose : near_water;
+  if (scene == "lagoon")
+    return load_camera_path(scene).at(13.0).pose;  // before the beach, where waves run along a curve
+  return scene == "whirlpool" || scene == "rivers" || scene == "harbour_clip" ? load_camera_path(scene).at(2.0).pose
+                                                                              : near_water;
 }
 
-// A thousand points a scene where the tiles are 32-bit floats: within 1/1000 of the significant height, and 5 mm. Control seen: a laying of wave particles
-// displaced as if it were the whole tile (40 times the bar); shifts of the bed that went over into the ground pattern's origin at the edge of all windows (16 times, 2 km away).
+// A thousand points a scene where the tiles are 32-bit floats: within 1/1000 of the significant height, and 5 mm.
+// Control seen: a laying of wave particles displaced as if it were the whole tile (40 times the bar); shifts of the bed
+// that went over into the ground pattern's origin at the edge of all windows (16 times, 2 km away).
 TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
   for (const char* preset : {"high", "ultra"})
     for (const std::string& scene : scenes_in(GetParam())) {
@@ -114,14 +127,18 @@ TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
     }
 }
 
-// The presets of standalone headsets keep their tiles in half floats, each of which is off by up to 1/2048 of a crest, in
-// five numbers added: within 1/200 of the significant height. With 32-bit tiles they meet the tolerance of the others.
+// The presets of standalone headsets keep their tiles in half floats, each of which is off by up to 1/2048 of a crest,
+// in five numbers added: within 1/200 of the significant height. With 32-bit tiles they meet the tolerance of the
+// others.
 TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
   for (const char* preset : {"low", "medium"})
     for (const std::string& scene : std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes) {
       const Errors half = errors(GetParam(), scene, preset, unfaded, head_of(scene), 33.3, 1000);
       EXPECT_LE(half.worst_m, 5e-3 * half.hs_m) << half.where;
-      const Errors single = errors(GetParam(), scene, preset, {{"waves.half_storage", "false"}, {"baked.fade_m", "0"}, {"dynamic_waves.rain_per_m2_s", "0"}}, head_of(scene), 33.3, 1000);
+      const Errors single =
+          errors(GetParam(), scene, preset,
+                 {{"waves.half_storage", "false"}, {"baked.fade_m", "0"}, {"dynamic_waves.rain_per_m2_s", "0"}},
+                 head_of(scene), 33.3, 1000);
       EXPECT_LE(single.worst_m, 1e-3 * single.hs_m) << single.where;
       EXPECT_LE(single.worst_m, 5e-3) << single.where;
     }
@@ -136,7 +153,8 @@ TEST_P(DrawnSurface, AFieldAtAnotherTimeDoesNotAgree) {
 
 // A thousand kilometres from the world's origin, from high above, and late in a long run: as exact.
 TEST_P(DrawnSurface, StandsThereFarFromTheOriginAndLate) {
-  const Errors far = errors(GetParam(), "open_sea", "high", {}, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0), 33.3, 500);
+  const Errors far =
+      errors(GetParam(), "open_sea", "high", {}, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0), 33.3, 500);
   EXPECT_LE(far.worst_m, std::min(1e-3 * far.hs_m, 5e-3)) << far.where;
   const Errors late = errors(GetParam(), "storm", "high", {}, pose({-700.0, 60.0, 300.0}, 100.0, -30.0), 1e7, 500);
   EXPECT_LE(late.worst_m, std::min(1e-3 * late.hs_m, 5e-3)) << late.where;

@@ -1,4 +1,5 @@
-// Many viewpoints share one sea: a mirror's camera, a portal, a map. Each draws what it draws alone, in one frame with the others.
+// Many viewpoints share one sea: a mirror's camera, a portal, a map. Each draws what it draws alone, in one frame with
+// the others.
 #include <cmath>
 
 #include "tests/support/gpu/gpu_test.h"
@@ -18,7 +19,8 @@ constexpr std::uint32_t width = 96, height = 72;
 
 // A viewpoint of the shot's sea, with patches and a picture of its own. Draws the sea alone, without a sky.
 struct Camera {
-  Camera(SeaShot& shot, const Viewpoint& from, const std::string& name) : view(from), patches(shot.scene().settings.lod) {
+  Camera(SeaShot& shot, const Viewpoint& from, const std::string& name)
+      : view(from), patches(shot.scene().settings.lod) {
     TargetSpec spec = shot.experience().picture().spec();
     picture = RenderTarget(shot.device(), name, spec);
   }
@@ -27,16 +29,21 @@ struct Camera {
     Experience& e = shot.experience();
     gpu::FrameData data{};
     const View& eye = view.eyes[0];
-    data.view[0].clip_from_relative = glm::mat4(projection(eye.fov, 0.1) * eye_from_relative(eye.pose, view.viewer.position_m));
-    data.view[0].eye = glm::vec4(glm::vec3(eye.pose.position_m - view.viewer.position_m), float((eye.fov.up - eye.fov.down) / height));
+    data.view[0].clip_from_relative =
+        glm::mat4(projection(eye.fov, 0.1) * eye_from_relative(eye.pose, view.viewer.position_m));
+    data.view[0].eye =
+        glm::vec4(glm::vec3(eye.pose.position_m - view.viewer.position_m), float((eye.fov.up - eye.fov.down) / height));
     data.sun = glm::vec4(0.0f, 1.0f, 0.0f, 0.99999f);
     e.ocean().describe(data, view, *selection);
     const std::uint32_t uniform = frame.upload_uniform(data);
     Uses uses{use(e.sky().map(), Access::surface_read), use(e.sky().light(), Access::surface_read)};
     e.ocean().add_uses(uses);
-    frame.draw_pass("a viewpoint", picture, uses, [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform, false); });
+    frame.draw_pass("a viewpoint", picture, uses,
+                    [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform, false); });
   }
-  Image8 read(SeaShot& shot) const { return {int(width), int(height), 4, read_image(shot.device(), picture.colour(), 0)}; }
+  Image8 read(SeaShot& shot) const {
+    return {int(width), int(height), 4, read_image(shot.device(), picture.colour(), 0)};
+  }
 
   Viewpoint view;
   Quadtree patches;
@@ -48,8 +55,9 @@ Viewpoint looking(const Pose& p, double fov_deg) { return {p, {{p, symmetric_fov
 
 // The eye above the water, its mirror's camera beside, a portal a hundred kilometres off, and a map from 3 km.
 std::vector<Viewpoint> places() {
-  return {looking(pose({3.0, 4.0, -7.0}, 20.0, -20.0), 60.0), looking(pose({30.0, 2.5, 60.0}, 200.0, -30.0, 180.0), 50.0),
-          looking(pose({1e5, 12.0, -3e4}, 110.0, -35.0), 80.0), looking(pose({-500.0, 3000.0, 900.0}, 0.0, -90.0), 40.0)};
+  return {
+      looking(pose({3.0, 4.0, -7.0}, 20.0, -20.0), 60.0), looking(pose({30.0, 2.5, 60.0}, 200.0, -30.0, 180.0), 50.0),
+      looking(pose({1e5, 12.0, -3e4}, 110.0, -35.0), 80.0), looking(pose({-500.0, 3000.0, 900.0}, 0.0, -90.0), 40.0)};
 }
 
 using Order = std::vector<std::size_t>;
@@ -68,10 +76,15 @@ std::vector<Image8> together(SeaShot& shot, std::vector<Camera>& cameras, const 
   return pictures;
 }
 
-// Controls: with one Quadtree for all, as once it was, the last one's patches are drawn for each (seen); another time is seen.
+// Controls: with one Quadtree for all, as once it was, the last one's patches are drawn for each (seen); another time
+// is seen.
 TEST_F(Viewpoints, EachDrawsInOneFrameWithTheOthersWhatItDrawsAlone) {
   for (const char* preset : {"low", "high"}) {
-    SeaShot shot({.scene = "open_sea", .preset = preset, .width = width, .height = height, .set = {{"waves.resolution", "64"}, {"frame.shape", "tile"}}});
+    SeaShot shot({.scene = "open_sea",
+                  .preset = preset,
+                  .width = width,
+                  .height = height,
+                  .set = {{"waves.resolution", "64"}, {"frame.shape", "tile"}}});
     std::vector<Camera> cameras;
     for (const Viewpoint& view : places()) cameras.emplace_back(shot, view, "camera " + std::to_string(cameras.size()));
     std::vector<Image8> alone;
@@ -83,8 +96,8 @@ TEST_F(Viewpoints, EachDrawsInOneFrameWithTheOthersWhatItDrawsAlone) {
       const std::vector<Image8> pictures = together(shot, cameras, order, 7.0);
       for (std::size_t n = 0; n < order.size(); ++n)
         EXPECT_EQ(test::differing_pixels(pictures[n], alone[order[n]]), 0)
-            << preset << ", " << order[n] << " of " << order.size() << ": " << test::leave(pictures[n], "viewpoint_together") << ' '
-            << test::leave(alone[order[n]], "viewpoint_alone");
+            << preset << ", " << order[n] << " of " << order.size() << ": "
+            << test::leave(pictures[n], "viewpoint_together") << ' ' << test::leave(alone[order[n]], "viewpoint_alone");
     }
     // The frame of the experience's own viewer, between them, takes nothing from them and gives nothing.
     const Pose head = pose({0.0, 3.0, 0.0}, 20.0, -10.0);
@@ -97,12 +110,17 @@ TEST_F(Viewpoints, EachDrawsInOneFrameWithTheOthersWhatItDrawsAlone) {
 
 // Frozen, each keeps its own patches when it goes elsewhere, whoever selects between. Control: thawed, they follow.
 TEST_F(Viewpoints, EachFreezesItsOwnPatches) {
-  SeaShot shot({.scene = "open_sea", .preset = "low", .width = width, .height = height, .set = {{"waves.resolution", "64"}, {"frame.shape", "tile"}}});
+  SeaShot shot({.scene = "open_sea",
+                .preset = "low",
+                .width = width,
+                .height = height,
+                .set = {{"waves.resolution", "64"}, {"frame.shape", "tile"}}});
   std::vector<Camera> cameras;
   for (const Viewpoint& view : places()) cameras.emplace_back(shot, view, "camera");
   const auto corners = [&](const Camera& camera) {
     std::vector<glm::dvec2> result;
-    for (const auto& p : camera.selection->patches) result.push_back(camera.selection->grid_origin_m + glm::dvec2(p.corner) * camera.selection->unit_m);
+    for (const auto& p : camera.selection->patches)
+      result.push_back(camera.selection->grid_origin_m + glm::dvec2(p.corner) * camera.selection->unit_m);
     return result;
   };
   std::vector<std::vector<glm::dvec2>> before;

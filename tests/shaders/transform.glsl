@@ -1,5 +1,5 @@
-// One dimension of a field's transforms and nothing else: what the sea's shaders do it with, alone, for tests and benchmarks. Included
-// with FFT_RADIX defined.
+// One dimension of a field's transforms and nothing else: what the sea's shaders do it with, alone, for tests and
+// benchmarks. Included with FFT_RADIX defined.
 #extension GL_GOOGLE_include_directive : require
 
 layout(constant_id = 0) const uint band = 256;
@@ -13,7 +13,8 @@ const uint slots = gl_WorkGroupSize.x / radix;  // transforms of a workgroup
 layout(std430, binding = 0) readonly buffer In { vec2 bins[]; };
 layout(std430, binding = 1) writeonly buffer Out { vec2 samples[]; };
 // Floats from one transform to the next, and from one of its values to the next.
-layout(push_constant) uniform Push { uint in_transform, in_step, out_transform, out_step; } push;
+layout(push_constant) uniform Push { uint in_transform, in_step, out_transform, out_step; }
+push;
 
 void keep(uint which, uint lane, uint phases, uint phase, vec2 v[FFT_RADIX]) {
   for (uint c = 0u; c < radix; ++c)

@@ -18,8 +18,8 @@ thread_local std::uint64_t our_count = 0, other_count = 0;
 
 enum class Owner { ours, passes_on, other };
 
-// By the object that the address lies in. _dl_find_object (glibc 2.35) is fast; dladdr would search the symbols of LLVM for
-// each of the driver's allocations.
+// By the object that the address lies in. _dl_find_object (glibc 2.35) is fast; dladdr would search the symbols of LLVM
+// for each of the driver's allocations.
 Owner owner_of(void* address) {
   static const link_map* const own = [] {
     dl_find_object self{};
@@ -51,8 +51,9 @@ void note(void* caller) {
 [[maybe_unused]] void* take(std::size_t bytes, std::size_t alignment, void* caller) {
   note(caller);
   bytes = std::max<std::size_t>(bytes, 1);
-  void* memory = alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__ ? std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
-                                                              : std::malloc(bytes);
+  void* memory = alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__
+                     ? std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
+                     : std::malloc(bytes);
   if (!memory) throw std::bad_alloc();
   return memory;
 }

@@ -1,5 +1,5 @@
-// Counts the heap allocations that the project's own code makes on this thread. Linking allocations.cpp replaces the global
-// operator new of the whole test program.
+// Counts the heap allocations that the project's own code makes on this thread. Linking allocations.cpp replaces the
+// global operator new of the whole test program.
 #pragma once
 #include <cstdint>
 
@@ -14,9 +14,9 @@
 
 namespace seascape::test {
 
-// While it lives, allocations by operator new on this thread count, if the code that asked for them is this executable's:
-// directly, or through the C++ library, fmt, spdlog or TBB. What the driver and the Vulkan loader take for themselves is not
-// ours and does not count; nor does malloc, which our code never calls.
+// While it lives, allocations by operator new on this thread count, if the code that asked for them is this
+// executable's: directly, or through the C++ library, fmt, spdlog or TBB. What the driver and the Vulkan loader take
+// for themselves is not ours and does not count; nor does malloc, which our code never calls.
 class AllocationCounter {
  public:
   static constexpr bool counts = SEASCAPE_COUNTS_ALLOCATIONS;

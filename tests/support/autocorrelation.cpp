@@ -41,7 +41,8 @@ PeriodicField::PeriodicField(int half, int size, const std::function<double(int,
     : size_(size), mask_(size - 1), values_(std::size_t(size) * std::size_t(size)) {
   std::vector<Complex> twiddle;
   for (int j = 0; j < size / 2; ++j) twiddle.push_back(std::polar(1.0, turn * j / size));
-  // Rows of wave numbers along x first, only those that are not empty; then columns, whose real part is the sum of cosines.
+  // Rows of wave numbers along x first, only those that are not empty; then columns, whose real part is the sum of
+  // cosines.
   std::vector<std::vector<Complex>> rows;
   for (int mz = -half + 1; mz < half; ++mz) {
     std::vector<Complex> row(std::size_t(size), Complex{});
@@ -52,9 +53,11 @@ PeriodicField::PeriodicField(int half, int size, const std::function<double(int,
   std::vector<Complex> column(static_cast<std::size_t>(size));
   for (int x = 0; x < size; ++x) {
     std::fill(column.begin(), column.end(), Complex{});
-    for (int mz = -half + 1; mz < half; ++mz) column[std::size_t(mz & mask_)] = rows[std::size_t(mz + half - 1)][std::size_t(x)];
+    for (int mz = -half + 1; mz < half; ++mz)
+      column[std::size_t(mz & mask_)] = rows[std::size_t(mz + half - 1)][std::size_t(x)];
     transform(column.data(), size, twiddle);
-    for (int y = 0; y < size; ++y) values_[std::size_t(y) * std::size_t(size) + std::size_t(x)] = float(column[std::size_t(y)].real());
+    for (int y = 0; y < size; ++y)
+      values_[std::size_t(y) * std::size_t(size) + std::size_t(x)] = float(column[std::size_t(y)].real());
   }
 }
 
@@ -75,12 +78,13 @@ double PeriodicField::cubic(double u, double v) const {
   };
   double row[4];
   for (int j = 0; j < 4; ++j)
-    row[j] = through(cell(ix - 1, iy + j - 1), cell(ix, iy + j - 1), cell(ix + 1, iy + j - 1), cell(ix + 2, iy + j - 1), x - ix);
+    row[j] = through(cell(ix - 1, iy + j - 1), cell(ix, iy + j - 1), cell(ix + 1, iy + j - 1), cell(ix + 2, iy + j - 1),
+                     x - ix);
   return through(row[0], row[1], row[2], row[3], y - iy);
 }
 
-ContinuousAutocorrelation::ContinuousAutocorrelation(const std::function<double(double, double)>& density, double variance,
-                                                     double longest_wave_m)
+ContinuousAutocorrelation::ContinuousAutocorrelation(const std::function<double(double, double)>& density,
+                                                     double variance, double longest_wave_m)
     : side_m_(std::max(12000.0, 60.0 * longest_wave_m)) {
   constexpr int size = 1024;
   const double step = turn / side_m_, scale = variance > 0.0 ? step * step / variance : 0.0;
@@ -101,7 +105,8 @@ class Search {
       int size = 2;
       while (size < 8 * tile.half) size *= 2;  // eight cells to the shortest wave
       const auto at = [&](int mx, int mz) {
-        return tile.variance[std::size_t(mz + tile.half) * 2 * std::size_t(tile.half) + std::size_t(mx + tile.half)] / sum;
+        return tile.variance[std::size_t(mz + tile.half) * 2 * std::size_t(tile.half) + std::size_t(mx + tile.half)] /
+               sum;
       };
       fields_.emplace_back(tile.half, size, at);
       shares_.push_back(tile.total() / sum);
@@ -203,7 +208,8 @@ class Search {
 };
 }  // namespace
 
-Excess largest_excess(std::span<const SpectralTile> tiles, const ContinuousAutocorrelation& continuous, double from_m, double to_m) {
+Excess largest_excess(std::span<const SpectralTile> tiles, const ContinuousAutocorrelation& continuous, double from_m,
+                      double to_m) {
   return Search(tiles, continuous, from_m, to_m).run();
 }
 

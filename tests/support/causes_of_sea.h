@@ -1,4 +1,5 @@
-// A sea's settings as its truth (sea_truth.h) asks for them: JONSWAP or TMA spread as Donelan and Banner have it, and up to three swells.
+// A sea's settings as its truth (sea_truth.h) asks for them: JONSWAP or TMA spread as Donelan and Banner have it, and
+// up to three swells.
 #pragma once
 #include <cassert>
 
@@ -9,7 +10,8 @@ namespace seascape::test {
 
 inline truth::SeaCauses causes_of(const SeaState& sea) {
   assert(sea.spectrum == WaveSpectrum::jonswap || sea.spectrum == WaveSpectrum::tma);
-  assert(sea.spreading == WaveSpreading::donelan_banner && sea.swell_elongation == 0.0 && sea.small_wave_suppression == 0.0);
+  assert(sea.spreading == WaveSpreading::donelan_banner && sea.swell_elongation == 0.0 &&
+         sea.small_wave_suppression == 0.0);
   truth::SeaCauses causes;
   causes.u10 = sea.wind_speed_mps;
   causes.fetch = sea.fetch_m;

@@ -80,7 +80,8 @@ int Background::exit_code(double patience_s) {
 }
 
 // A server that began anew with each last client's going would turn away a program that comes just then.
-VirtualDisplay::VirtualDisplay() : server_({"Xvfb", "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp", "-displayfd", "3"}) {
+VirtualDisplay::VirtualDisplay()
+    : server_({"Xvfb", "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp", "-displayfd", "3"}) {
   const auto told = [this] { return server_.three().find('\n') != std::string::npos || !server_.running(); };
   if (!wait_until(told) || !server_.running()) throw std::runtime_error("Xvfb does not start: " + server_.err());
   const std::string number = server_.three();

@@ -1,4 +1,5 @@
-// What is water and what is air about a surface that folds over itself. Nothing here includes or repeats a line of the code it judges.
+// What is water and what is air about a surface that folds over itself. Nothing here includes or repeats a line of the
+// code it judges.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ inline bool in_water(const std::vector<Sheet>& sheets, double y) {
   return winding != 0;
 }
 
-// A trochoid (Gerstner 1804): x = s - b sin(k s), y = a cos(k s), folded where b k > 1. Its sheets over x, each bisected between extremes of x.
+// A trochoid (Gerstner 1804): x = s - b sin(k s), y = a cos(k s), folded where b k > 1. Its sheets over x, each
+// bisected between extremes of x.
 inline std::vector<Sheet> trochoid_sheets(double a, double b, double k, double x) {
   std::vector<Sheet> sheets;
   const auto at = [&](double s) { return s - b * std::sin(k * s) - x; };
@@ -39,9 +41,10 @@ struct Point3 {
   double x, y, z;
 };
 
-// The sheets over (x, z) of any surface: where `stands` has the rest positions about there, `reach` away at most, on a raster of `step`, as
-// triangles in the plane.
-inline std::vector<Sheet> raster_sheets(const std::function<Point3(double, double)>& stands, double x, double z, double reach, double step) {
+// The sheets over (x, z) of any surface: where `stands` has the rest positions about there, `reach` away at most, on a
+// raster of `step`, as triangles in the plane.
+inline std::vector<Sheet> raster_sheets(const std::function<Point3(double, double)>& stands, double x, double z,
+                                        double reach, double step) {
   std::vector<Sheet> sheets;
   const int n = int(std::ceil(2.0 * reach / step)) + 1;
   std::vector<Point3> row(std::size_t(n), Point3{}), next(std::size_t(n), Point3{});

@@ -1,4 +1,5 @@
-// Gerstner's waves in closed form, in double: Gerstner (1804), Fournier and Reeves (1986). Nothing here includes or repeats a line of the code it judges.
+// Gerstner's waves in closed form, in double: Gerstner (1804), Fournier and Reeves (1986). Nothing here includes or
+// repeats a line of the code it judges.
 #pragma once
 #include <cmath>
 #include <vector>
@@ -8,11 +9,11 @@ namespace truth {
 inline constexpr double pi_of_gerstner = 3.14159265358979323846264338327950288;
 
 struct Trochoid {
-  double kx = 0.0, kz = 0.0;   // rad/m
-  double a = 0.0;              // metres
-  double phase = 0.0;          // rad, of a crest at the origin and time 0: 0
-  double chop = 1.0;           // horizontal over vertical radius
-  long double w = 0.0L;        // rad/s
+  double kx = 0.0, kz = 0.0;  // rad/m
+  double a = 0.0;             // metres
+  double phase = 0.0;         // rad, of a crest at the origin and time 0: 0
+  double chop = 1.0;          // horizontal over vertical radius
+  long double w = 0.0L;       // rad/s
 };
 
 // Airy (1845) with the tension of sea water (Lamb 1932, art. 267): 7.17e-5 m^3/s^2.
@@ -35,7 +36,8 @@ inline Trochoids trochoids(const std::vector<Trochoid>& waves, long double t, do
     const double k = std::hypot(wave.kx, wave.kz), ux = wave.kx / k, uz = wave.kz / k;
     // The phase of time modulo a turn first, so that a great time costs no digits.
     const long double turns = wave.w * t / (2.0L * 3.14159265358979323846264338327950288L);
-    const double angle = wave.kx * x + wave.kz * z + wave.phase - 2.0 * pi_of_gerstner * double(turns - std::floor(turns));
+    const double angle =
+        wave.kx * x + wave.kz * z + wave.phase - 2.0 * pi_of_gerstner * double(turns - std::floor(turns));
     const double c = wave.a * std::cos(angle), s = wave.a * std::sin(angle), r = wave.chop, w = double(wave.w);
     sum.x -= r * ux * s;
     sum.y += c;

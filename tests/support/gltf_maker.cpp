@@ -13,7 +13,8 @@ std::string joined(const std::string& list, const std::string& item) { return li
 int GltfMaker::view(const std::vector<std::uint8_t>& bytes, int stride) {
   data.resize((data.size() + 3) / 4 * 4);
   const std::string step = stride ? fmt::format(R"(,"byteStride":{})", stride) : "";
-  views_ = joined(views_, fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}{}}})", data.size(), bytes.size(), step));
+  views_ = joined(views_,
+                  fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}{}}})", data.size(), bytes.size(), step));
   data.insert(data.end(), bytes.begin(), bytes.end());
   return view_count_++;
 }
@@ -27,8 +28,8 @@ int GltfMaker::view_of(const std::vector<float>& values) {
 int GltfMaker::accessor(int view, int offset, int component_type, std::size_t count, const std::string& type,
                         const std::string& more) {
   const std::string source = view < 0 ? "" : fmt::format(R"("bufferView":{},"byteOffset":{},)", view, offset);
-  accessors_ = joined(accessors_, fmt::format(R"({{{}"componentType":{},"count":{},"type":"{}"{}}})", source, component_type,
-                                              count, type, more));
+  accessors_ = joined(accessors_, fmt::format(R"({{{}"componentType":{},"count":{},"type":"{}"{}}})", source,
+                                              component_type, count, type, more));
   return accessor_count_++;
 }
 

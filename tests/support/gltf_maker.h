@@ -11,7 +11,8 @@ class GltfMaker {
   // Each returns the number of what it added.
   int view(const std::vector<std::uint8_t>& bytes, int stride);
   int view_of(const std::vector<float>& values);
-  int accessor(int view, int offset, int component_type, std::size_t count, const std::string& type, const std::string& more = "");
+  int accessor(int view, int offset, int component_type, std::size_t count, const std::string& type,
+               const std::string& more = "");
   int floats(const std::string& type, const std::vector<float>& values);
   int indices(int component_type, const std::vector<std::uint32_t>& values);
 

@@ -12,7 +12,8 @@ struct Flat {
   double x = 0.0, z = 0.0;
 };
 
-// The centripetal Catmull-Rom curve between b and c, at the share s of its knots, by Barry and Goldman's pyramid of straight lines.
+// The centripetal Catmull-Rom curve between b and c, at the share s of its knots, by Barry and Goldman's pyramid of
+// straight lines.
 inline Flat pyramid(Flat a, Flat b, Flat c, Flat d, double s) {
   const auto far = [](Flat p, Flat q) { return std::sqrt(std::hypot(q.x - p.x, q.z - p.z)); };
   const double ta = 0.0, tb = ta + far(a, b), tc = tb + far(b, c), td = tc + far(c, d), t = tb + s * (tc - tb);

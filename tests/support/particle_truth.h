@@ -1,4 +1,5 @@
-// Wave particles by direct sums in double: Yuksel, House and Keyser (2007). Nothing here includes or repeats a line of the code it judges.
+// Wave particles by direct sums in double: Yuksel, House and Keyser (2007). Nothing here includes or repeats a line of
+// the code it judges.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -39,7 +40,8 @@ inline double bumps_dx(const std::vector<Bump>& list, double r, double side, dou
   return sum;
 }
 
-// How much a front along z, of bumps `spacing` apart, varies along itself `off` its crest: highest less lowest over the mean.
+// How much a front along z, of bumps `spacing` apart, varies along itself `off` its crest: highest less lowest over the
+// mean.
 inline double ripple(double r, double spacing, double off) {
   std::vector<Bump> list;
   for (int i = -int(r / spacing) - 2; i <= int(r / spacing) + 3; ++i) list.push_back({0.0, i * spacing});

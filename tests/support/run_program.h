@@ -10,8 +10,8 @@ struct ProgramResult {
   std::string out, err;
 };
 
-// `words` follow the program's name; `environment` adds to this process's ("NAME=value"). Standard input is empty. Standard
-// output goes to `out_file` where one is named ("/dev/full").
+// `words` follow the program's name; `environment` adds to this process's ("NAME=value"). Standard input is empty.
+// Standard output goes to `out_file` where one is named ("/dev/full").
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
                           const std::string& out_file = "");
 

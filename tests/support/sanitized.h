@@ -1,4 +1,5 @@
-// Whether this is a build of a sanitizer, which takes ten times as long: what is counted in thousands is sampled there, and counted in the release build.
+// Whether this is a build of a sanitizer, which takes ten times as long: what is counted in thousands is sampled there,
+// and counted in the release build.
 #pragma once
 #include "tests/support/allocations.h"
 

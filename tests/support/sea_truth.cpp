@@ -16,12 +16,14 @@ double group_speed(double k, double g, double h) {
 }  // namespace
 
 SeaSpectrum::SeaSpectrum(const SeaCauses& causes)
-    : causes_(causes), wind_(causes.u10, causes.fetch, causes.g, causes.gamma),
+    : causes_(causes),
+      wind_(causes.u10, causes.fetch, causes.g, causes.gamma),
       short_waves_(causes.u10, std::clamp(causes.u10 * wind_.peak / causes.g, 0.84, 5.0), causes.g) {
   for (const SeaCauses::Swell& s : causes.swell) {
     const double peak = 2.0 * pi / s.period_s, g = causes.g;
     const auto over_log = [&](double x) { return std::exp(x) * swell_shape(std::exp(x), 1.0, peak, g); };
-    const double unit = integral(over_log, std::log(0.3 * peak), std::log(7.0 * peak), 1e-9 * g * g * std::pow(peak, -4), 200);
+    const double unit =
+        integral(over_log, std::log(0.3 * peak), std::log(7.0 * peak), 1e-9 * g * g * std::pow(peak, -4), 200);
     swell_alpha_.push_back(s.height * s.height / 16.0 / unit);
   }
   fourier_.resize(std::size_t(components()));
@@ -59,7 +61,9 @@ double SeaSpectrum::over_k(int component, double k) const {
   }
   const double share = short_share(deep_k, wind_.peak * wind_.peak / g);
   if (component == 0)
-    return share == 1.0 ? 0.0 : (1.0 - share) * wind_.at(w) * (causes_.tma ? depth_factor(w, g, h) : 1.0) * group_speed(k, g, h);
+    return share == 1.0
+               ? 0.0
+               : (1.0 - share) * wind_.at(w) * (causes_.tma ? depth_factor(w, g, h) : 1.0) * group_speed(k, g, h);
   if (share == 0.0) return 0.0;
   return share * (short_waves_.low(deep_k) * short_waves_.fed(deep_k) + short_waves_.high(deep_k)) / (k * k * k);
 }

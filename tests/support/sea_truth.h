@@ -1,5 +1,5 @@
-// The directional spectrum of a whole sea and the statistics that follow from it: formulas of spectrum_truth.h joined and integrated
-// by quadrature. Includes nothing of the code it judges.
+// The directional spectrum of a whole sea and the statistics that follow from it: formulas of spectrum_truth.h joined
+// and integrated by quadrature. Includes nothing of the code it judges.
 #pragma once
 #include <array>
 #include <vector>
@@ -29,26 +29,27 @@ struct SeaCauses {
 
 // Moments of the variance S(k) D(k, angle) over k and angle, waves of the band alone. w: Airy's with tension.
 struct SeaMoments {
-  double m0 = 0.0;       // E[h^2]
-  double w2 = 0.0;       // E[(dh/dt)^2]
-  double u2 = 0.0;       // E[u^2] of the water's horizontal velocity at the surface, coth(k depth) as much as the vertical's
-  Vector w1;             // integral of w times the unit wave vector and that width: E[h u]
-  Tensor k1, k2;         // integrals of k^n times the unit wave vector twice: k2 is E[grad h grad h]
+  double m0 = 0.0;  // E[h^2]
+  double w2 = 0.0;  // E[(dh/dt)^2]
+  double u2 = 0.0;  // E[u^2] of the water's horizontal velocity at the surface, coth(k depth) as much as the vertical's
+  Vector w1;        // integral of w times the unit wave vector and that width: E[h u]
+  Tensor k1, k2;    // integrals of k^n times the unit wave vector twice: k2 is E[grad h grad h]
   Tensor k0_wide, k1_wide, k2_wide;  // the same times that width, k0 and k2 times its square: k0_wide is E[D D]
 };
 
-// JONSWAP (or TMA) spread as Donelan and Banner have it, Elfouhaily's tail, trains of swell of gamma 6 spread as cos^50 of half the angle.
+// JONSWAP (or TMA) spread as Donelan and Banner have it, Elfouhaily's tail, trains of swell of gamma 6 spread as cos^50
+// of half the angle.
 class SeaSpectrum {
  public:
   explicit SeaSpectrum(const SeaCauses& causes);
   // Variance over the wave number (m^3) of a component: wind's long waves, its short ones, then each swell.
   double over_k(int component, double k) const;
   int components() const { return 2 + int(causes_.swell.size()); }
-  // Variance over the wave vector (m^4): over_k and spreadings' norms from straight lines over ln k, a component that has less than 1e-4 of a
-  // wave number's variance left out.
+  // Variance over the wave vector (m^4): over_k and spreadings' norms from straight lines over ln k, a component that
+  // has less than 1e-4 of a wave number's variance left out.
   double over_vector(double kx, double kz) const;
-  // Waves to which `share` leaves something; by trapezoids over ln k and the angle, which for these smooth functions that end in nothing
-  // converge at once.
+  // Waves to which `share` leaves something; by trapezoids over ln k and the angle, which for these smooth functions
+  // that end in nothing converge at once.
   template <class Share>
   SeaMoments moments(const Share& share) const {
     SeaMoments sum;
@@ -77,14 +78,15 @@ class SeaSpectrum {
   std::vector<std::vector<Fourier>> fourier_;  // [component][node]
 };
 
-// What the moments say of the drawn surface, whose horizontal displacement is chop times the unit wave vector times the height's at a quarter
-// of a wave away, and coth(k depth) as wide as that is high (Airy 1845).
+// What the moments say of the drawn surface, whose horizontal displacement is chop times the unit wave vector times the
+// height's at a quarter of a wave away, and coth(k depth) as wide as that is high (Airy 1845).
 //
-// Heights over the displaced surface: of a first-order Lagrangian sea, x = a + D(a), a mean over the plane of x weighs places a by the
-// Jacobian J = det(I + G), G = grad D. h and G are jointly Gaussian with E[h G] = -chop k1_wide, and J is
-// a polynomial, so Isserlis' (1918) theorem gives the moments with no remainder (the "choppy wave" model of Nouguier, Guerin and
-// Chapron 2009): E[h] = -T, E[h^2] = m0 + 2 d, E[h^3] = -3 m0 T with T = chop tr k1_wide, d = chop^2 det k1_wide. To second order (Longuet-Higgins
-// 1963) the skewness about the mean is 0: sharp crests and the lower mean level under high groups cancel.
+// Heights over the displaced surface: of a first-order Lagrangian sea, x = a + D(a), a mean over the plane of x weighs
+// places a by the Jacobian J = det(I + G), G = grad D. h and G are jointly Gaussian with E[h G] = -chop k1_wide, and J
+// is a polynomial, so Isserlis' (1918) theorem gives the moments with no remainder (the "choppy wave" model of
+// Nouguier, Guerin and Chapron 2009): E[h] = -T, E[h^2] = m0 + 2 d, E[h^3] = -3 m0 T with T = chop tr k1_wide, d =
+// chop^2 det k1_wide. To second order (Longuet-Higgins 1963) the skewness about the mean is 0: sharp crests and the
+// lower mean level under high groups cancel.
 struct Heights {
   double mean, square, cube;  // about the still sea
 };
@@ -92,9 +94,9 @@ inline Heights chopped_heights(const SeaMoments& m, double chop) {
   const double t = chop * m.k1_wide.trace(), d = chop * chop * m.k1_wide.determinant();
   return {-t, m.m0 + 2.0 * d, -3.0 * m.m0 * t};
 }
-// Slope variance, both directions together, over the displaced surface. J times the slope is (1 + tr G) grad h - G grad h; 1 / J to second
-// order in G leaves E = tr S + E[grad h . G^2 grad h] = tr S + chop^2 tr S W, S = k2, W = k2_wide (det G's mean is 0); what is left out is of third
-// order in S.
+// Slope variance, both directions together, over the displaced surface. J times the slope is (1 + tr G) grad h - G grad
+// h; 1 / J to second order in G leaves E = tr S + E[grad h . G^2 grad h] = tr S + chop^2 tr S W, S = k2, W = k2_wide
+// (det G's mean is 0); what is left out is of third order in S.
 inline double chopped_slopes(const SeaMoments& m, double chop) {
   const Tensor &s = m.k2, &w = m.k2_wide;
   return s.trace() + chop * chop * (s.xx * w.xx + s.zz * w.zz + 2.0 * s.xz * w.xz);

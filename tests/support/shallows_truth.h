@@ -1,5 +1,5 @@
-// Truths of waves over a bed: shoaling from Airy's theory with wave numbers by bisection, Snell's law on a plane beach. Nothing here includes or
-// repeats a line of the code it judges.
+// Truths of waves over a bed: shoaling from Airy's theory with wave numbers by bisection, Snell's law on a plane beach.
+// Nothing here includes or repeats a line of the code it judges.
 #pragma once
 #include <cmath>
 #include <map>

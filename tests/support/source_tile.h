@@ -11,13 +11,16 @@ namespace seascape::test {
 
 // A source's tile with its own memory.
 struct SourceTile {
-  explicit SourceTile(const TileSource& source, std::int64_t ticks, bool with_velocity = false) : samples(source.samples()), velocity(with_velocity), workspace(source.workspace_floats(velocity)) {
+  explicit SourceTile(const TileSource& source, std::int64_t ticks, bool with_velocity = false)
+      : samples(source.samples()), velocity(with_velocity), workspace(source.workspace_floats(velocity)) {
     for (int size = samples; size >= 1; size /= 2)
-      for (int plane = 0; plane < 4; ++plane) texels.emplace_back(std::size_t(size) * std::size_t(size), glm::vec4(-1e30f));
+      for (int plane = 0; plane < 4; ++plane)
+        texels.emplace_back(std::size_t(size) * std::size_t(size), glm::vec4(-1e30f));
     for (int size = samples, level = 0; size >= 1; size /= 2, ++level) {
       PlaneLevel l{};
       l.stride = size;
-      for (int plane = 0; plane < (velocity ? 4 : 3); ++plane) l.texels[plane] = texels[std::size_t(4 * level + plane)].data();
+      for (int plane = 0; plane < (velocity ? 4 : 3); ++plane)
+        l.texels[plane] = texels[std::size_t(4 * level + plane)].data();
       levels.push_back(l);
     }
     evaluate(source, ticks);

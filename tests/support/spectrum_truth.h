@@ -1,5 +1,5 @@
-// Truths of waves and their spectra: textbook formulas in their authors' own variables, roots by bisection, integrals by adaptive
-// quadrature. Nothing here includes or repeats a line of the code it judges.
+// Truths of waves and their spectra: textbook formulas in their authors' own variables, roots by bisection, integrals
+// by adaptive quadrature. Nothing here includes or repeats a line of the code it judges.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,8 @@ inline double pierson_moskowitz(double w, double u19, double g) {
   return 0.0081 * g * g / std::pow(w, 5) * std::exp(-0.74 * std::pow(g / (u19 * w), 4));
 }
 
-// JONSWAP of a wind at 10 m and a fetch, as Hasselmann et al. (1973) fitted it, its peak and its energy held at Pierson and
-// Moskowitz's (U19.5 = 1.026 U10).
+// JONSWAP of a wind at 10 m and a fetch, as Hasselmann et al. (1973) fitted it, its peak and its energy held at Pierson
+// and Moskowitz's (U19.5 = 1.026 U10).
 struct Jonswap {
   Jonswap(double u10, double fetch, double g_, double gamma_ = 3.3) : g(g_), gamma(gamma_) {
     const double u19 = 1.026 * u10, lowest = std::pow(4.0 * 0.74 / 5.0, 0.25) * g / u19;
@@ -43,13 +43,14 @@ struct Jonswap {
   }
   double at(double w) const { return jonswap(w, alpha, peak, gamma, g); }
   double energy() const {
-    return integral([&](double s) { return std::exp(s) * at(std::exp(s)); }, std::log(0.3 * peak), std::log(300.0 * peak), 1e-9 * alpha * g * g * std::pow(peak, -4), 400);
+    return integral([&](double s) { return std::exp(s) * at(std::exp(s)); }, std::log(0.3 * peak),
+                    std::log(300.0 * peak), 1e-9 * alpha * g * g * std::pow(peak, -4), 400);
   }
   double g, gamma, alpha = 0.0, peak = 1.0;
 };
 
-// Kitaigorodskii's factor: exact, k_h^-3 (dk/dw)_h over k_deep^-3 (dk/dw)_deep = tanh^2(kh) / (1 + 2 kh / sinh 2kh), and in the two
-// parabolas of Thompson and Vincent (1983).
+// Kitaigorodskii's factor: exact, k_h^-3 (dk/dw)_h over k_deep^-3 (dk/dw)_deep = tanh^2(kh) / (1 + 2 kh / sinh 2kh),
+// and in the two parabolas of Thompson and Vincent (1983).
 inline double depth_factor_exact(double w, double g, double h) {
   const double kh = airy_inverse(w, g, h) * h;
   return std::pow(std::tanh(kh), 2) / (1.0 + 2.0 * kh / std::sinh(2.0 * kh));
@@ -98,7 +99,8 @@ struct Elfouhaily {
   double high(double k) const {
     const double kp = g * w * w / (u * u), ln = std::log(friction / cm);
     const double alpha = std::max(0.0, 0.01 * (1.0 + (friction < cm ? ln : 3.0 * ln)));
-    return 0.5 * alpha * cm / c(k) * std::exp(-1.25 * std::pow(kp / k, 2)) * std::exp(-0.25 * std::pow(k / km - 1.0, 2));
+    return 0.5 * alpha * cm / c(k) * std::exp(-1.25 * std::pow(kp / k, 2)) *
+           std::exp(-0.25 * std::pow(k / km - 1.0, 2));
   }
   // What wind gives less what viscosity takes, over what wind gives (Plant 1982; Lamb 1932).
   double fed(double k) const {
@@ -106,7 +108,8 @@ struct Elfouhaily {
     return std::max(0.0, (given - taken) / given);
   }
   double delta(double k) const {
-    return std::tanh(std::log(2.0) / 4.0 + 4.0 * std::pow(c(k) * w / u, 2.5) + 0.13 * friction / cm * std::pow(cm / c(k), 2.5));
+    return std::tanh(std::log(2.0) / 4.0 + 4.0 * std::pow(c(k) * w / u, 2.5) +
+                     0.13 * friction / cm * std::pow(cm / c(k), 2.5));
   }
   double g, w, u, km, cm, friction;
 };

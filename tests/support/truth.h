@@ -10,8 +10,8 @@ namespace truth {
 inline constexpr double pi = 3.14159265358979323846;
 
 namespace detail {
-inline double simpson(const std::function<double(double)>& f, double a, double fa, double b, double fb, double fm, double whole,
-                      double tolerance, int depth) {
+inline double simpson(const std::function<double(double)>& f, double a, double fa, double b, double fb, double fm,
+                      double whole, double tolerance, int depth) {
   const double m = 0.5 * (a + b), fl = f(0.5 * (a + m)), fr = f(0.5 * (m + b));
   const double left = (m - a) / 6.0 * (fa + 4.0 * fl + fm), right = (b - m) / 6.0 * (fm + 4.0 * fr + fb);
   const double error = left + right - whole;
@@ -32,8 +32,9 @@ inline double integral(const std::function<double(double)>& f, double a, double 
   return sum;
 }
 
-// What a tile of `samples` texels a side must carry of wave (mx, mz), of height 1, so that straight lines between texels fit it: the best fit of a
-// wave to its own linear interpolation has sinc^2(m / samples) of it an axis; counted down to four texels a wave.
+// What a tile of `samples` texels a side must carry of wave (mx, mz), of height 1, so that straight lines between
+// texels fit it: the best fit of a wave to its own linear interpolation has sinc^2(m / samples) of it an axis; counted
+// down to four texels a wave.
 inline double raised(int mx, int mz, int samples) {
   const auto axis = [&](int m) {
     const double x = pi * std::min(std::abs(m) / double(samples), 0.25);

@@ -1,4 +1,5 @@
-// The hull of Wigley (1942), of which a formula says what is within, and as a model: below its waterline a parabola along and across, above it upright to a deck.
+// The hull of Wigley (1942), of which a formula says what is within, and as a model: below its waterline a parabola
+// along and across, above it upright to a deck.
 #pragma once
 #include <array>
 #include <cmath>
@@ -16,7 +17,9 @@ struct Wigley {
     const double along = 2.0 * z / length_m, down = y < 0.0 ? y / draught_m : 0.0;
     return 0.5 * beam_m * (1.0 - along * along) * (1.0 - down * down);
   }
-  bool holds(double x, double y, double z) const { return y > -draught_m && y < freeboard_m && std::abs(z) < 0.5 * length_m && std::abs(x) < half_breadth(y, z); }
+  bool holds(double x, double y, double z) const {
+    return y > -draught_m && y < freeboard_m && std::abs(z) < 0.5 * length_m && std::abs(x) < half_breadth(y, z);
+  }
 };
 
 // Closed; every triangle has its own vertices, as flat normals make them. Without its deck it is open.
@@ -25,7 +28,8 @@ inline std::shared_ptr<Model> wigley_model(const Wigley& hull, bool deck = true)
   auto model = std::make_shared<Model>();
   MeshPart part;
   const auto point = [&](int i, int j, double side) {  // j: from the keel to the waterline, and one more to the deck
-    const double z = (double(i) / along - 0.5) * hull.length_m, y = j <= down ? (double(j) / down - 1.0) * hull.draught_m : hull.freeboard_m;
+    const double z = (double(i) / along - 0.5) * hull.length_m,
+                 y = j <= down ? (double(j) / down - 1.0) * hull.draught_m : hull.freeboard_m;
     return glm::vec3(float(side * hull.half_breadth(y, z)), float(y), float(z));
   };
   const auto triangle = [&](const std::array<glm::vec3, 3>& p) {
@@ -45,7 +49,9 @@ inline std::shared_ptr<Model> wigley_model(const Wigley& hull, bool deck = true)
       quad(point(i, j, 1.0), point(i, j + 1, 1.0), point(i + 1, j + 1, 1.0), point(i + 1, j, 1.0));
       quad(point(i + 1, j, -1.0), point(i + 1, j + 1, -1.0), point(i, j + 1, -1.0), point(i, j, -1.0));
     }
-    if (deck) quad(point(i, down + 1, 1.0), point(i, down + 1, -1.0), point(i + 1, down + 1, -1.0), point(i + 1, down + 1, 1.0));
+    if (deck)
+      quad(point(i, down + 1, 1.0), point(i, down + 1, -1.0), point(i + 1, down + 1, -1.0),
+           point(i + 1, down + 1, 1.0));
   }
   model->parts.push_back(part);
   return model;

@@ -31,7 +31,8 @@ const LabLaw& law_of(const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// Both joins, at one sea. Controls seen: meshes of one pixel_error whatever is asked for (power 0); joins that are not told to the tree (equal triangles).
+// Both joins, at one sea. Controls seen: meshes of one pixel_error whatever is asked for (power 0); joins that are not
+// told to the tree (equal triangles).
 TEST_F(DrawnCurves, TheMeshMissesWhatIsAskedFor) {
   const std::vector<LabPoint> points = errors_of("mesh", 10.0);
   EXPECT_NEAR(fitted_power(law_of("mesh"), points, "U10"), 1.0, law_of("mesh").tolerance);
@@ -43,11 +44,13 @@ TEST_F(DrawnCurves, TheMeshMissesWhatIsAskedFor) {
     if (p.error.unit == "triangles") triangles[p.knob] += p.error.value;
   }
   ASSERT_EQ(triangles.size(), 2u);
-  EXPECT_GT(triangles["lod.pixel_error, masked"], 1.02 * triangles["lod.pixel_error, morphed"]) << "masked joins split farther off";
+  EXPECT_GT(triangles["lod.pixel_error, masked"], 1.02 * triangles["lod.pixel_error, morphed"])
+      << "masked joins split farther off";
 }
 
-// The processor and compute shaders make one sea; half floats cost eleven bits; reading between texels is of second order. Controls seen: compute shaders a millisecond late (the
-// last expectation), texels read half a texel off (power -1).
+// The processor and compute shaders make one sea; half floats cost eleven bits; reading between texels is of second
+// order. Controls seen: compute shaders a millisecond late (the last expectation), texels read half a texel off (power
+// -1).
 TEST_F(DrawnCurves, TilesAreReadBetweenTexelsToSecondOrder) {
   const std::vector<LabPoint> points = errors_of("compute", 10.0);
   EXPECT_NEAR(fitted_power(law_of("compute"), points, "U10"), -2.0, law_of("compute").tolerance);
@@ -61,7 +64,9 @@ TEST_F(DrawnCurves, TilesAreReadBetweenTexelsToSecondOrder) {
   }
 }
 
-// Whole frames: each preset has its three errors and a time; a better preset errs less, by pixels and by what an eye sees, and all settings can be given to --set. Controls seen: the best drawn a second late; presets that differ in samples a pixel alone.
+// Whole frames: each preset has its three errors and a time; a better preset errs less, by pixels and by what an eye
+// sees, and all settings can be given to --set. Controls seen: the best drawn a second late; presets that differ in
+// samples a pixel alone.
 TEST_F(DrawnCurves, BetterPresetsDrawWhatIsNearerToTheBest) {
   LabOptions options;
   options.quick = true;
@@ -79,11 +84,15 @@ TEST_F(DrawnCurves, BetterPresetsDrawWhatIsNearerToTheBest) {
   for (const LabPoint& p : points) {
     EXPECT_TRUE(std::isfinite(p.error.value) && p.error.value > 0.0) << p.settings;
     EXPECT_GT(p.time_us.median, 0.0) << p.settings;
-    if (p.preset.empty()) ++random;
-    else errors[p.preset][p.error.unit] = p.error.value;
+    if (p.preset.empty())
+      ++random;
+    else
+      errors[p.preset][p.error.unit] = p.error.value;
     Settings settings;
     std::istringstream all(p.settings);
-    for (std::string one; all >> one;) EXPECT_NO_THROW(set_from_text(settings, one.substr(0, one.find('=')), one.substr(one.find('=') + 1), "test")) << one;
+    for (std::string one; all >> one;)
+      EXPECT_NO_THROW(set_from_text(settings, one.substr(0, one.find('=')), one.substr(one.find('=') + 1), "test"))
+          << one;
   }
   EXPECT_EQ(random, 9);
   ASSERT_EQ(errors.size(), 4u);

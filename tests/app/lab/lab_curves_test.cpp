@@ -28,9 +28,10 @@ std::vector<LabPoint> errors_of(const LabCurve& curve, double wind_mps) {
   return measure(curve.name, wind_mps, curve.tasks(wind_mps, errors_alone()), errors_alone(), 0.0, nothing);
 }
 
-// At least five settings, whose errors are finite, and each law within its tolerance, in every sea. Controls seen: steps of the loops' frames by straight lines in place of six frames
-// (baked: power -1.9), a pressure at the step's end (dynamic: -1), half floats cut and not rounded (transform), Newton's steps under the name of fixed point (query), a table
-// of the nearest entry (fresnel: -1), texels read without the half texel's shift (texel: 1).
+// At least five settings, whose errors are finite, and each law within its tolerance, in every sea. Controls seen:
+// steps of the loops' frames by straight lines in place of six frames (baked: power -1.9), a pressure at the step's end
+// (dynamic: -1), half floats cut and not rounded (transform), Newton's steps under the name of fixed point (query), a
+// table of the nearest entry (fresnel: -1), texels read without the half texel's shift (texel: 1).
 TEST(LabCurves, ErrorsFallAsTheoryHasIt) {
   std::set<std::string> names;
   for (const LabCurve& curve : cpu_curves()) {
@@ -50,11 +51,13 @@ TEST(LabCurves, ErrorsFallAsTheoryHasIt) {
         const double stated = stated_power(law, points, sea_name(wind_mps));
         EXPECT_NEAR(power, stated, law.tolerance) << curve.name << ": " << law.knob << " at " << wind_mps << " m/s";
         RecordProperty(curve.name + "_" + law.knob + "_" + sea_name(wind_mps), std::to_string(power));
-        std::printf("%s, %s, %s: %.3f (theory %.2f)\n", curve.name.c_str(), law.knob.c_str(), sea_name(wind_mps).c_str(), power, stated);
+        std::printf("%s, %s, %s: %.3f (theory %.2f)\n", curve.name.c_str(), law.knob.c_str(),
+                    sea_name(wind_mps).c_str(), power, stated);
       }
     }
   }
-  for (const std::string_view name : lab_curve_names) EXPECT_TRUE(names.contains(std::string(name)) || name == "mesh" || name == "compute" || name == "frame") << name;
+  for (const std::string_view name : lab_curve_names)
+    EXPECT_TRUE(names.contains(std::string(name)) || name == "mesh" || name == "compute" || name == "frame") << name;
 }
 
 // What truths.md states of single settings. Controls seen: the fourth step's bound with three steps; one rate for two.
@@ -74,11 +77,13 @@ TEST(LabCurves, SayWhatIsKnownOfThem) {
   // A front of particles at spacing r / 2 and r.
   EXPECT_LT(error("particles", "particles a radius of the front", 2.0), 0.04);
   EXPECT_GT(error("particles", "particles a radius of the front", 1.0), 0.04);
-  // Single floats within 5e-7, half storage near what 11 bits leave: 2^-11 / sqrt(3) of values whose mantissas are spread evenly over an octave, 1.9e-4.
+  // Single floats within 5e-7, half storage near what 11 bits leave: 2^-11 / sqrt(3) of values whose mantissas are
+  // spread evenly over an octave, 1.9e-4.
   for (const char* plane : {"height", "slope"}) {
     EXPECT_LT(error("transform", std::string(plane) + ", 32-bit", 512.0), 5e-7);
     EXPECT_NEAR(error("transform", std::string(plane) + ", 16-bit storage", 512.0, 1), 1.9e-4, 4e-5);
-    EXPECT_GT(error("transform", std::string(plane) + ", 32-bit", 64.0), 0.01) << "waves that a small transform has no room for";
+    EXPECT_GT(error("transform", std::string(plane) + ", 32-bit", 64.0), 0.01)
+        << "waves that a small transform has no room for";
   }
   // Dynamic waves run exactly at any rate.
   for (const double rate : {10.0, 120.0}) {
@@ -95,17 +100,30 @@ TEST(LabCurves, SayWhatIsKnownOfThem) {
   EXPECT_LT(error("cascades", "waves.cascades", 5.0, 1), 0.03) << "all of the height, of one draw of it";
 }
 
-// Each task is timed, in both orders, and its own result judged though it shares memory with others. Controls seen: errors asked without a run before; rounds in one order.
+// Each task is timed, in both orders, and its own result judged though it shares memory with others. Controls seen:
+// errors asked without a run before; rounds in one order.
 TEST(LabCurves, TasksAreMeasuredInTurn) {
   std::string order;
   int shared = 0;
   std::vector<LabTask> tasks;
   for (const int i : {0, 1, 2})
-    tasks.push_back({"knob", double(i), [&order, &shared, i] { shared = i; if (order.size() < 4000) order += char('a' + i); std::this_thread::sleep_for(std::chrono::microseconds(400)); }, 2.0,
-                     [&shared] { return std::vector<LabError>{{double(shared), "one"}, {1.0, "two"}}; }, i == 1 ? "low" : "", ""});
+    tasks.push_back({"knob", double(i),
+                     [&order, &shared, i] {
+                       shared = i;
+                       if (order.size() < 4000) order += char('a' + i);
+                       std::this_thread::sleep_for(std::chrono::microseconds(400));
+                     },
+                     2.0,
+                     [&shared] {
+                       return std::vector<LabError>{{double(shared), "one"}, {1.0, "two"}};
+                     },
+                     i == 1 ? "low" : "", ""});
   LabOptions options;
   double share = 0.0;
-  const std::vector<LabPoint> points = measure("test", 10.0, tasks, options, 0.0, [&](double s) { EXPECT_GE(s, share); share = s; });
+  const std::vector<LabPoint> points = measure("test", 10.0, tasks, options, 0.0, [&](double s) {
+    EXPECT_GE(s, share);
+    share = s;
+  });
   EXPECT_EQ(share, 1.0);
   ASSERT_EQ(points.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -114,9 +132,14 @@ TEST(LabCurves, TasksAreMeasuredInTurn) {
     EXPECT_EQ(points[i].time_us.count, 5u);
     EXPECT_GE(points[i].time_us.median, 200.0) << "half a run of 400 us";
   }
-  EXPECT_EQ(order, "aabbcc" "abccbaabccbaabc" "abc") << "twice for nothing, five rounds, once for the errors";
+  EXPECT_EQ(order,
+            "aabbcc"
+            "abccbaabccbaabc"
+            "abc")
+      << "twice for nothing, five rounds, once for the errors";
   tasks[1].errors = [] { return std::vector<LabError>{{std::nan(""), "one"}}; };
-  EXPECT_NE(test::error_of([&] { measure("test", 10.0, tasks, options, 0.0, [](double) {}); }).find("knob 1"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { measure("test", 10.0, tasks, options, 0.0, [](double) {}); }).find("knob 1"),
+            std::string::npos);
 }
 
 // Controls seen: natural logarithms of steps taken too; points of other units counted.

@@ -19,14 +19,16 @@ test::ProgramResult lab(std::vector<std::string> words) {
   return test::run_command(words);
 }
 
-// Controls seen: parts kept at the end; a part of another seed gone on with; one that is older than the program; a part's points measured anew (other times).
+// Controls seen: parts kept at the end; a part of another seed gone on with; one that is older than the program; a
+// part's points measured anew (other times).
 TEST(LabProgram, LeavesItsFilesAndGoesOnWhereItWasStopped) {
   const test::TemporaryFolder folder;
   const std::string out = folder / "lab";
   const test::ProgramResult first = lab({"--curve", "fresnel", "--quick", "--out", out});
   ASSERT_EQ(first.exit_code, 0) << first.err;
   EXPECT_NE(first.out.find("fresnel"), std::string::npos);
-  for (const char* name : {"curves.csv", "fresnel.svg", "fresnel_2.svg", "report.html"}) EXPECT_GT(fs::file_size(fs::path(out) / name), 500u) << name;
+  for (const char* name : {"curves.csv", "fresnel.svg", "fresnel_2.svg", "report.html"})
+    EXPECT_GT(fs::file_size(fs::path(out) / name), 500u) << name;
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out)) ++files;
   EXPECT_EQ(files, 4u) << "no parts, no temporary files";
@@ -77,7 +79,8 @@ TEST(LabProgram, RecommendsFromWhatWasMeasured) {
   for (const char* sea : {"U3", "U10", "U25"})
     for (const double v : {1.0, 2.0, 4.0}) {
       LabPoint p;
-      p.curve = "frame", p.knob = "presets", p.value = v, p.sea = sea, p.error = {1.0 / v, "of white"}, p.settings = "msaa=4 waves.cascades=" + std::to_string(int(v));
+      p.curve = "frame", p.knob = "presets", p.value = v, p.sea = sea, p.error = {1.0 / v, "of white"},
+      p.settings = "msaa=4 waves.cascades=" + std::to_string(int(v));
       p.time_us.count = 5, p.time_us.median = p.time_us.p5 = p.time_us.p95 = 1000.0 * v;
       points.push_back(p);
     }

@@ -1,4 +1,5 @@
-// What the lab says of its points: plots that hold every point where it belongs, sentences computed from them, settings for a budget.
+// What the lab says of its points: plots that hold every point where it belongs, sentences computed from them, settings
+// for a budget.
 #include "app/lab/lab_report.h"
 
 #include <gmock/gmock.h>
@@ -16,36 +17,44 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-LabPoint point(const std::string& knob, double value, const std::string& sea, double us, double error, const std::string& preset = "", const std::string& settings = "") {
+LabPoint point(const std::string& knob, double value, const std::string& sea, double us, double error,
+               const std::string& preset = "", const std::string& settings = "") {
   LabPoint p;
-  p.curve = "frame", p.knob = knob, p.value = value, p.sea = sea, p.error = {error, "of white"}, p.preset = preset, p.settings = settings;
+  p.curve = "frame", p.knob = knob, p.value = value, p.sea = sea, p.error = {error, "of white"}, p.preset = preset,
+  p.settings = settings;
   p.time_us.count = 9, p.time_us.median = us, p.time_us.p5 = 0.9 * us, p.time_us.p95 = 1.2 * us;
   return p;
 }
 
-const LabCurve curve{"frame", "Whole frames", "one frame", {{"k", false, -1.0, 0.1, 1.0, 8.0, "because"}}, true, true, {}, {}};
+const LabCurve curve{"frame", "Whole frames", "one frame", {{"k", false, -1.0, 0.1, 1.0, 8.0, "because"}},
+                     true,    true,           {},          {}};
 
-// k: the error falls as 1 / value and time grows with it, half as much at U3; low is 50 % off the front, high is on it, and so is medium but for high.
+// k: the error falls as 1 / value and time grows with it, half as much at U3; low is 50 % off the front, high is on it,
+// and so is medium but for high.
 std::vector<LabPoint> points() {
   std::vector<LabPoint> all;
   for (const char* sea : {"U3", "U10", "U25"})
-    for (const double v : {1.0, 2.0, 4.0, 8.0}) all.push_back(point("k", v, sea, (sea[1] == '3' ? 500.0 : 1000.0) * v, 0.08 / v, "", "a.b=" + text_from(v)));
+    for (const double v : {1.0, 2.0, 4.0, 8.0})
+      all.push_back(point("k", v, sea, (sea[1] == '3' ? 500.0 : 1000.0) * v, 0.08 / v, "", "a.b=" + text_from(v)));
   all.push_back(point("presets", 1.0, "U10", 3000.0, 0.06, "low", "a.b=9"));
   all.push_back(point("presets", 2.0, "U10", 9000.0, 0.005, "high", "a.b=10"));
   all.push_back(point("presets", 3.0, "U10", 9900.0, 0.006, "medium", "a.b=11"));
   return all;
 }
 
-// The places of its points are told by the axes' own lines: decades are as far apart everywhere. Controls seen: error and time exchanged; a linear scale; seas drawn into one panel.
+// The places of its points are told by the axes' own lines: decades are as far apart everywhere. Controls seen: error
+// and time exchanged; a linear scale; seas drawn into one panel.
 TEST(LabReport, ThePlotHasEachPointAtItsPlace) {
   const std::string svg = curve_plot(curve, points(), "of white");
-  const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"[35]\" style=\"fill:([^\"]*)\"><title>([^<]*)</title>");
+  const std::regex circle(
+      "<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"[35]\" style=\"fill:([^\"]*)\"><title>([^<]*)</title>");
   struct Seen {
     double x, y;
     std::string colour, title;
   };
   std::vector<Seen> seen;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at) seen.push_back({std::stod((*at)[1]), std::stod((*at)[2]), (*at)[3], (*at)[4]});
+  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at)
+    seen.push_back({std::stod((*at)[1]), std::stod((*at)[2]), (*at)[3], (*at)[4]});
   ASSERT_EQ(seen.size(), points().size());
   // Of the first sea: equal steps to the right and down, for time doubles as the error halves.
   for (std::size_t i = 1; i < 4; ++i) {
@@ -74,10 +83,12 @@ TEST(LabReport, ThePlotHasEachPointAtItsPlace) {
   EXPECT_THAT(curve_plot(curve, exact, "of white"), Not(HasSubstr("nan"))) << "no logarithm of 0";
 }
 
-// Controls seen: the front of all seas together; presets among those that judge them; rivals of all knobs; the law's power with its sign lost.
+// Controls seen: the front of all seas together; presets among those that judge them; rivals of all knobs; the law's
+// power with its sign lost.
 TEST(LabReport, SentencesAreComputedFromThePoints) {
   const std::string said = conclusion(curve, points());
-  EXPECT_THAT(said, HasSubstr("at U10 m/s: k 1 takes 1 ms for one frame and misses 0.08 of white; presets 2 (high) takes 9 times as long and misses 0.005, 16 times less."));
+  EXPECT_THAT(said, HasSubstr("at U10 m/s: k 1 takes 1 ms for one frame and misses 0.08 of white; presets 2 (high) "
+                              "takes 9 times as long and misses 0.005, 16 times less."));
   EXPECT_THAT(said, HasSubstr("the error goes with the power -1 of it (theory -1: because)"));
   EXPECT_THAT(said, HasSubstr("Take 50 % more time than what errs no more: low."));
   EXPECT_THAT(said, HasSubstr("On the front: medium, high."));
@@ -100,7 +111,8 @@ TEST(LabReport, SentencesAreComputedFromThePoints) {
   EXPECT_THAT(table, HasSubstr("frame      U10         1 ms        0.08       9 ms       0.005"));
   const std::string page = lab_html({curve}, points(), {});
   for (const char* part : {"<!doctype html>", "Whole frames", "</html>", "<svg "}) EXPECT_THAT(page, HasSubstr(part));
-  for (const char* network : {"http:", "https:", "src=", "@import", "<script"}) EXPECT_THAT(page, Not(HasSubstr(network)));
+  for (const char* network : {"http:", "https:", "src=", "@import", "<script"})
+    EXPECT_THAT(page, Not(HasSubstr(network)));
 }
 
 // Controls seen: the budget passed by the first that does not fit; settings of another sea.

@@ -12,9 +12,12 @@ namespace {
 
 using ::testing::ElementsAre;
 
-bool beats(const Tradeoff& a, const Tradeoff& b) { return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error); }
+bool beats(const Tradeoff& a, const Tradeoff& b) {
+  return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+}
 
-// Every pair of 200 random points, ties among them. Control seen: `<=` for the error of the next on the front (equal points doubled).
+// Every pair of 200 random points, ties among them. Control seen: `<=` for the error of the next on the front (equal
+// points doubled).
 TEST(Pareto, TheFrontIsWhatNoOtherBeats) {
   std::mt19937 random(3);
   for (int draw = 0; draw < 20; ++draw) {

@@ -1,4 +1,5 @@
-// Hard cases of volumes: numbers that are none, bodies of a millimetre, thousands of them and within each other, and at the end of the world.
+// Hard cases of volumes: numbers that are none, bodies of a millimetre, thousands of them and within each other, and at
+// the end of the world.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -27,22 +28,29 @@ std::string refusal(const InputSpec& spec) {
   return test::error_of([&] { ClipVolumes(std::vector{spec}); });
 }
 
-// NaN, infinities, -1 and 0 as sizes, places and angles of volumes are refused with the key's name. Control seen: comparisons that let NaN pass.
+// NaN, infinities, -1 and 0 as sizes, places and angles of volumes are refused with the key's name. Control seen:
+// comparisons that let NaN pass.
 TEST(ClipVolumesHard, hard_3_numbers_that_are_none_are_refused_by_name) {
   for (const double bad : {nan, infinity, -infinity, -1.0, 0.0}) {
     SCOPED_TRACE(bad);
     EXPECT_NE(refusal(of({.form = Form::sphere, .radius_m = bad})).find("radius_m: "), std::string::npos);
     EXPECT_NE(refusal(of({.form = Form::box, .size_m = {1.0, bad, 1.0}})).find("size_m[1]: "), std::string::npos);
-    EXPECT_NE(refusal(of({.form = Form::cylinder, .radius_m = 1.0, .length_m = bad})).find("length_m: "), std::string::npos);
-    EXPECT_NE(refusal(of({.form = Form::capsule, .radius_m = 1.0, .length_m = bad})).find("length_m: "), std::string::npos);
+    EXPECT_NE(refusal(of({.form = Form::cylinder, .radius_m = 1.0, .length_m = bad})).find("length_m: "),
+              std::string::npos);
+    EXPECT_NE(refusal(of({.form = Form::capsule, .radius_m = 1.0, .length_m = bad})).find("length_m: "),
+              std::string::npos);
     if (bad == 0.0) continue;
     EXPECT_NE(refusal(of({.form = Form::box, .round_m = bad})).find("round_m: "), std::string::npos);
     if (bad == -1.0) continue;
     EXPECT_NE(refusal(of({.at_m = {0.0, bad, 0.0}})).find("at_m[1]: "), std::string::npos);
     EXPECT_NE(refusal(of({.pitch_deg = bad})).find("pitch_deg: "), std::string::npos);
   }
-  EXPECT_NE(refusal(of({.form = Form::box, .size_m = {4.0, 1.0, 4.0}, .round_m = 0.6})).find("round_m: 0.6 is out of range; give a number from 0 to 0.5"), std::string::npos);
-  EXPECT_NE(refusal(of({.form = Form::capsule, .radius_m = 2.0, .length_m = 3.0})).find("length_m: 3 is out of range; give a number from 4"), std::string::npos);
+  EXPECT_NE(refusal(of({.form = Form::box, .size_m = {4.0, 1.0, 4.0}, .round_m = 0.6}))
+                .find("round_m: 0.6 is out of range; give a number from 0 to 0.5"),
+            std::string::npos);
+  EXPECT_NE(refusal(of({.form = Form::capsule, .radius_m = 2.0, .length_m = 3.0}))
+                .find("length_m: 3 is out of range; give a number from 4"),
+            std::string::npos);
   InputSpec spec = of({});
   spec.feather_m = 1.0;
   EXPECT_NE(refusal(spec).find("feather_m: a sphere has no soft edge; remove it"), std::string::npos);
@@ -58,22 +66,31 @@ TEST(ClipVolumesHard, hard_3_numbers_that_are_none_are_refused_by_name) {
   EXPECT_FALSE(volumes.clipped({nan, 0.0}, {1.0, 1.0}, 1.0, true));
 }
 
-// The tree finds what going through all does, among 4,096 of all forms and sizes, and of 500 within each other the last decides. Control seen: nodes that pass over one more (59 of 5,000 wrong).
+// The tree finds what going through all does, among 4,096 of all forms and sizes, and of 500 within each other the last
+// decides. Control seen: nodes that pass over one more (59 of 5,000 wrong).
 TEST(ClipVolumesHard, ThousandsAreFoundAsIfAllWereAsked) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> at(-400.0, 400.0), turn(-180.0, 180.0), unit(0.0, 1.0), up(-2.0, 2.0);
   std::vector<InputSpec> specs;
   for (int i = 0; i < 4096; ++i) {
     const double size = std::pow(10.0, -3.0 + 4.0 * unit(random));
-    specs.push_back(of({.form = Form(i % 4), .at_m = i < 500 ? glm::dvec3(0.0) : glm::dvec3(at(random), up(random), at(random)), .size_m = {size, 2.0 * size, 3.0 * size}, .round_m = 0.2 * size,
-                        .radius_m = size, .length_m = 2.5 * size, .turn_deg = turn(random), .pitch_deg = turn(random), .roll_deg = turn(random)}));
+    specs.push_back(of({.form = Form(i % 4),
+                        .at_m = i < 500 ? glm::dvec3(0.0) : glm::dvec3(at(random), up(random), at(random)),
+                        .size_m = {size, 2.0 * size, 3.0 * size},
+                        .round_m = 0.2 * size,
+                        .radius_m = size,
+                        .length_m = 2.5 * size,
+                        .turn_deg = turn(random),
+                        .pitch_deg = turn(random),
+                        .roll_deg = turn(random)}));
     specs.back().value.x = float(i % 3 == 0 ? 0.0 : 1.0);
   }
   const ClipVolumes volumes(specs);
   ASSERT_EQ(volumes.size(), specs.size());
   int held = 0, wrong = 0;
   for (int i = 0; i < 5000; ++i) {
-    const glm::dvec3 p = i % 4 == 0 ? glm::dvec3(at(random), up(random), at(random)) * 0.02 : glm::dvec3(at(random), up(random), at(random));
+    const glm::dvec3 p = i % 4 == 0 ? glm::dvec3(at(random), up(random), at(random)) * 0.02
+                                    : glm::dvec3(at(random), up(random), at(random));
     bool want = false;
     for (std::size_t n = 0; n < volumes.size(); ++n)
       if (volumes.distance_m(n, p) < 0.0) want = specs[n].value.x > 0.5f, ++held;
@@ -97,7 +114,8 @@ TEST(ClipVolumesHard, FarAwayEdgesAreAsSharp) {
 
 // A body of a millimetre is there, and one of a thousand kilometres holds everything.
 TEST(ClipVolumesHard, FromAMillimetreToAThousandKilometres) {
-  const ClipVolumes volumes(std::vector{of({.form = Form::box, .at_m = {0.5, 0.0, 0.5}, .size_m = glm::dvec3(1e-3)}), of({.form = Form::sphere, .at_m = {5e6, 0.0, 0.0}, .radius_m = 1e6})});
+  const ClipVolumes volumes(std::vector{of({.form = Form::box, .at_m = {0.5, 0.0, 0.5}, .size_m = glm::dvec3(1e-3)}),
+                                        of({.form = Form::sphere, .at_m = {5e6, 0.0, 0.0}, .radius_m = 1e6})});
   EXPECT_TRUE(volumes.clipped(glm::dvec3(0.5, 0.0, 0.5), false));
   EXPECT_FALSE(volumes.clipped(glm::dvec3(0.501, 0.0, 0.5), false));
   EXPECT_TRUE(volumes.clipped(glm::dvec3(4.1e6, 0.0, 0.0), false));
@@ -121,7 +139,8 @@ TEST(ClipVolumesHard, HullsShareTheirModelsMaps) {
     shape.model = test::wigley_model({});
     spec.shape = shape;
   }
-  EXPECT_NE(test::error_of([&] { ClipVolumes many(specs); }).find("more than 64 different models as hulls"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { ClipVolumes many(specs); }).find("more than 64 different models as hulls"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ TEST(Curve, GoesThroughItsPointsWithoutACorner) {
       EXPECT_NEAR(glm::distance(curve.place(i, 1.0), p[(i + 1) % p.size()]), 0.0, 1e-12);
       if (i + 1 == curve.spans() && !closed) continue;
       const std::size_t next = (i + 1) % curve.spans();
-      const glm::dvec2 before = glm::normalize(curve.derivative(i, 1.0)), after = glm::normalize(curve.derivative(next, 0.0));
+      const glm::dvec2 before = glm::normalize(curve.derivative(i, 1.0)),
+                       after = glm::normalize(curve.derivative(next, 0.0));
       EXPECT_NEAR(glm::distance(before, after), 0.0, 1e-9) << i;
     }
   }
@@ -76,7 +77,8 @@ TEST(Curve, ChordsAreAsNearAsAskedFor) {
     const int n = curve.chords(i, 0.004);
     if (n == 64) continue;  // the most there are
     double length = 0.0;
-    for (double u = 0.0; u < 1.0; u += 1.0 / 256) length += glm::distance(curve.place(i, u), curve.place(i, u + 1.0 / 256));
+    for (double u = 0.0; u < 1.0; u += 1.0 / 256)
+      length += glm::distance(curve.place(i, u), curve.place(i, u + 1.0 / 256));
     for (int k = 0; k < n; ++k)
       for (double s = 0.0; s <= 1.0; s += 0.125) {
         const glm::dvec2 on_chord = glm::mix(curve.place(i, double(k) / n), curve.place(i, double(k + 1) / n), s);
@@ -92,7 +94,8 @@ TEST(Curve, NumbersNeverPassBeyondTheirPoints) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> step(0.1, 9.0), fall(0.0, 30.0);
   std::vector<double> knots{0.0}, values{100.0};
-  for (int i = 0; i < 60; ++i) knots.push_back(knots.back() + step(random)), values.push_back(values.back() - (i % 7 == 0 ? 0.0 : fall(random)));
+  for (int i = 0; i < 60; ++i)
+    knots.push_back(knots.back() + step(random)), values.push_back(values.back() - (i % 7 == 0 ? 0.0 : fall(random)));
   const std::vector<double> slopes = monotone_slopes(values, knots, false);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const double h = knots[i + 1] - knots[i];

@@ -34,9 +34,11 @@ TEST(Inputs, BlendAsTheirNamesSay) {
           spec.blend = InputBlend(b), spec.weight = weight, spec.feather_m = 2.0;
           const Inputs inputs(InputTarget::level, std::vector{spec});
           for (const double x : {0.0, 3.5, 4.2, 6.0})
-            EXPECT_NEAR(inputs.value({x, 0.0}, 0.0, 0.0, {base, 5.0f, 6.0f, 7.0f}).x, test::joined(input_blends[b], base, value, weight * test::smooth((5.0 - x) / 2.0)), 1e-5)
+            EXPECT_NEAR(inputs.value({x, 0.0}, 0.0, 0.0, {base, 5.0f, 6.0f, 7.0f}).x,
+                        test::joined(input_blends[b], base, value, weight * test::smooth((5.0 - x) / 2.0)), 1e-5)
                 << input_blends[b] << " " << weight << " " << base << " " << value << " " << x;
-          EXPECT_EQ(inputs.value({0.0, 0.0}, 0.0, 0.0, {base, 5.0f, 6.0f, 7.0f}).y, 5.0f) << "channels that a level has not";
+          EXPECT_EQ(inputs.value({0.0, 0.0}, 0.0, 0.0, {base, 5.0f, 6.0f, 7.0f}).y, 5.0f)
+              << "channels that a level has not";
         }
 }
 
@@ -63,8 +65,12 @@ TEST(Inputs, AThousandAreAsOneAfterTheOther) {
     std::vector<InputSpec> specs;
     for (std::size_t i = 0; i < count; ++i) {
       InputSpec spec = disc(InputTarget::level, {place(random), place(random)}, 1.0, float(10.0 * share(random) - 5.0));
-      std::get<AreaInput>(spec.shape) = {.round = i % 2 == 0, .at_m = {place(random), place(random)}, .size_m = {size(random), size(random)}, .turn_deg = place(random)};
-      spec.blend = InputBlend(i % 5), spec.weight = share(random), spec.order = int(i * 7 % 4), spec.feather_m = 5.0 * share(random), spec.follow_waves = i % 3 == 0;
+      std::get<AreaInput>(spec.shape) = {.round = i % 2 == 0,
+                                         .at_m = {place(random), place(random)},
+                                         .size_m = {size(random), size(random)},
+                                         .turn_deg = place(random)};
+      spec.blend = InputBlend(i % 5), spec.weight = share(random), spec.order = int(i * 7 % 4),
+      spec.feather_m = 5.0 * share(random), spec.follow_waves = i % 3 == 0;
       if (spec.blend == InputBlend::scale) spec.value.x = float(2.0 * share(random));
       specs.push_back(spec);
     }
@@ -72,12 +78,14 @@ TEST(Inputs, AThousandAreAsOneAfterTheOther) {
     ASSERT_EQ(all.size(), count);
     std::vector<std::size_t> sorted(count);
     for (std::size_t i = 0; i < count; ++i) sorted[i] = i;
-    std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](std::size_t a, std::size_t b) { return specs[a].order < specs[b].order; });
     std::vector<Inputs> each;
     for (const std::size_t i : sorted) each.emplace_back(InputTarget::level, std::span(&specs[i], 1));
     int touched = 0;
     for (int i = 0; i < 300; ++i) {
-      const glm::dvec2 at{place(random), place(random)}, rest = i % 2 == 0 ? at : at + glm::dvec2(3.0 * share(random), -2.0);
+      const glm::dvec2 at{place(random), place(random)},
+          rest = i % 2 == 0 ? at : at + glm::dvec2(3.0 * share(random), -2.0);
       const double footprint = i % 3 == 0 ? 0.0 : 40.0 * share(random);
       glm::vec4 truth{1.0f};
       for (const Inputs& one : each) truth = one.value(at, footprint, 0.0, truth, rest);
@@ -104,10 +112,11 @@ TEST(Inputs, HundredsAtOnePlaceKeepTheirOrder) {
   EXPECT_NEAR(Inputs(InputTarget::level, specs).value({1.0, 1.0}, 0.0, 0.0, zero).x, truth, 1e-4f);
 }
 
-// Where there is nothing the base comes back to the bit, whatever it is; and of many kinds only the asked one counts. Control: a clamp of
-// what was not touched turns 1e30 into 10,000.
+// Where there is nothing the base comes back to the bit, whatever it is; and of many kinds only the asked one counts.
+// Control: a clamp of what was not touched turns 1e30 into 10,000.
 TEST(Inputs, LeaveAloneWhatTheyDoNotTouch) {
-  const std::vector<InputSpec> specs{disc(InputTarget::level, {0.0, 0.0}, 10.0, 3.0f), disc(InputTarget::foam, {50.0, 0.0}, 10.0, 3.0f)};
+  const std::vector<InputSpec> specs{disc(InputTarget::level, {0.0, 0.0}, 10.0, 3.0f),
+                                     disc(InputTarget::foam, {50.0, 0.0}, 10.0, 3.0f)};
   const Inputs level(InputTarget::level, specs);
   const glm::vec4 odd{1e30f, -0.0f, 1e-40f, -7.0f};
   EXPECT_EQ(level.size(), 1u);
@@ -123,7 +132,9 @@ TEST(Inputs, LeaveAloneWhatTheyDoNotTouch) {
 // Control: asking every input at the displaced place gives 3 for 0.
 TEST(Inputs, ThoseThatFollowTheWavesAreAskedAtRest) {
   std::vector<InputSpec> specs{disc(InputTarget::foam, {0.0, 0.0}, 10.0, 3.0f)};
-  const auto at = [&](glm::dvec2 place, glm::dvec2 rest) { return Inputs(InputTarget::foam, specs).value(place, 0.0, 0.0, zero, rest).x; };
+  const auto at = [&](glm::dvec2 place, glm::dvec2 rest) {
+    return Inputs(InputTarget::foam, specs).value(place, 0.0, 0.0, zero, rest).x;
+  };
   EXPECT_EQ(at({0.0, 0.0}, {8.0, 0.0}), 3.0f);
   EXPECT_EQ(at({8.0, 0.0}, {0.0, 0.0}), 0.0f);
   specs[0].follow_waves = true;
@@ -134,8 +145,14 @@ TEST(Inputs, ThoseThatFollowTheWavesAreAskedAtRest) {
 // One of every kind that needs no file.
 std::vector<InputSpec> mixed() {
   std::vector<InputSpec> specs(4, disc(InputTarget::foam, {0.0, 0.0}, 80.0, 1.0f));
-  specs[1].shape = SplineInput{.points = {{{-50.0, 0.0}, 30.0, {1.0f, 0.0f, 0.0f, 0.0f}}, {{0.0, 20.0}, 30.0, {2.0f, 0.0f, 0.0f, 0.0f}}, {{50.0, 0.0}, 30.0, {3.0f, 0.0f, 0.0f, 0.0f}}}};
-  specs[2].shape = SplineInput{.points = {{{-50.0, -50.0}, 1.0, glm::vec4(1.0f)}, {{50.0, -50.0}, 1.0, glm::vec4(2.0f)}, {{0.0, 50.0}, 1.0, glm::vec4(3.0f)}}, .closed = true, .filled = true};
+  specs[1].shape = SplineInput{.points = {{{-50.0, 0.0}, 30.0, {1.0f, 0.0f, 0.0f, 0.0f}},
+                                          {{0.0, 20.0}, 30.0, {2.0f, 0.0f, 0.0f, 0.0f}},
+                                          {{50.0, 0.0}, 30.0, {3.0f, 0.0f, 0.0f, 0.0f}}}};
+  specs[2].shape = SplineInput{.points = {{{-50.0, -50.0}, 1.0, glm::vec4(1.0f)},
+                                          {{50.0, -50.0}, 1.0, glm::vec4(2.0f)},
+                                          {{0.0, 50.0}, 1.0, glm::vec4(3.0f)}},
+                               .closed = true,
+                               .filled = true};
   specs[3].shape = TrailInput{.keys = {{0.0, {-40.0, 0.0}}, {5.0, {0.0, 30.0}}, {10.0, {40.0, 0.0}}}, .radius_m = 8.0};
   for (InputSpec& spec : specs) spec.feather_m = 3.0;
   return specs;
@@ -153,10 +170,13 @@ TEST(Inputs, AnswerWithoutAllocations) {
   EXPECT_GT(sum, 50.0f);
 }
 
-// Control: what is found at a place, kept in the object, differs at some places and is a race under the thread sanitizer.
+// Control: what is found at a place, kept in the object, differs at some places and is a race under the thread
+// sanitizer.
 TEST(Inputs, ConcurrentAnswersAreTheSame) {
   const Inputs inputs(InputTarget::foam, mixed());
-  const auto ask = [&](int i) { return inputs.value({i % 120 - 60.0, i / 120 % 120 - 60.0}, i % 3, 0.01 * (i % 1000), zero).x; };
+  const auto ask = [&](int i) {
+    return inputs.value({i % 120 - 60.0, i / 120 % 120 - 60.0}, i % 3, 0.01 * (i % 1000), zero).x;
+  };
   std::vector<float> alone(40000), together(40000);
   for (int i = 0; i < 40000; ++i) alone[std::size_t(i)] = ask(i);
   tbb::parallel_for(0, 40000, [&](int i) { together[std::size_t(i)] = ask(i); });

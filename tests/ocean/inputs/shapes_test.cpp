@@ -55,7 +55,9 @@ Model star(std::vector<Flat>* outline, bool down = false) {
   model.parts.push_back(part);
   return model;
 }
-glm::vec4 at(const Inputs& inputs, double x, double z, double footprint = 0.0) { return inputs.value({x, z}, footprint, 0.0, glm::vec4(0.0f)); }
+glm::vec4 at(const Inputs& inputs, double x, double z, double footprint = 0.0) {
+  return inputs.value({x, z}, footprint, 0.0, glm::vec4(0.0f));
+}
 
 // Control: u + v <= 0.9 for 1 leaves 262 of 4,000 places out.
 TEST(InputShapes, CoverWhatTheirOutlineHolds) {
@@ -73,8 +75,8 @@ TEST(InputShapes, CoverWhatTheirOutlineHolds) {
   }
 }
 
-// The soft edge follows the outline, not the sides that triangles share. Control: without the welding of vertices that lie at one place the star
-// falls to pieces, each with soft sides: the middle is 0.
+// The soft edge follows the outline, not the sides that triangles share. Control: without the welding of vertices that
+// lie at one place the star falls to pieces, each with soft sides: the middle is 0.
 TEST(InputShapes, AreSoftAtTheirOutlineAlone) {
   std::vector<Flat> outline;
   InputSpec spec = shape(InputTarget::level, star(&outline));
@@ -86,15 +88,19 @@ TEST(InputShapes, AreSoftAtTheirOutlineAlone) {
       double distance = 1e9;
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const Flat a = outline[i], b = outline[(i + 1) % outline.size()];
-        const double u = std::clamp(((x - a.x) * (b.x - a.x) + (z - a.z) * (b.z - a.z)) / ((b.x - a.x) * (b.x - a.x) + (b.z - a.z) * (b.z - a.z)), 0.0, 1.0);
+        const double u = std::clamp(((x - a.x) * (b.x - a.x) + (z - a.z) * (b.z - a.z)) /
+                                        ((b.x - a.x) * (b.x - a.x) + (b.z - a.z) * (b.z - a.z)),
+                                    0.0, 1.0);
         distance = std::min(distance, std::hypot(a.x + u * (b.x - a.x) - x, a.z + u * (b.z - a.z) - z));
       }
-      worst = std::max(worst, std::abs(at(inputs, x, z).x - (test::polygon_holds(outline, {x, z}) ? test::smooth(distance / 1.5) : 0.0)));
+      worst = std::max(worst, std::abs(at(inputs, x, z).x -
+                                       (test::polygon_holds(outline, {x, z}) ? test::smooth(distance / 1.5) : 0.0)));
     }
   EXPECT_LT(worst, 1e-5);
 }
 
-// What is summed over the plane is the area, at any footprint. Control: without disc_factor() several times as much with a footprint of 60 m.
+// What is summed over the plane is the area, at any footprint. Control: without disc_factor() several times as much
+// with a footprint of 60 m.
 TEST(InputShapes, CoverTheirAreaAtAnyFootprint) {
   std::vector<Flat> outline;
   const Inputs inputs(InputTarget::level, std::vector{shape(InputTarget::level, star(&outline))});
@@ -107,8 +113,8 @@ TEST(InputShapes, CoverTheirAreaAtAnyFootprint) {
   }
 }
 
-// A slope is the plane through its corners, and of what lies one above the other the highest counts. Control: the lowest instead is 4 m
-// below.
+// A slope is the plane through its corners, and of what lies one above the other the highest counts. Control: the
+// lowest instead is 4 m below.
 TEST(InputShapes, TheHighestPointCounts) {
   Model model;
   MeshPart part;
@@ -122,29 +128,35 @@ TEST(InputShapes, TheHighestPointCounts) {
   std::get<ShapeInput>(spec.shape).scale = 2.0;
   const Inputs inputs(InputTarget::sea_depth, std::vector{spec});
   for (double x = -9.5; x < 10.0; x += 1.0)
-    for (double z = -9.5; z < 10.0; z += 1.0) EXPECT_NEAR(at(inputs, 1000.0 + x, 500.0 + z).x, -100.0 + 2.0 * (4.5 + 0.05 * x + 0.1 * z), 1e-4);
+    for (double z = -9.5; z < 10.0; z += 1.0)
+      EXPECT_NEAR(at(inputs, 1000.0 + x, 500.0 + z).x, -100.0 + 2.0 * (4.5 + 0.05 * x + 0.1 * z), 1e-4);
   EXPECT_NEAR(at(inputs, 1030.0, 500.0).x, -98.0, 1e-5);
   EXPECT_EQ(at(inputs, 1041.0, 500.0).x, 0.0f);
 }
 
-// A closed hull is what it covers, once, with a soft edge at its sides and nowhere else. Control: sides shared by triangles of any facing give it
-// no outline where they meet, and so no soft edge.
+// A closed hull is what it covers, once, with a soft edge at its sides and nowhere else. Control: sides shared by
+// triangles of any facing give it no outline where they meet, and so no soft edge.
 TEST(InputShapes, AHullIsItsSilhouette) {
   Model model;
   MeshPart part;
   // Widest at half its height: its sides slope up above, and down below.
-  const auto ring = [](float x, float y, float z) { return std::array<glm::vec3, 4>{{{-x, y, -z}, {-x, y, z}, {x, y, z}, {x, y, -z}}}; };
+  const auto ring = [](float x, float y, float z) {
+    return std::array<glm::vec3, 4>{{{-x, y, -z}, {-x, y, z}, {x, y, z}, {x, y, -z}}};
+  };
   const std::array<glm::vec3, 4> rings[] = {ring(2.0f, 1.0f, 1.0f), ring(3.0f, 0.0f, 2.0f), ring(1.5f, -1.0f, 1.2f)};
   quad(part, rings[0]);
   quad(part, {{rings[2][3], rings[2][2], rings[2][1], rings[2][0]}});
   for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t k = 0; k < 4; ++k) quad(part, {{rings[i][k], rings[i + 1][k], rings[i + 1][(k + 1) % 4], rings[i][(k + 1) % 4]}});
+    for (std::size_t k = 0; k < 4; ++k)
+      quad(part, {{rings[i][k], rings[i + 1][k], rings[i + 1][(k + 1) % 4], rings[i][(k + 1) % 4]}});
   model.parts.push_back(part);
   InputSpec spec = shape(InputTarget::clip, model);
   spec.feather_m = 1.0;
   const Inputs inputs(InputTarget::clip, std::vector{spec});
   for (double x = -4.05; x < 4.1; x += 0.1)
-    for (double z = -3.05; z < 3.1; z += 0.1) EXPECT_NEAR(at(inputs, x, z).x, test::smooth(std::min(3.0 - std::abs(x), 2.0 - std::abs(z))), 1e-5) << x << " " << z;
+    for (double z = -3.05; z < 3.1; z += 0.1)
+      EXPECT_NEAR(at(inputs, x, z).x, test::smooth(std::min(3.0 - std::abs(x), 2.0 - std::abs(z))), 1e-5)
+          << x << " " << z;
 }
 
 TEST(InputShapes, AMaterialsColourLiesOverWhatIsThere) {

@@ -29,15 +29,22 @@ InputSpec texture(InputTarget to, std::shared_ptr<ImageF> image, glm::dvec2 at, 
   spec.shape = input;
   return spec;
 }
-glm::vec4 at(const Inputs& inputs, double x, double z, double footprint = 0.0) { return inputs.value({x, z}, footprint, 0.0, glm::vec4(0.0f)); }
+glm::vec4 at(const Inputs& inputs, double x, double z, double footprint = 0.0) {
+  return inputs.value({x, z}, footprint, 0.0, glm::vec4(0.0f));
+}
 
-// A bilinear function comes back exactly between the texels' middles; beyond the outer ones it is level; outside there is nothing. Control: texels
-// whose values lie at their corners are off by 0.16.
+// A bilinear function comes back exactly between the texels' middles; beyond the outer ones it is level; outside there
+// is nothing. Control: texels whose values lie at their corners are off by 0.16.
 TEST(InputTextures, AreBilinear) {
   const auto f = [](double x, double y) { return 3.0 + 0.5 * x - 0.25 * y + 0.125 * x * y; };  // in texels
-  const Inputs inputs(InputTarget::level, std::vector{texture(InputTarget::level, picture(8, 5, [&](int x, int y) { return glm::vec4(float(f(x, y)), 0, 0, 0); }), {100.0, -40.0}, {16.0, 20.0})});
+  const Inputs inputs(
+      InputTarget::level,
+      std::vector{texture(InputTarget::level,
+                          picture(8, 5, [&](int x, int y) { return glm::vec4(float(f(x, y)), 0, 0, 0); }),
+                          {100.0, -40.0}, {16.0, 20.0})});
   for (double x = 0.0; x <= 7.0; x += 0.125)
-    for (double y = 0.0; y <= 4.0; y += 0.125) EXPECT_NEAR(at(inputs, 92.0 + 2.0 * (x + 0.5), -50.0 + 4.0 * (y + 0.5)).x, f(x, y), 1e-5);
+    for (double y = 0.0; y <= 4.0; y += 0.125)
+      EXPECT_NEAR(at(inputs, 92.0 + 2.0 * (x + 0.5), -50.0 + 4.0 * (y + 0.5)).x, f(x, y), 1e-5);
   EXPECT_NEAR(at(inputs, 92.01, -50.0 + 4.0 * 2.5).x, f(0, 2), 1e-5);
   EXPECT_NEAR(at(inputs, 107.99, -49.99).x, f(7, 0), 1e-5);
   EXPECT_EQ(at(inputs, 91.99, -40.0).x, 0.0f);
@@ -46,7 +53,10 @@ TEST(InputTextures, AreBilinear) {
 // Control: a frame that turns the other way fails, and so do vectors that stay as they are.
 TEST(InputTextures, TurnWithTheirVectors) {
   // Only the top right texel flows, to the right and half as fast to the top of the picture.
-  InputSpec spec = texture(InputTarget::flow, picture(2, 2, [](int x, int y) { return x == 1 && y == 0 ? glm::vec4(2, -1, 0, 0) : glm::vec4(0.0f); }), {0.0, 0.0}, {20.0, 20.0});
+  InputSpec spec =
+      texture(InputTarget::flow,
+              picture(2, 2, [](int x, int y) { return x == 1 && y == 0 ? glm::vec4(2, -1, 0, 0) : glm::vec4(0.0f); }),
+              {0.0, 0.0}, {20.0, 20.0});
   std::get<TextureInput>(spec.shape).turn_deg = 90.0;
   const Inputs inputs(InputTarget::flow, std::vector{spec});
   const glm::vec4 v = at(inputs, 9.0, 9.0);  // the top is to +x now, the right to +z
@@ -57,7 +67,8 @@ TEST(InputTextures, TurnWithTheirVectors) {
 
 // Control: scale and offset in the other order give 0.
 TEST(InputTextures, MapChannelsToValues) {
-  InputSpec spec = texture(InputTarget::level, picture(2, 2, [](int, int) { return glm::vec4(1, 2, 3, 4); }), {0.0, 0.0}, {2.0, 2.0});
+  InputSpec spec = texture(InputTarget::level, picture(2, 2, [](int, int) { return glm::vec4(1, 2, 3, 4); }),
+                           {0.0, 0.0}, {2.0, 2.0});
   TextureInput& input = std::get<TextureInput>(spec.shape);
   input.scale = 2.0, input.offset = -1.0;
   EXPECT_EQ(at(Inputs(InputTarget::level, std::vector{spec}), 0.0, 0.0).x, 1.0f);
@@ -68,10 +79,14 @@ TEST(InputTextures, MapChannelsToValues) {
   EXPECT_EQ(glm::vec2(at(Inputs(InputTarget::flow, std::vector{spec}), 0.0, 0.0)), glm::vec2(7.0f, 3.0f));
 }
 
-// A picture of 1 and 0 in turns is a half where the footprint is wider than its texels, and what is summed over the plane is the same at any
-// footprint. Control: always the finest level gives 0 or 1 in the middle.
+// A picture of 1 and 0 in turns is a half where the footprint is wider than its texels, and what is summed over the
+// plane is the same at any footprint. Control: always the finest level gives 0 or 1 in the middle.
 TEST(InputTextures, AreAveragedOverAFootprint) {
-  const Inputs inputs(InputTarget::level, std::vector{texture(InputTarget::level, picture(64, 64, [](int x, int y) { return glm::vec4(float((x + y) % 2), 0, 0, 0); }), {0.0, 0.0}, {64.0, 64.0})});
+  const Inputs inputs(
+      InputTarget::level,
+      std::vector{texture(InputTarget::level,
+                          picture(64, 64, [](int x, int y) { return glm::vec4(float((x + y) % 2), 0, 0, 0); }),
+                          {0.0, 0.0}, {64.0, 64.0})});
   EXPECT_EQ(at(inputs, 0.5, 0.5).x, 0.0f);
   EXPECT_EQ(at(inputs, 1.5, 0.5).x, 1.0f);
   for (const double footprint : {2.0, 3.0, 8.0, 20.0}) {
@@ -87,10 +102,13 @@ TEST(InputTextures, AreAveragedOverAFootprint) {
   }
 }
 
-// Colours are mixed as light that passes what covers it: a texel that covers nothing has no colour to give. Control: without with_cover() the edge
-// between red and a clear green is brown: green comes in.
+// Colours are mixed as light that passes what covers it: a texel that covers nothing has no colour to give. Control:
+// without with_cover() the edge between red and a clear green is brown: green comes in.
 TEST(InputTextures, WhatCoversNothingHasNoColour) {
-  InputSpec spec = texture(InputTarget::albedo, picture(2, 1, [](int x, int) { return x == 0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 0); }), {0.0, 0.0}, {2.0, 1.0});
+  InputSpec spec =
+      texture(InputTarget::albedo,
+              picture(2, 1, [](int x, int) { return x == 0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 0); }),
+              {0.0, 0.0}, {2.0, 1.0});
   spec.blend = InputBlend::replace;
   const Inputs inputs(InputTarget::albedo, std::vector{spec});
   const glm::vec4 between = at(inputs, 0.0, 0.0);

@@ -18,10 +18,13 @@ InputSpec trail(std::vector<TrailKey> keys, double radius, double life, bool loo
   spec.shape = input;
   return spec;
 }
-float at(const Inputs& inputs, double x, double z, double time) { return inputs.value({x, z}, 0.0, time, glm::vec4(0.0f)).x; }
+float at(const Inputs& inputs, double x, double z, double time) {
+  return inputs.value({x, z}, 0.0, time, glm::vec4(0.0f)).x;
+}
 
-// Against twenty thousand discs, one after the other, along a straight way at one speed, of any softness, spreading or not. Control: the disc
-// that was left nearest, for the one that shows most, is off by 0.29; ages counted from the first key, by 2.
+// Against twenty thousand discs, one after the other, along a straight way at one speed, of any softness, spreading or
+// not. Control: the disc that was left nearest, for the one that shows most, is off by 0.29; ages counted from the
+// first key, by 2.
 TEST(InputTrails, AreTheLargestShareOfAllDiscs) {
   for (const double feather : {0.0, 2.0, 6.0})
     for (const double spread : {0.0, 0.4, 5.0, 9.0}) {
@@ -39,7 +42,11 @@ TEST(InputTrails, AreTheLargestShareOfAllDiscs) {
               const double left = 100.0 + i / 1000.0, age = time - left;
               if (age < 0.0 || age > 8.0) continue;
               const double inside = 3.0 + spread * age - std::hypot(x - 5.0 * (left - 100.0), z);
-              truth = std::max(truth, 2.0 * (feather > 0.0 ? test::smooth(inside / feather) : inside >= 0.0 ? 1.0 : 0.0) * (1.0 - age / 8.0));
+              truth = std::max(truth, 2.0 *
+                                          (feather > 0.0   ? test::smooth(inside / feather)
+                                           : inside >= 0.0 ? 1.0
+                                                           : 0.0) *
+                                          (1.0 - age / 8.0));
             }
             worst = std::max(worst, std::abs(at(inputs, x, z, time) - truth));
             most = std::max(most, truth);
@@ -49,15 +56,18 @@ TEST(InputTrails, AreTheLargestShareOfAllDiscs) {
     }
 }
 
-// A question is answered from its time alone: asked in steps of any frame rate, forwards or backwards, it is the same to the bit; and from frame to
-// frame it fades by what the time between them says. Control: times rounded down to a sixtieth of a second fade in steps 6 times too large.
+// A question is answered from its time alone: asked in steps of any frame rate, forwards or backwards, it is the same
+// to the bit; and from frame to frame it fades by what the time between them says. Control: times rounded down to a
+// sixtieth of a second fade in steps 6 times too large.
 TEST(InputTrails, AreTheSameAtAnyFrameRateAndBackwards) {
   const std::vector<TrailKey> keys{{0.0, {0.0, 0.0}}, {4.0, {30.0, 10.0}}, {9.0, {20.0, 50.0}}, {15.0, {-30.0, 20.0}}};
   const Inputs inputs(InputTarget::foam, std::vector{trail(keys, 4.0, 6.0)});
   std::vector<float> forwards;
   for (int frame = 0; frame <= 20 * 360; ++frame) forwards.push_back(at(inputs, 30.0, 11.0, frame / 360.0));
   for (const int rate : {30, 60, 72, 90, 120})
-    for (int frame = 20 * rate; frame >= 0; --frame) EXPECT_EQ(at(inputs, 30.0, 11.0, double(frame * (360 / rate)) / 360.0), forwards[std::size_t(frame * (360 / rate))]);
+    for (int frame = 20 * rate; frame >= 0; --frame)
+      EXPECT_EQ(at(inputs, 30.0, 11.0, double(frame * (360 / rate)) / 360.0),
+                forwards[std::size_t(frame * (360 / rate))]);
   const auto most = std::max_element(forwards.begin(), forwards.end());
   EXPECT_GT(*most, 1.9f);
   for (auto frame = most; frame + 1 != forwards.end(); ++frame) {
@@ -68,7 +78,8 @@ TEST(InputTrails, AreTheSameAtAnyFrameRateAndBackwards) {
 
 // Control: without the search for the newest pass, the second lap is empty.
 TEST(InputTrails, ALoopGoesOnForEver) {
-  const std::vector<TrailKey> keys{{0.0, {50.0, 0.0}}, {5.0, {0.0, 50.0}}, {10.0, {-50.0, 0.0}}, {15.0, {0.0, -50.0}}, {20.0, {50.0, 0.0}}};
+  const std::vector<TrailKey> keys{
+      {0.0, {50.0, 0.0}}, {5.0, {0.0, 50.0}}, {10.0, {-50.0, 0.0}}, {15.0, {0.0, -50.0}}, {20.0, {50.0, 0.0}}};
   const Inputs inputs(InputTarget::foam, std::vector{trail(keys, 5.0, 12.0, true)});
   float most = 0.0f;
   for (double time = 0.0; time < 20.0; time += 0.5)
@@ -95,10 +106,11 @@ TEST(InputTrails, SpreadAsTheyAge) {
   }
 }
 
-// A thing at rest: its newest disc is whole for as long as it is there. Control: without the test of the distance of what does not move, the disc is as wide
-// as the box that it is looked for in.
+// A thing at rest: its newest disc is whole for as long as it is there. Control: without the test of the distance of
+// what does not move, the disc is as wide as the box that it is looked for in.
 TEST(InputTrails, AThingAtRestLeavesItsNewestDisc) {
-  const Inputs inputs(InputTarget::foam, std::vector{trail({{0.0, {0.0, 0.0}}, {10.0, {0.0, 0.0}}, {20.0, {0.0, 0.0}}}, 2.0, 4.0)});
+  const Inputs inputs(InputTarget::foam,
+                      std::vector{trail({{0.0, {0.0, 0.0}}, {10.0, {0.0, 0.0}}, {20.0, {0.0, 0.0}}}, 2.0, 4.0)});
   for (double time = 0.0; time <= 20.0; time += 0.25) {
     EXPECT_EQ(at(inputs, 1.0, 0.0, time), 2.0f);
     EXPECT_EQ(at(inputs, 1.5, 1.5, time), 0.0f);

@@ -19,15 +19,18 @@ std::vector<InputSpec> basin(float value) {
   return {spec};
 }
 
-// What the mask says is clipped has no place that reads as water, while the viewer moves and rises; and it says so of most of what is. Controls seen: texels between which a place
-// lies left out at a rectangle's edge; the finest slice alone asked; the outside never let in.
+// What the mask says is clipped has no place that reads as water, while the viewer moves and rises; and it says so of
+// most of what is. Controls seen: texels between which a place lies left out at a rectangle's edge; the finest slice
+// alone asked; the outside never let in.
 TEST(ClipMask, SaysSoOfPlacesWithoutWaterAlone) {
   for (const bool by_default : {false, true}) {
     PlaceSettings settings;
     settings.windows = {.resolution = 144, .slices = 3, .texel_m = 0.25};
     settings.clip_by_default = by_default;
     const auto inputs = std::make_shared<const Inputs>(InputTarget::clip, basin(by_default ? 0.0f : 1.0f));
-    const auto placed = [&](int i) { return lod_placement(settings.windows, {2.3 * i, -1.1 * i}, lod_scale(settings.windows, 2.0 + 1.5 * i)); };
+    const auto placed = [&](int i) {
+      return lod_placement(settings.windows, {2.3 * i, -1.1 * i}, lod_scale(settings.windows, 2.0 + 1.5 * i));
+    };
     PlaceField<glm::vec4> field(place_values(inputs, settings), settings, placed(0), 0.0);
     ClipMask mask;
     mask.follow(field, 0xfu);
@@ -39,7 +42,8 @@ TEST(ClipMask, SaysSoOfPlacesWithoutWaterAlone) {
       for (int n = 0; n < 400; ++n) {
         const glm::dvec2 least(at(random), at(random)), most = least + glm::dvec2(size(random), size(random));
         bool dry = true;
-        for (int k = 0; k < 60 && dry; ++k) dry = field.field().sample(glm::mix(least, most, glm::dvec2(part(random), part(random))), 0.0).x > 0.5f;
+        for (int k = 0; k < 60 && dry; ++k)
+          dry = field.field().sample(glm::mix(least, most, glm::dvec2(part(random), part(random))), 0.0).x > 0.5f;
         const bool says = mask.clipped(least, most);
         said += says, are += dry;
         EXPECT_TRUE(dry || !says) << least.x << ' ' << least.y << ' ' << most.x << ' ' << most.y << ' ' << by_default;
@@ -57,7 +61,8 @@ TEST(ClipMask, NothingIsNotClipped) {
   settings.windows = {.resolution = 64, .slices = 2, .texel_m = 0.5};
   settings.clip_by_default = true;
   const auto inputs = std::make_shared<const Inputs>(InputTarget::clip, std::vector<InputSpec>{});
-  const PlaceField<glm::vec4> field(place_values(inputs, settings), settings, lod_placement(settings.windows, {0.0, 0.0}, {}), 0.0);
+  const PlaceField<glm::vec4> field(place_values(inputs, settings), settings,
+                                    lod_placement(settings.windows, {0.0, 0.0}, {}), 0.0);
   mask.follow(field, 0x3u);
   EXPECT_TRUE(mask.clipped({-5.0, 3.0}, {5.0, 4.0}));
   EXPECT_TRUE(mask.clipped({1e5, 3.0}, {2e5, 4.0}));

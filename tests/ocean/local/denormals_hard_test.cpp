@@ -16,8 +16,10 @@ bool denormal(Number value) {
   return std::fpclassify(value) == FP_SUBNORMAL;
 }
 
-// Hard 33: Denormals, which make a step many times as long, are counted instead of timed: foam that dies away has none at any step, dynamic waves have none in their modes and in less than 1 % of their texels while they
-// fall from 1 m through 1e-30 m, and tiles of a sea of 1 mm/s of wind have less than 1 %. Control: foam that is not cut off below 6.2e-5 has nothing else after 90 s, and waves that are not cleared at 1e-30 m after 3 minutes.
+// Hard 33: Denormals, which make a step many times as long, are counted instead of timed: foam that dies away has none
+// at any step, dynamic waves have none in their modes and in less than 1 % of their texels while they fall from 1 m
+// through 1e-30 m, and tiles of a sea of 1 mm/s of wind have less than 1 %. Control: foam that is not cut off
+// below 6.2e-5 has nothing else after 90 s, and waves that are not cleared at 1e-30 m after 3 minutes.
 TEST(DenormalsHard, hard_33_what_dies_away_ends_at_0) {
   FoamSettings f;
   f.windows = {.resolution = 32, .slices = 2, .texel_m = 0.5};
@@ -27,7 +29,8 @@ TEST(DenormalsHard, hard_33_what_dies_away_ends_at_0) {
   foam.fill(1.0f);
   for (int i = 0; i < 1200; ++i) {
     foam.step(0.1, nullptr);
-    for (int slice = 0; slice < 2; ++slice) foam.field().each(slice, [&](LodIndex w) { ASSERT_FALSE(denormal(foam.field().texel(slice, w))) << i; });
+    for (int slice = 0; slice < 2; ++slice)
+      foam.field().each(slice, [&](LodIndex w) { ASSERT_FALSE(denormal(foam.field().texel(slice, w))) << i; });
   }
   EXPECT_FALSE(foam.any());
 
@@ -44,7 +47,8 @@ TEST(DenormalsHard, hard_33_what_dies_away_ends_at_0) {
   for (; steps < 4000 && waves.energy_m2() > 0.0; ++steps) {
     waves.advance(1.0 / s.rate_hz, placement, {});
     for (int i = 0; i < waves.levels(); ++i) {
-      for (const std::complex<double>& mode : std::as_const(waves).level(i).modes()) ASSERT_FALSE(denormal(mode.real()) || denormal(mode.imag())) << steps;
+      for (const std::complex<double>& mode : std::as_const(waves).level(i).modes())
+        ASSERT_FALSE(denormal(mode.real()) || denormal(mode.imag())) << steps;
       if (steps % 20 != 0) continue;
       std::as_const(waves).level(i).surface(height, quarter);
       for (const float h : height) ++texels, slow += denormal(h);

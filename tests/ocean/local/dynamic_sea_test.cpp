@@ -1,4 +1,5 @@
-// The dynamic waves as a scene has them: rain that is the same for everybody, steps that do not ask how frames fall, time that jumps.
+// The dynamic waves as a scene has them: rain that is the same for everybody, steps that do not ask how frames fall,
+// time that jumps.
 #include "ocean/local/dynamic_sea.h"
 
 #include <gtest/gtest.h>
@@ -28,10 +29,12 @@ DynamicSeaSettings small_sea() {
 const glm::dvec3 head{3.0, 1.7, -2.0};
 
 // Heights on a grid around the viewer.
-std::vector<double> heights(const DynamicSea& sea, glm::dvec2 middle = {3.0, -2.0}, double step = 0.31, double footprint = 0.0) {
+std::vector<double> heights(const DynamicSea& sea, glm::dvec2 middle = {3.0, -2.0}, double step = 0.31,
+                            double footprint = 0.0) {
   std::vector<double> result;
   for (int j = -8; j <= 8; ++j)
-    for (int i = -8; i <= 8; ++i) result.push_back(sea.surface().sea(middle + step * glm::dvec2(i, j), footprint).displacement.y);
+    for (int i = -8; i <= 8; ++i)
+      result.push_back(sea.surface().sea(middle + step * glm::dvec2(i, j), footprint).displacement.y);
   return result;
 }
 
@@ -47,10 +50,13 @@ double rms_difference(const std::vector<double>& a, const std::vector<double>& b
   return rms(d);
 }
 
-bool before(const WaveSource& a, const WaveSource& b) { return std::pair(a.place_m.x, a.place_m.y) < std::pair(b.place_m.x, b.place_m.y); }
+bool before(const WaveSource& a, const WaveSource& b) {
+  return std::pair(a.place_m.x, a.place_m.y) < std::pair(b.place_m.x, b.place_m.y);
+}
 
-// As many drops as asked, within four standard errors of a Poisson process, in all quarters of the square and of the time alike. Control
-// seen: a cell's drop a tick that does not hang on the tick (the same cell is hit again and again: 11 standard errors in a quarter).
+// As many drops as asked, within four standard errors of a Poisson process, in all quarters of the square and of the
+// time alike. Control seen: a cell's drop a tick that does not hang on the tick (the same cell is hit again and again:
+// 11 standard errors in a quarter).
 TEST(Rain, FallsEvenlyAndAsDenseAsAsked) {
   const double reach = 10.0, rate = 60.0;
   double cells[8] = {};
@@ -68,7 +74,8 @@ TEST(Rain, FallsEvenlyAndAsDenseAsAsked) {
   for (const double cell : cells) EXPECT_NEAR(cell, expected, 4.0 * std::sqrt(expected));
 }
 
-// Which drops fall does not hang on who looks, nor on how ticks are put together. Control seen: cells counted from the viewer.
+// Which drops fall does not hang on who looks, nor on how ticks are put together. Control seen: cells counted from the
+// viewer.
 TEST(Rain, IsTheSameForEverybody) {
   std::vector<WaveSource> one, other, together;
   for (std::int64_t tick = 50; tick < 90; ++tick) {
@@ -76,7 +83,9 @@ TEST(Rain, IsTheSameForEverybody) {
     add_rain(shower(), tick, 1, 60.0, {2.4, -1.7}, 7.0, other);
   }
   add_rain(shower(), 50, 40, 60.0, {0.3, 0.2}, 4.0, together);
-  std::erase_if(other, [](const WaveSource& drop) { return std::max(std::abs(drop.place_m.x - 0.3), std::abs(drop.place_m.y - 0.2)) > 4.0; });
+  std::erase_if(other, [](const WaveSource& drop) {
+    return std::max(std::abs(drop.place_m.x - 0.3), std::abs(drop.place_m.y - 0.2)) > 4.0;
+  });
   std::sort(one.begin(), one.end(), before);
   std::sort(other.begin(), other.end(), before);
   std::sort(together.begin(), together.end(), before);
@@ -106,7 +115,8 @@ TEST(Rain, AnotherSeedIsAnotherRainAndNoneIsNone) {
   EXPECT_TRUE(c.empty());
 }
 
-// The same waves, to the bit, at every display rate. Control seen: frames' time instead of whole ticks (differences of 3 % at 72 Hz).
+// The same waves, to the bit, at every display rate. Control seen: frames' time instead of whole ticks (differences of
+// 3 % at 72 Hz).
 TEST(DynamicSea, IsTheSameAtEveryFrameRate) {
   DynamicSea reference(small_sea());
   for (int i = 0; i <= 180; ++i) reference.update(i / 60.0, head);
@@ -119,8 +129,8 @@ TEST(DynamicSea, IsTheSameAtEveryFrameRate) {
   }
 }
 
-// A moment looks alike wherever the frames began: here after 4 s of settling, in which waves fall to exp(-2). Control seen: no settling (the
-// whole wave).
+// A moment looks alike wherever the frames began: here after 4 s of settling, in which waves fall to exp(-2). Control
+// seen: no settling (the whole wave).
 TEST(DynamicSea, SettlesBeforeItIsShown) {
   DynamicSeaSettings s = small_sea();
   s.waves.damping_per_s = 2.0;
@@ -131,8 +141,8 @@ TEST(DynamicSea, SettlesBeforeItIsShown) {
   EXPECT_LT(rms_difference(heights(early), heights(late)), 0.03 * rms(heights(early)));
 }
 
-// Time that runs backwards, or jumps, begins anew, as a sea would that began then; a long frame takes no more than so many steps. Control
-// seen: a time before the last one taken for no time at all.
+// Time that runs backwards, or jumps, begins anew, as a sea would that began then; a long frame takes no more than so
+// many steps. Control seen: a time before the last one taken for no time at all.
 TEST(DynamicSea, hard_12_time_runs_backwards_or_jumps) {
   DynamicSea sea(small_sea()), fresh(small_sea());
   for (int i = 0; i <= 60; ++i) sea.update(8.0 + i / 60.0, head);
@@ -161,12 +171,14 @@ TEST(DynamicSea, TakesNoTimeAndNoPlaceThatIsNoNumber) {
   EXPECT_TRUE(sea.update(1.1, head));
 }
 
-// Nothing is above what extent() says, and slopes come to its moments. Control seen: the extent of the level before the last step.
+// Nothing is above what extent() says, and slopes come to its moments. Control seen: the extent of the level before the
+// last step.
 TEST(DynamicSea, ExtentsBoundTheWaves) {
   DynamicSea sea(small_sea());
   sea.update(2.0, head);
   double height = 0.0, shift = 0.0;
-  for (int i = 0; i < sea.surface().levels(); ++i) height += sea.surface().extent(i).height_m, shift += sea.surface().extent(i).shift_m;
+  for (int i = 0; i < sea.surface().levels(); ++i)
+    height += sea.surface().extent(i).height_m, shift += sea.surface().extent(i).shift_m;
   double most_height = 0.0, most_shift = 0.0;
   for (int j = -60; j <= 60; ++j)
     for (int i = -60; i <= 60; ++i) {
@@ -181,8 +193,8 @@ TEST(DynamicSea, ExtentsBoundTheWaves) {
   EXPECT_GT(sea.surface().extent(0).slope_moments.x, 0.0);
 }
 
-// A straight line between places of the surface misses what lies between by no more than its bend says, and by no less than a seventh of it. Controls seen: the bend of the
-// slopes along x alone, by half a texel, and by two.
+// A straight line between places of the surface misses what lies between by no more than its bend says, and by no less
+// than a seventh of it. Controls seen: the bend of the slopes along x alone, by half a texel, and by two.
 TEST(DynamicSea, ExtentsBoundTheBend) {
   DynamicSea sea(small_sea());
   sea.update(2.0, head);

@@ -14,8 +14,9 @@ namespace {
 
 using waves_test::quiet;
 
-// One wave of 24 texels (two at once: it has an opposite that runs the other way) on a level, at texels: a Gerstner wave's orbits,
-// coth(k h) as wide as high. Controls seen: the shift turned round; the opposite wave forgotten; the depth left out (6 mm).
+// One wave of 24 texels (two at once: it has an opposite that runs the other way) on a level, at texels: a Gerstner
+// wave's orbits, coth(k h) as wide as high. Controls seen: the shift turned round; the opposite wave forgotten; the
+// depth left out (6 mm).
 TEST(DynamicSurface, HasAWavesOrbitAndSlopes) {
   for (const double depth : {0.4, 1e6}) {
     DynamicWavesSettings s = quiet(128, 2, 0.125);
@@ -23,7 +24,8 @@ TEST(DynamicSurface, HasAWavesOrbitAndSlopes) {
     DynamicWaves waves(s);
     DynamicSurface surface(s);
     const int band = 32, mx = 5, mz = -3;
-    const double side = 16.0, kx = 2.0 * truth::pi * mx / side, kz = 2.0 * truth::pi * mz / side, k = std::hypot(kx, kz), a = 0.02;
+    const double side = 16.0, kx = 2.0 * truth::pi * mx / side, kz = 2.0 * truth::pi * mz / side,
+                 k = std::hypot(kx, kz), a = 0.02;
     waves.level(0).modes()[std::size_t((mz + band / 2) * band + mx + band / 2)] = a;
     ASSERT_GT(waves.level(0).share()[std::size_t((mz + band / 2) * band + mx + band / 2)], 0.0);
     surface.evaluate(waves);
@@ -46,8 +48,9 @@ TEST(DynamicSurface, HasAWavesOrbitAndSlopes) {
   }
 }
 
-// Pushed far beyond what water bears, on all levels at once: the surface's own I + grad D, by differences of what is drawn, keeps
-// squeezing less than all of it everywhere. Least seen: 0.43 of 1. Control seen: a share of 1 always (-4.6).
+// Pushed far beyond what water bears, on all levels at once: the surface's own I + grad D, by differences of what is
+// drawn, keeps squeezing less than all of it everywhere. Least seen: 0.43 of 1. Control seen: a share of 1 always
+// (-4.6).
 TEST(DynamicSurface, NeverCutsItself) {
   DynamicWavesSettings s = quiet(64, 3, 0.25);
   s.sharpening = 2.0;
@@ -56,7 +59,9 @@ TEST(DynamicSurface, NeverCutsItself) {
   const LodPlacement placement = lod_placement(s.windows, {0.3, -0.2}, {});
   double least = 1.0, least_share = 1.0, unlimited = 1.0;
   for (int n = 0; n < 30; ++n) {
-    const WaveSource sources[] = {{.place_m = {0.11 * n - 2.0, 0.3}, .velocity_mps = {6.6, 0.0}, .length_m = 2.5, .head_m = 8.0}, {.place_m = {1.0, -0.2 * n}, .length_m = 4.0, .rise_mps = 20.0}};
+    const WaveSource sources[] = {
+        {.place_m = {0.11 * n - 2.0, 0.3}, .velocity_mps = {6.6, 0.0}, .length_m = 2.5, .head_m = 8.0},
+        {.place_m = {1.0, -0.2 * n}, .length_m = 4.0, .rise_mps = 20.0}};
     waves.advance(1.0 / 60.0, placement, sources);
     if (n % 10 != 9) continue;
     surface.evaluate(waves);
@@ -67,7 +72,8 @@ TEST(DynamicSurface, NeverCutsItself) {
         const auto shift = [&](double px, double pz) { return surface.sea({px, pz}, 0.0).displacement; };
         const glm::dvec3 middle = shift(x, z), dx = (shift(x + e, z) - middle) / e, dz = (shift(x, z + e) - middle) / e;
         // Positive definite: of every direction v, v.(I + grad D) v is above 0.
-        const double xx = dx.x, zz = dz.z, xz = 0.5 * (dx.z + dz.x), low = 0.5 * (xx + zz) - std::hypot(0.5 * (xx - zz), xz);
+        const double xx = dx.x, zz = dz.z, xz = 0.5 * (dx.z + dz.x),
+                     low = 0.5 * (xx + zz) - std::hypot(0.5 * (xx - zz), xz);
         least = std::min(least, 1.0 + low);
         unlimited = std::min(unlimited, 1.0 + low / surface.share());
       }
@@ -76,7 +82,8 @@ TEST(DynamicSurface, NeverCutsItself) {
   EXPECT_GT(least, 0.02);
 }
 
-// At rest there is nothing, and nothing is left of what was. Control seen: planes of a level that rests are read (0.006 m).
+// At rest there is nothing, and nothing is left of what was. Control seen: planes of a level that rests are read (0.006
+// m).
 TEST(DynamicSurface, IsFlatAtRest) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   s.idle_m = 0.02, s.damping_per_s = 2.0;

@@ -35,8 +35,8 @@ void disturb(WaveLevel& level, double height_m, unsigned seed) {
   level.add(height, quarter);
 }
 
-// The phase of a wave after 60 s by steps of 1/60 s, through the surface that is read: within 0.1 % of w^2 = g k tanh(k h). The bar
-// here is 1e-5. Control seen: tanh left out (5 to 7 % off in 0.5 m of water).
+// The phase of a wave after 60 s by steps of 1/60 s, through the surface that is read: within 0.1 % of w^2 = g k tanh(k
+// h). The bar here is 1e-5. Control seen: tanh left out (5 to 7 % off in 0.5 m of water).
 TEST(WaveLevel, WavesRunAsAiryHasIt) {
   for (const double depth : {0.5, 3.0, 1e6}) {
     for (const auto& [mx, mz] : {std::pair{7, 0}, {5, 6}, {-3, 4}}) {
@@ -60,8 +60,8 @@ TEST(WaveLevel, WavesRunAsAiryHasIt) {
   }
 }
 
-// Steps of any length come to the same, and one of 10 s too. Control seen: a turn by the first two terms of its series (waves of 13,627
-// m for 0.1).
+// Steps of any length come to the same, and one of 10 s too. Control seen: a turn by the first two terms of its series
+// (waves of 13,627 m for 0.1).
 TEST(WaveLevel, hard_31_steps_of_any_length_are_exact) {
   const auto run = [](double dt, int steps) {
     WaveLevel level(64);
@@ -82,8 +82,8 @@ TEST(WaveLevel, hard_31_steps_of_any_length_are_exact) {
   }
 }
 
-// Energy after 1e4 steps, each through the surface and back, with nothing that takes away. Control seen: the state itself sent
-// through the transforms (1.6e-3 lost).
+// Energy after 1e4 steps, each through the surface and back, with nothing that takes away. Control seen: the state
+// itself sent through the transforms (1.6e-3 lost).
 TEST(WaveLevel, KeepsItsEnergy) {
   WaveLevel level(64);
   level.shape(0.25, true, 9.81, 2.0);
@@ -97,25 +97,30 @@ TEST(WaveLevel, KeepsItsEnergy) {
   EXPECT_NEAR(level.energy_m2() / before, 1.0, 1e-5);
 }
 
-// A wave is carried once: shares of neighbouring levels are 1 in sum from 12 of the finest texels to a sixth of the coarsest window,
-// and none is below 0; each level's waves have 8 of its texels and more. Control seen: a level that fades out a fifth later than the
-// next fades in.
+// A wave is carried once: shares of neighbouring levels are 1 in sum from 12 of the finest texels to a sixth of the
+// coarsest window, and none is below 0; each level's waves have 8 of its texels and more. Control seen: a level that
+// fades out a fifth later than the next fades in.
 TEST(WaveLevel, SharesAreOneInSum) {
   for (double texels = 4.0; texels < 2000.0; texels *= 1.003) {
     double sum = 0.0;
     for (int i = 0; i < 4; ++i) {
       const double share = wave_share(texels / (1 << i), i == 3, 256);
       EXPECT_GE(share, 0.0);
-      if (texels / (1 << i) <= 8.0) { EXPECT_EQ(share, 0.0); }
+      if (texels / (1 << i) <= 8.0) {
+        EXPECT_EQ(share, 0.0);
+      }
       sum += share;
     }
-    if (texels >= 12.0 && texels <= 8 * 256 / 6.0) { EXPECT_NEAR(sum, 1.0, 1e-12) << texels; }
+    if (texels >= 12.0 && texels <= 8 * 256 / 6.0) {
+      EXPECT_NEAR(sum, 1.0, 1e-12) << texels;
+    }
     EXPECT_LE(sum, 1.0 + 1e-12);
   }
 }
 
-// A ring from water that was raised, and the same from a pressure let go, against their Hankel integrals, over levels together. 2.1 %
-// off of the crest. Controls seen: water added at a step's begin instead of its middle (2.53 %, bar 2.5); a texel's half forgotten (16
+// A ring from water that was raised, and the same from a pressure let go, against their Hankel integrals, over levels
+// together. 2.1 % off of the crest. Controls seen: water added at a step's begin instead of its middle (2.53 %,
+// bar 2.5); a texel's half forgotten (16
 // %).
 TEST(DynamicWaves, RingsAreTheirIntegrals) {
   const DynamicWavesSettings s = quiet(128, 3, 1.0 / 8.0);
@@ -146,8 +151,8 @@ TEST(DynamicWaves, RingsAreTheirIntegrals) {
   EXPECT_LT(worst, 0.025 * crest) << "of which most is straight lines between texels";
 }
 
-// Under a pressure that stays the water comes to stand lower by its head, as far as its waves are carried. Control seen: a head that
-// lifts (0.028 m high instead of low).
+// Under a pressure that stays the water comes to stand lower by its head, as far as its waves are carried. Control
+// seen: a head that lifts (0.028 m high instead of low).
 TEST(DynamicWaves, WaterGivesWayToAPressureThatStays) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   s.damping_per_s = 1.0;
@@ -168,8 +173,8 @@ struct Outcome {
   double energy = 0.0, height = 0.0, centre = 0.0;
 };
 
-// The same 4 s drawn at 30 to 120 Hz: a pressure that runs for 1 s, then free waves. Controls seen: a step a call (energy off by 56 %);
-// sources for all steps of a call at its end (height off by 6 % of the energy's root, bar 2).
+// The same 4 s drawn at 30 to 120 Hz: a pressure that runs for 1 s, then free waves. Controls seen: a step a call
+// (energy off by 56 %); sources for all steps of a call at its end (height off by 6 % of the energy's root, bar 2).
 TEST(DynamicWaves, AreTheSameAtAnyDisplayRate) {
   DynamicWavesSettings s = quiet(64, 3, 0.25);
   s.damping_per_s = 0.3;
@@ -178,7 +183,10 @@ TEST(DynamicWaves, AreTheSameAtAnyDisplayRate) {
     const LodPlacement placement = lod_placement(s.windows, {0.0, 0.0}, {});
     for (int i = 1; i <= 4 * rate; ++i) {
       const double t = double(i) / rate;
-      const WaveSource source{.place_m = {-3.0 + 3.0 * t, 0.5}, .velocity_mps = {3.0, 0.0}, .length_m = 2.5, .head_m = t <= 1.0 + 1e-9 ? 0.05 : 0.0};
+      const WaveSource source{.place_m = {-3.0 + 3.0 * t, 0.5},
+                              .velocity_mps = {3.0, 0.0},
+                              .length_m = 2.5,
+                              .head_m = t <= 1.0 + 1e-9 ? 0.05 : 0.0};
       waves.advance(1.0 / rate, placement, {&source, 1});
     }
     const waves_test::Surface surface(waves);
@@ -197,7 +205,7 @@ TEST(DynamicWaves, AreTheSameAtAnyDisplayRate) {
   EXPECT_GT(want.energy, 1e-6);
   for (const int rate : {30, 72, 90, 120}) {
     const Outcome is = run(rate);
-      EXPECT_NEAR(is.energy, want.energy, 0.01 * want.energy) << rate;
+    EXPECT_NEAR(is.energy, want.energy, 0.01 * want.energy) << rate;
     EXPECT_NEAR(is.centre, want.centre, 0.01 * std::abs(want.centre + 3.0)) << rate;
     EXPECT_NEAR(is.height, want.height, 0.02 * std::sqrt(want.energy)) << rate;
   }
@@ -247,7 +255,13 @@ TEST(DynamicWaves, WhatIsNoNumberIsRefusedOrGone) {
   for (int i = 0; i < 7; ++i) {
     WaveSource bad = good;
     const double nan = i % 2 ? std::nan("") : std::numeric_limits<double>::infinity();
-    (i == 0 ? bad.place_m.x : i == 1 ? bad.place_m.y : i == 2 ? bad.velocity_mps.x : i == 3 ? bad.velocity_mps.y : i == 4 ? bad.length_m : i == 5 ? bad.head_m : bad.rise_mps) = nan;
+    (i == 0   ? bad.place_m.x
+     : i == 1 ? bad.place_m.y
+     : i == 2 ? bad.velocity_mps.x
+     : i == 3 ? bad.velocity_mps.y
+     : i == 4 ? bad.length_m
+     : i == 5 ? bad.head_m
+              : bad.rise_mps) = nan;
     const WaveSource two[] = {good, bad};
     EXPECT_NE(test::error_of([&] { waves.advance(0.1, placement, two); }).find("source 1"), std::string::npos) << i;
   }
@@ -270,8 +284,8 @@ TEST(DynamicWaves, WhatIsNoNumberIsRefusedOrGone) {
   }
 }
 
-// One call of 10 s, of 1e9 s, and none. More than most_steps are never made, and energy does not rise. Control seen: 64 steps
-// where 8 are the most.
+// One call of 10 s, of 1e9 s, and none. More than most_steps are never made, and energy does not rise. Control seen: 64
+// steps where 8 are the most.
 TEST(DynamicWaves, hard_11_any_time_in_bounded_steps) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   DynamicWaves waves(s);
@@ -288,8 +302,9 @@ TEST(DynamicWaves, hard_11_any_time_in_bounded_steps) {
   EXPECT_LT(waves.energy_m2(), 1.0);
 }
 
-// Noise of 1e-6 m, rest switched off: it must not grow; the border takes it until it is below 1e-30 m, which counts as none. 2e4 steps;
-// 1e6 with SEASCAPE_LONG=1. Control seen: a border that gives back a thousandth (grown 163 times of 200).
+// Noise of 1e-6 m, rest switched off: it must not grow; the border takes it until it is below 1e-30 m, which counts as
+// none. 2e4 steps; 1e6 with SEASCAPE_LONG=1. Control seen: a border that gives back a thousandth (grown 163 times of
+// 200).
 TEST(DynamicWaves, hard_32_calm_water_stays_calm) {
   DynamicWavesSettings s = quiet(64, 2, 0.25);
   DynamicWaves waves(s);
@@ -311,8 +326,8 @@ TEST(DynamicWaves, hard_32_calm_water_stays_calm) {
   EXPECT_FALSE(waves.take_fault());
 }
 
-// The same inputs give the same bits, on one thread and on many. Control seen: a level's first wave pushed by the number of calls of
-// the whole process (no run the same).
+// The same inputs give the same bits, on one thread and on many. Control seen: a level's first wave pushed by the
+// number of calls of the whole process (no run the same).
 TEST(DynamicWaves, SameInputsGiveTheSameBits) {
   const DynamicWavesSettings s = quiet(64, 3, 0.25);
   const auto run = [&](int threads) {
@@ -320,12 +335,15 @@ TEST(DynamicWaves, SameInputsGiveTheSameBits) {
     tbb::task_arena arena(threads);
     arena.execute([&] {
       for (int i = 0; i < 90; ++i) {
-        const WaveSource sources[] = {{.place_m = {0.05 * i, 0.3}, .velocity_mps = {3.0, 0.0}, .length_m = 2.0, .head_m = 0.1}, {.place_m = {-1.0, 0.02 * i}, .length_m = 3.0, .rise_mps = 0.2}};
+        const WaveSource sources[] = {
+            {.place_m = {0.05 * i, 0.3}, .velocity_mps = {3.0, 0.0}, .length_m = 2.0, .head_m = 0.1},
+            {.place_m = {-1.0, 0.02 * i}, .length_m = 3.0, .rise_mps = 0.2}};
         waves.advance(1.0 / 72.0, lod_placement(s.windows, {0.04 * i, 0.0}, {}), sources);
       }
     });
     std::vector<Complex> all;
-    for (int i = 0; i < waves.levels(); ++i) all.insert(all.end(), waves.level(i).modes().begin(), waves.level(i).modes().end());
+    for (int i = 0; i < waves.levels(); ++i)
+      all.insert(all.end(), waves.level(i).modes().begin(), waves.level(i).modes().end());
     return all;
   };
   const std::vector<Complex> one = run(1);

@@ -1,4 +1,5 @@
-// The foam of a sea: how much of it there is, where it lies, steps that do not ask how frames fall, time that jumps, shores, wakes and inputs.
+// The foam of a sea: how much of it there is, where it lies, steps that do not ask how frames fall, time that jumps,
+// shores, wakes and inputs.
 #include "ocean/local/foam_sea.h"
 
 #include <gtest/gtest.h>
@@ -47,9 +48,10 @@ InputSpec disc(glm::dvec2 at, double radius, float per_s) {
   return input;
 }
 
-// After a minute of sea the mean cover is that of Monahan and O'Muircheartaigh (1980) within a factor of two, of 8, 12 and 18 m/s: of each slice together, over the
-// last 24 s. Seen: 0.9, 0.8 and 0.8 of it or thereabouts. Controls seen: a threshold of the Jacobian half a standard deviation lower (0.2 of it in the weakest wind); a life
-// of 1 s instead of 3.85 in the steps alone (0.3 to 0.4).
+// After a minute of sea the mean cover is that of Monahan and O'Muircheartaigh (1980) within a factor of two, of 8, 12
+// and 18 m/s: of each slice together, over the last 24 s. Seen: 0.9, 0.8 and 0.8 of it or thereabouts. Controls seen: a
+// threshold of the Jacobian half a standard deviation lower (0.2 of it in the weakest wind); a life of 1 s instead
+// of 3.85 in the steps alone (0.3 to 0.4).
 TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
   if (test::sanitized) GTEST_SKIP() << "minutes of statistics of the steps that the other tests take";
   for (const double wind : {8.0, 12.0, 18.0}) {
@@ -89,8 +91,9 @@ TEST(FoamSea, IsTheSameAtEveryFrameRate) {
   }
 }
 
-// A jump of the time begins anew: forwards beyond longest_s or backwards, the foam is to the bit that of a scene that begins there, and nearly that of one that has run
-// on to there: what differs is what was settle_s before, and the longer steps since. Control seen: a jump that keeps what was there.
+// A jump of the time begins anew: forwards beyond longest_s or backwards, the foam is to the bit that of a scene that
+// begins there, and nearly that of one that has run on to there: what differs is what was settle_s before, and the
+// longer steps since. Control seen: a jump that keeps what was there.
 TEST(FoamSea, AMomentLooksAlikeWhereverTheFramesBegan) {
   SeaState sea;
   sea.wind_speed_mps = 15.0;
@@ -123,8 +126,8 @@ TEST(FoamSea, ATimeOrPlaceThatIsNoNumberChangesNothing) {
   EXPECT_EQ(texels(foam), before);
 }
 
-// Without wind and without inputs nothing is done and nothing is there; an input alone foams where it lies, and once it has gone the foam goes, to none. Control
-// seen: what is left of foam never set to 0 (slices were copied for minutes).
+// Without wind and without inputs nothing is done and nothing is there; an input alone foams where it lies, and once it
+// has gone the foam goes, to none. Control seen: what is left of foam never set to 0 (slices were copied for minutes).
 TEST(FoamSea, RestsWhereNothingMakesFoam) {
   SeaState calm;
   calm.wind_speed_mps = 0.0;
@@ -149,8 +152,8 @@ TEST(FoamSea, RestsWhereNothingMakesFoam) {
   EXPECT_FALSE(foam.foam().any());
 }
 
-// Foam is kept where the water is at rest: an input that stays in its place foams the water that the waves have brought there, one that follows the waves its own.
-// Control seen: inputs asked at the rest position alone.
+// Foam is kept where the water is at rest: an input that stays in its place foams the water that the waves have brought
+// there, one that follows the waves its own. Control seen: inputs asked at the rest position alone.
 TEST(FoamSea, GoesToAndFroWithTheWaves) {
   SeaState swell;
   swell.wind_speed_mps = 0.0;
@@ -190,8 +193,8 @@ TEST(FoamSea, GoesToAndFroWithTheWaves) {
   }
 }
 
-// Shores: where water is less deep than shore_m and nowhere else, none on land; waves' foam falls off as the shallows take the waves; a depth that is no number is the
-// open sea's. Control seen: land taken for water of depth 0.
+// Shores: where water is less deep than shore_m and nowhere else, none on land; waves' foam falls off as the shallows
+// take the waves; a depth that is no number is the open sea's. Control seen: land taken for water of depth 0.
 TEST(FoamSea, FoamsAlongShores) {
   SeaState calm;
   calm.wind_speed_mps = 0.0;
@@ -207,7 +210,9 @@ TEST(FoamSea, FoamsAlongShores) {
   storm.wind_speed_mps = 20.0;
   FoamSea sheltered(spec, storm, coarse()), open(spec, storm, coarse()), unknown(spec, storm, coarse());
   sheltered.set_water([](glm::dvec2, double) { return StillWater{50.0, 0.0}; });
-  unknown.set_water([](glm::dvec2, double) { return StillWater{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}; });
+  unknown.set_water([](glm::dvec2, double) {
+    return StillWater{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  });
   for (FoamSea* each : {&sheltered, &open, &unknown})
     for (int i = 0; i < 24; ++i) each->update(9.0 + i / 12.0, head);
   EXPECT_LT(mean(texels(sheltered)), mean(texels(open)));
@@ -215,8 +220,8 @@ TEST(FoamSea, FoamsAlongShores) {
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-4f);
 }
 
-// In a surf zone crests foam whether or not the open sea's foam is simulated, and only as much as breaks. Control seen: surf left out of the gain; foam in
-// troughs as on crests (0.89).
+// In a surf zone crests foam whether or not the open sea's foam is simulated, and only as much as breaks. Control seen:
+// surf left out of the gain; foam in troughs as on crests (0.89).
 TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
   SeaState sea;
   sea.wind_speed_mps = 9.0;
@@ -254,7 +259,8 @@ TEST(FoamSea, SteepWakesFoam) {
     const LodPlacement place = lod_placement(settings.windows, {0.0, 0.0}, {});
     double most = 0.0;
     for (int i = 0; i < 60; ++i) {
-      const WaveSource ship{.place_m = {-8.0 + i * 0.1, 0.0}, .velocity_mps = {6.0, 0.0}, .length_m = 3.0, .head_m = head_m};
+      const WaveSource ship{
+          .place_m = {-8.0 + i * 0.1, 0.0}, .velocity_mps = {6.0, 0.0}, .length_m = 3.0, .head_m = head_m};
       waves.advance(1.0 / 60.0, place, std::span(&ship, 1));
       surface.evaluate(waves);
       foam.update(30.0 + i / 60.0, {0.0, 2.0, 0.0}, &surface);

@@ -1,4 +1,5 @@
-// The foam of waves along curves: as that of the same waves everywhere, only along the curve, by the share of them that a bed breaks, and where the water goes.
+// The foam of waves along curves: as that of the same waves everywhere, only along the curve, by the share of them that
+// a bed breaks, and where the water goes.
 #include "ocean/local/foam_shore.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,9 @@ std::vector<InputSpec> spline(const std::vector<glm::dvec2>& points, double widt
   return {spec};
 }
 std::vector<InputSpec> straight() { return spline({{0, 0}, {60, 0}, {400, 0}}, 40.0, 5.0); }
-std::vector<InputSpec> bay() { return spline({{-120, 30}, {-60, 0}, {-10, -34}, {50, -30}, {90, 10}, {150, 24}}, 60.0, 10.0); }
+std::vector<InputSpec> bay() {
+  return spline({{-120, 30}, {-60, 0}, {-10, -34}, {50, -30}, {90, 10}, {150, 24}}, 60.0, 10.0);
+}
 constexpr glm::dvec3 head{100.0, 1.7, 0.0};
 
 GerstnerSettings one_wave(double height_m, bool shore) {
@@ -55,8 +58,11 @@ GerstnerSettings many(double height_m) {
 
 struct Along {
   Along(const GerstnerSettings& settings, const std::vector<InputSpec>& curves)
-      : tile(std::make_shared<const Gerstner>(settings, 9.81, 1e6, 0.0, true)), lines(std::make_shared<const ShoreLines>(curves, tile->side_m())) {}
-  FoamSea foam(const FoamSpec& spec, const SeaState& sea = calm()) const { return FoamSea(spec, sea, coarse(), {tile}, lines); }
+      : tile(std::make_shared<const Gerstner>(settings, 9.81, 1e6, 0.0, true)),
+        lines(std::make_shared<const ShoreLines>(curves, tile->side_m())) {}
+  FoamSea foam(const FoamSpec& spec, const SeaState& sea = calm()) const {
+    return FoamSea(spec, sea, coarse(), {tile}, lines);
+  }
   std::shared_ptr<const Gerstner> tile;
   std::shared_ptr<const ShoreLines> lines;
 };
@@ -65,11 +71,13 @@ void run(FoamSea& foam, int steps, double rate = 12.0) {
   for (int i = 0; i <= steps; ++i) foam.update(9.0 + i / rate, head);
 }
 
-// Along a straight curve steep waves foam as the same set does everywhere, and nowhere else; gentle ones do not. Seen: 0.05 apart at most where up to 0.7 is covered, for one
-// reads the nearer mip level and the other between two. Controls seen: what they squeeze left out (0.73); the threshold of the sea's own waves (0.48).
+// Along a straight curve steep waves foam as the same set does everywhere, and nowhere else; gentle ones do not. Seen:
+// 0.05 apart at most where up to 0.7 is covered, for one reads the nearer mip level and the other between two. Controls
+// seen: what they squeeze left out (0.73); the threshold of the sea's own waves (0.48).
 TEST(FoamShore, SteepWavesFoamAsTheSameSetEverywhereDoes) {
   Along along(one_wave(5.4, true), straight());
-  FoamSea there = along.foam(small_spec()), everywhere(small_spec(), calm(), coarse(), {std::make_shared<const Gerstner>(one_wave(5.4, false))});
+  FoamSea there = along.foam(small_spec()),
+          everywhere(small_spec(), calm(), coarse(), {std::make_shared<const Gerstner>(one_wave(5.4, false))});
   run(there, 36), run(everywhere, 36);
   double most = 0.0, apart = 0.0;
   for (double x = 80.0; x <= 120.0; x += 0.7)
@@ -97,8 +105,10 @@ double mean_within(const FoamSea& foam, double least_z, double most_z) {
   return sum / count;
 }
 
-// Where the bed breaks them their crests foam, in the lee too where the sea has no waves, whether or not the sea's own foam is simulated; as much as breaks, and as much as the bed leaves of them.
-// Controls seen: surf of the sea alone (none); of these waves alone among those of the sea (0.49 where it may be 0.34); foam in troughs as on crests (0.77, 0.57 without); their heights left out.
+// Where the bed breaks them their crests foam, in the lee too where the sea has no waves, whether or not the sea's own
+// foam is simulated; as much as breaks, and as much as the bed leaves of them. Controls seen: surf of the sea alone
+// (none); of these waves alone among those of the sea (0.49 where it may be 0.34); foam in troughs as on crests (0.77,
+// 0.57 without); their heights left out.
 TEST(FoamShore, FoamsWhereABedBreaksThem) {
   Along along(many(0.5), straight());
   FoamSpec spec = small_spec();
@@ -132,14 +142,17 @@ TEST(FoamShore, FoamsWhereABedBreaksThem) {
   EXPECT_LT(mean_within(among, -14.0, 14.0), 0.6 * all);
 }
 
-// The edge of the water's foam runs up and down with them: farther out than without them. Control seen: their heights left out there.
+// The edge of the water's foam runs up and down with them: farther out than without them. Control seen: their heights
+// left out there.
 TEST(FoamShore, TheWatersEdgeGoesUpAndDownWithThem) {
   const auto covered = [](double height_m) {
     Along along(many(height_m), straight());
     FoamSpec spec = small_spec();
     spec.settings.breaking = 0.0;
     FoamSea foam = along.foam(spec);
-    foam.set_water([](glm::dvec2 at, double) { return StillWater{0.1 * (at.y + 12.0), 0.0}; });  // a beach of 1 : 10 to the north
+    foam.set_water([](glm::dvec2 at, double) {
+      return StillWater{0.1 * (at.y + 12.0), 0.0};
+    });  // a beach of 1 : 10 to the north
     run(foam, 48);
     return mean_within(foam, -5.0, -4.0);  // deeper than shore_m
   };
@@ -147,9 +160,10 @@ TEST(FoamShore, TheWatersEdgeGoesUpAndDownWithThem) {
   EXPECT_GT(covered(0.5), 0.02);
 }
 
-// Each texel is moved as the sea is that queries see (PlaceSea), around a bend, where the waves fade, and in a current; the same after a walk. What differs is what lies between the texels that
-// the sea's places are read from. Seen: less than a micrometre, 0.0024 of their derivatives. Controls seen: right for left (1.1 m); a current left out (0.09 m); texels that come in as the next
-// coarser ones are.
+// Each texel is moved as the sea is that queries see (PlaceSea), around a bend, where the waves fade, and in a current;
+// the same after a walk. What differs is what lies between the texels that the sea's places are read from. Seen: less
+// than a micrometre, 0.0024 of their derivatives. Controls seen: right for left (1.1 m); a current left out (0.09 m);
+// texels that come in as the next coarser ones are.
 TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
   const Along along(many(0.9), bay());
   const WaveField field(calm(), WaveQuality{.resolution = 16, .cascades = 1}, {along.tile});
@@ -159,7 +173,8 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
     inputs.shore = along.lines;
     inputs.settings.flow_to_deg = 60.0;
     inputs.settings.flow_mps = speed;
-    if (speed > 0.0) inputs.kinds.push_back(std::make_shared<const Inputs>(InputTarget::flow, std::vector<InputSpec>{}));
+    if (speed > 0.0)
+      inputs.kinds.push_back(std::make_shared<const Inputs>(InputTarget::flow, std::vector<InputSpec>{}));
     const PlaceSea place(inputs, field);
     WaveTiles tiles;
     field.evaluate(ticks_from_seconds(31.7), tiles);
@@ -167,11 +182,13 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
     const glm::vec2 velocity = speed > 0.0 ? glm::vec2(place.flow_mps({0.0, 0.0}, 0.0, 31.7)) : glm::vec2(0.0f);
     if (speed > 0.0) flow = [&](LodIndex) { return velocity; };
     const FlowPhase phase = flow_phase(31.7, inputs.settings.flow_period_s);
-    const LodPlacement here = lod_placement(spec.settings.windows, {18.0, -20.0}, {}), far = lod_placement(spec.settings.windows, {-70.0, 40.0}, {});
+    const LodPlacement here = lod_placement(spec.settings.windows, {18.0, -20.0}, {}),
+                       far = lod_placement(spec.settings.windows, {-70.0, 40.0}, {});
     FoamShore fresh(along.lines, spec.settings.windows, field), walked(along.lines, spec.settings.windows, field);
     fresh.follow(here, nullptr);
     walked.follow(far, nullptr);
-    for (int i = 1; i <= 10; ++i) walked.follow(lod_placement(spec.settings.windows, glm::mix(far.viewer, here.viewer, 0.1 * i), {}), nullptr);
+    for (int i = 1; i <= 10; ++i)
+      walked.follow(lod_placement(spec.settings.windows, glm::mix(far.viewer, here.viewer, 0.1 * i), {}), nullptr);
     const LodField<float> windows(spec.settings.windows, 0.0f, here);
     std::vector<FoamShore::Moved> moved(64), after(64);
     double worst = 0.0, worst_gradient = 0.0, highest = 0.0;
@@ -189,7 +206,8 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
             ASSERT_EQ(after[std::size_t(i)].displacement, got.displacement);
           }
           worst = std::max(worst, glm::distance(want.displacement, got.displacement));
-          if (got.height_variance > 0.999 * along.tile->statistics().height_variance) worst_gradient = std::max(worst_gradient, glm::distance(want.shift_gradient, got.shift_gradient)), ++seen;
+          if (got.height_variance > 0.999 * along.tile->statistics().height_variance)
+            worst_gradient = std::max(worst_gradient, glm::distance(want.shift_gradient, got.shift_gradient)), ++seen;
           highest = std::max(highest, std::abs(got.displacement.y));
         }
       }
@@ -202,7 +220,8 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
   }
 }
 
-// To the bit whatever the display's rate, and anew after other water has come: as if it had always been there. Control seen: other water that reaches the sea's own waves alone.
+// To the bit whatever the display's rate, and anew after other water has come: as if it had always been there. Control
+// seen: other water that reaches the sea's own waves alone.
 TEST(FoamShore, IsTheSameAtEveryFrameRateAndTakesOtherWater) {
   Along along(many(0.5), straight());
   const auto texels = [](const FoamSea& foam) {
@@ -211,7 +230,9 @@ TEST(FoamShore, IsTheSameAtEveryFrameRateAndTakesOtherWater) {
     for (int i = 0; i < field.slices(); ++i) field.each(i, [&](LodIndex w) { all.push_back(field.texel(i, w)); });
     return all;
   };
-  const auto water = [](double surf) { return [surf](glm::dvec2, double) { return StillWater{0.7, 0.5, 0.0, 0.8, surf}; }; };
+  const auto water = [](double surf) {
+    return [surf](glm::dvec2, double) { return StillWater{0.7, 0.5, 0.0, 0.8, surf}; };
+  };
   FoamSea slow = along.foam(small_spec()), fast = along.foam(small_spec()), other = along.foam(small_spec());
   slow.set_water(water(0.7)), fast.set_water(water(0.7)), other.set_water(water(0.0));
   run(slow, 24, 12.0), run(fast, 180, 90.0);

@@ -20,7 +20,9 @@ FoamSettings small_foam() {
   s.windows = {.resolution = 64, .slices = 2, .texel_m = 0.5};
   return s;
 }
-LodPlacement around(const FoamSettings& s, glm::dvec2 viewer, double height_m = 2.0) { return lod_placement(s.windows, viewer, lod_scale(s.windows, height_m)); }
+LodPlacement around(const FoamSettings& s, glm::dvec2 viewer, double height_m = 2.0) {
+  return lod_placement(s.windows, viewer, lod_scale(s.windows, height_m));
+}
 
 // A round patch of so many metres of deviation, as a gain of one short step.
 void patch(Foam& foam, glm::dvec2 at, double sigma_m) {
@@ -47,8 +49,8 @@ Moments moments(const Foam& foam, int slice) {
   return m;
 }
 
-// f(t) = exp(-t / life) without a gain and the exact solution with one, at any rate, within 1e-4 (the bar is 1 %). Control seen: f *= 1 - dt / life, which is off
-// by 11 % between 10 and 120 Hz.
+// f(t) = exp(-t / life) without a gain and the exact solution with one, at any rate, within 1e-4 (the bar is 1 %).
+// Control seen: f *= 1 - dt / life, which is off by 11 % between 10 and 120 Hz.
 TEST(Foam, ComesAndGoesAlikeAtAnyRate) {
   const FoamSettings s = small_foam();
   for (const double rate : {10.0, 15.0, 30.0, 60.0, 72.0, 90.0, 120.0}) {
@@ -58,7 +60,8 @@ TEST(Foam, ComesAndGoesAlikeAtAnyRate) {
     decays.fill(0.8f);
     for (int i = 0; i < int(4.0 * rate); ++i) {
       decays.step(1.0 / rate, nullptr);
-      grows.step(1.0 / rate, [](const FoamRow&, std::span<float> per_s) { std::fill(per_s.begin(), per_s.end(), 0.5f); });
+      grows.step(1.0 / rate,
+                 [](const FoamRow&, std::span<float> per_s) { std::fill(per_s.begin(), per_s.end(), 0.5f); });
     }
     const double k = 0.5 + 1.0 / s.life_s;
     EXPECT_NEAR(decays.covered({1.0, 1.0}, 0.0), 0.8 * std::exp(-4.0 / s.life_s), 1e-4) << rate;
@@ -66,14 +69,16 @@ TEST(Foam, ComesAndGoesAlikeAtAnyRate) {
   }
 }
 
-// Hard case 43: an hour of more foam than water takes, also as half floats. Control seen: f += g dt without the saturation (left [0, 1] at once, and was told of).
+// Hard case 43: an hour of more foam than water takes, also as half floats. Control seen: f += g dt without the
+// saturation (left [0, 1] at once, and was told of).
 TEST(Foam, hard_43_full_for_an_hour_stays_within_one) {
   const FoamSettings s = small_foam();
   Foam foam(s);
   foam.follow(around(s, {0.0, 0.0}), 0.0f);
   foam.set_flow([](glm::dvec2 at, double) { return glm::vec2(-0.3 * at); }, true);  // and drawn together
   foam.follow(around(s, {0.0, 0.0}), 0.0f);
-  for (int i = 0; i < 3600 * 4; i += 8) foam.step(2.0, [](const FoamRow&, std::span<float> per_s) { std::fill(per_s.begin(), per_s.end(), 100.0f); });
+  for (int i = 0; i < 3600 * 4; i += 8)
+    foam.step(2.0, [](const FoamRow&, std::span<float> per_s) { std::fill(per_s.begin(), per_s.end(), 100.0f); });
   EXPECT_FALSE(foam.take_fault());
   for (int slice = 0; slice < 2; ++slice) {
     std::vector<std::uint16_t> halves(64 * 64);
@@ -86,7 +91,8 @@ TEST(Foam, hard_43_full_for_an_hour_stays_within_one) {
   }
 }
 
-// A gain or foam that is no number is gone after the step that found it, and told of once. Control seen: the test of both left out (NaN stays for ever).
+// A gain or foam that is no number is gone after the step that found it, and told of once. Control seen: the test of
+// both left out (NaN stays for ever).
 TEST(Foam, WhatIsNoNumberIsGoneWithinAStepAndToldOf) {
   const FoamSettings s = small_foam();
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
@@ -122,8 +128,9 @@ TEST(Foam, WhatIsNoNumberIsGoneWithinAStepAndToldOf) {
   }
 }
 
-// A patch in a uniform flow: its mass within 1 %, its middle within 1.5 % of its way, a tenth of its height lost at most, over 26 texels of way at two
-// rates. Controls seen: lines between texels instead of cubics (39 % of the height lost); the flow's x and z changed about.
+// A patch in a uniform flow: its mass within 1 %, its middle within 1.5 % of its way, a tenth of its height lost at
+// most, over 26 texels of way at two rates. Controls seen: lines between texels instead of cubics (39 % of the height
+// lost); the flow's x and z changed about.
 TEST(Foam, AUniformFlowCarriesAPatchWhole) {
   FoamSettings s = small_foam();
   s.life_s = 1000.0;
@@ -144,14 +151,16 @@ TEST(Foam, AUniformFlowCarriesAPatchWhole) {
   }
 }
 
-// Hard case 44: a whirlpool that draws no water down keeps the foam that circles in it within 5 % for a minute; one that does gathers it in the middle, and no
-// more than all of the water is covered. Opposed flows pile it up where they meet. Control seen: the flow's divergence left out (nothing gathers).
+// Hard case 44: a whirlpool that draws no water down keeps the foam that circles in it within 5 % for a minute; one
+// that does gathers it in the middle, and no more than all of the water is covered. Opposed flows pile it up where they
+// meet. Control seen: the flow's divergence left out (nothing gathers).
 TEST(Foam, hard_44_whirlpools_and_opposed_flows_keep_it_finite) {
   FoamSettings s = small_foam();
   s.life_s = 1000.0;
   const auto whirl = [](double inflow) {
     return [inflow](glm::dvec2 at, double) {
-      const double r = glm::length(at), turn = 1.5 * std::min(r / 3.0, 3.0 / std::max(r, 1e-9)), in = -inflow * std::min(r / 3.0, 3.0 / std::max(r, 1e-9));
+      const double r = glm::length(at), turn = 1.5 * std::min(r / 3.0, 3.0 / std::max(r, 1e-9)),
+                   in = -inflow * std::min(r / 3.0, 3.0 / std::max(r, 1e-9));
       return r > 0.0 ? glm::vec2((glm::dvec2(-at.y, at.x) * turn + at * in) / r) : glm::vec2(0.0f);
     };
   };
@@ -177,18 +186,21 @@ TEST(Foam, hard_44_whirlpools_and_opposed_flows_keep_it_finite) {
   opposed.follow(around(s, {0.0, 0.0}), 0.0f);
   opposed.fill(0.1f);
   for (int i = 0; i < 120; ++i) opposed.step(1.0 / 12.0, nullptr);
-  for (int i = 0; i < 64 * 64; ++i) ASSERT_TRUE(opposed.field().texels(0)[i] >= 0.0f && opposed.field().texels(0)[i] <= 1.0f);
+  for (int i = 0; i < 64 * 64; ++i)
+    ASSERT_TRUE(opposed.field().texels(0)[i] >= 0.0f && opposed.field().texels(0)[i] <= 1.0f);
 }
 
-// Windows that move keep every texel that they still cover, to the bit; what comes into the finer one lies between the coarser one's, and into the coarser one is
-// what the sea has on average. Control seen: fresh foam in every texel that comes in.
+// Windows that move keep every texel that they still cover, to the bit; what comes into the finer one lies between the
+// coarser one's, and into the coarser one is what the sea has on average. Control seen: fresh foam in every texel that
+// comes in.
 TEST(Foam, MovingWindowsLoseOnlyWhatLeavesThem) {
   const FoamSettings s = small_foam();
   Foam foam(s);
   foam.follow(around(s, {0.0, 0.0}), 0.0f);
   patch(foam, {3.0, -2.0}, 4.0);
   const LodField<float> before = foam.field();
-  for (const glm::dvec2 viewer : {glm::dvec2(5.3, 0.0), glm::dvec2(5.3, -7.9), glm::dvec2(9.0, 3.0)}) foam.follow(around(s, viewer), 0.25f);
+  for (const glm::dvec2 viewer : {glm::dvec2(5.3, 0.0), glm::dvec2(5.3, -7.9), glm::dvec2(9.0, 3.0)})
+    foam.follow(around(s, viewer), 0.25f);
   int kept = 0, fresh = 0;
   for (int slice = 0; slice < 2; ++slice)
     foam.field().each(slice, [&](LodIndex w) {
@@ -218,8 +230,12 @@ TEST(Foam, MovingWindowsLoseOnlyWhatLeavesThem) {
 }
 
 TEST(Foam, SettingsOutOfRangeAreRefusedByName) {
-  for (const auto& [member, name] : {std::pair{&FoamSettings::life_s, "life_s"}, {&FoamSettings::rate_hz, "rate_hz"}, {&FoamSettings::shore_m, "shore_m"},
-                                     {&FoamSettings::breaking, "breaking"}, {&FoamSettings::settle_s, "settle_s"}, {&FoamSettings::shore_per_s, "shore_per_s"}})
+  for (const auto& [member, name] : {std::pair{&FoamSettings::life_s, "life_s"},
+                                     {&FoamSettings::rate_hz, "rate_hz"},
+                                     {&FoamSettings::shore_m, "shore_m"},
+                                     {&FoamSettings::breaking, "breaking"},
+                                     {&FoamSettings::settle_s, "settle_s"},
+                                     {&FoamSettings::shore_per_s, "shore_per_s"}})
     for (const double bad : {-1.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
       FoamSettings s = small_foam();
       s.*member = bad;
@@ -227,8 +243,8 @@ TEST(Foam, SettingsOutOfRangeAreRefusedByName) {
     }
 }
 
-// As much of the tile is covered before a value as the value says, so that the lace of a coverage covers just that; and the tile wraps around. Control seen: values
-// as the cells give them (off by 0.2).
+// As much of the tile is covered before a value as the value says, so that the lace of a coverage covers just that; and
+// the tile wraps around. Control seen: values as the cells give them (off by 0.2).
 TEST(Foam, LaceCoversAsMuchAsItIsAskedFor) {
   constexpr int side = 128;
   const std::vector<std::uint8_t> tile = foam_pattern(side);
@@ -248,8 +264,9 @@ TEST(Foam, LaceCoversAsMuchAsItIsAskedFor) {
   EXPECT_NEAR(tile[tile.size() - 4], 127, 3) << "the last level is the mean";
 }
 
-// Thin at its edges and thick within, foam lets through just as much as its share of the water lacks, so that it is as bright from near as from afar, where
-// pixels take its mean. Controls seen: a reach of the share itself (off by 0.1), the law of small shares for all (0.02).
+// Thin at its edges and thick within, foam lets through just as much as its share of the water lacks, so that it is as
+// bright from near as from afar, where pixels take its mean. Controls seen: a reach of the share itself (off by 0.1),
+// the law of small shares for all (0.02).
 TEST(Foam, LaceIsAsBrightAsItsShare) {
   constexpr int numbers = 4000;
   float before = -1.0f;

@@ -1,4 +1,5 @@
-// Windows of local data: what a place reads, and that nothing in a field moves, pops or is lost as the viewer moves and rises.
+// Windows of local data: what a place reads, and that nothing in a field moves, pops or is lost as the viewer moves and
+// rises.
 #include "ocean/local/lod_field.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-LodWindowSettings small() { return {.resolution = 64, .slices = 5, .texel_m = 0.25, .scale_height_m = 4.0, .most_octaves = 10}; }
+LodWindowSettings small() {
+  return {.resolution = 64, .slices = 5, .texel_m = 0.25, .scale_height_m = 4.0, .most_octaves = 10};
+}
 
-LodPlacement at(const LodWindowSettings& s, glm::dvec2 viewer, double height) { return lod_placement(s, viewer, lod_scale(s, height)); }
+LodPlacement at(const LodWindowSettings& s, glm::dvec2 viewer, double height) {
+  return lod_placement(s, viewer, lod_scale(s, height));
+}
 
-// A smooth sea of three waves, 16 m and longer, and the most that straight lines between its values `texel` apart can miss: texel^2 / 8
-// (max |f_xx| + max |f_zz|).
+// A smooth sea of three waves, 16 m and longer, and the most that straight lines between its values `texel` apart can
+// miss: texel^2 / 8 (max |f_xx| + max |f_zz|).
 struct Smooth {
   static constexpr double kx[3] = {0.31, -0.12, 0.05}, kz[3] = {0.2, 0.33, -0.07}, a[3] = {0.4, 0.3, 0.8};
   static double value(glm::dvec2 p) {
@@ -43,9 +48,9 @@ LodField<float> smooth_field(const LodWindowSettings& s, const LodPlacement& pla
   return field;
 }
 
-// Weights are 1 in sum, to the bit, and change with the place by no more than their ramps are steep; what is read lies in its window
-// with all four texels. Controls seen: a border of 0.6 of the reach (levels jump by 0.17); a reach of half the window (11,176 reads
-// outside); a logarithm rounded down (levels jump by 1).
+// Weights are 1 in sum, to the bit, and change with the place by no more than their ramps are steep; what is read lies
+// in its window with all four texels. Controls seen: a border of 0.6 of the reach (levels jump by 0.17); a reach of
+// half the window (11,176 reads outside); a logarithm rounded down (levels jump by 1).
 TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
   const LodWindowSettings s = small();
   int outside = 0;
@@ -61,9 +66,12 @@ TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
           for (int i = 0; i < 4000; ++i) {
             const double r = 0.05 * i;
             const glm::dvec2 p(r * std::cos(angle), r * std::sin(angle));
-            const gpu::LodRead read = gpu::lod_read(w.reach, w.slices, gpu::lod_distance(glm::vec2(p) - w.viewer), float(footprint));
-            const double of_coarser = double(read.present) * read.coarser, of_fine = double(read.present) * (1.0 - read.coarser), of_outside = 1.0 - read.present;
-            all_one = all_one && of_coarser + of_fine + of_outside == 1.0 && of_fine >= 0.0 && of_coarser >= 0.0 && of_outside >= 0.0;
+            const gpu::LodRead read =
+                gpu::lod_read(w.reach, w.slices, gpu::lod_distance(glm::vec2(p) - w.viewer), float(footprint));
+            const double of_coarser = double(read.present) * read.coarser,
+                         of_fine = double(read.present) * (1.0 - read.coarser), of_outside = 1.0 - read.present;
+            all_one = all_one && of_coarser + of_fine + of_outside == 1.0 && of_fine >= 0.0 && of_coarser >= 0.0 &&
+                      of_outside >= 0.0;
             const double level = read.fine + read.coarser;
             // A ramp is a quarter of a reach wide; the shortest, of slice 0, is 1.875 m, where 0.05 m are 0.027 levels.
             if (before >= 0.0) jump = std::max(jump, std::abs(level - before) * read.present);
@@ -72,8 +80,11 @@ TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
             if (read.present <= 0.0f) continue;
             for (int k = 0; k < (read.coarser > 0.0f ? 2 : 1); ++k) {
               const double texel = lod_texel_m(s, placement, read.fine + k);
-              const LodIndex low(glm::floor((viewer + p) / texel - 0.5)), first = placement.first[std::size_t(read.fine + k)];
-              if (low.x < first.x || low.y < first.y || low.x + 1 >= first.x + s.resolution || low.y + 1 >= first.y + s.resolution) ++outside;
+              const LodIndex low(glm::floor((viewer + p) / texel - 0.5)),
+                  first = placement.first[std::size_t(read.fine + k)];
+              if (low.x < first.x || low.y < first.y || low.x + 1 >= first.x + s.resolution ||
+                  low.y + 1 >= first.y + s.resolution)
+                ++outside;
             }
           }
         }
@@ -87,8 +98,8 @@ TEST(LodWindows, ReadsAreOneInSumContinuousAndInside) {
   EXPECT_LT(steepest_out, 0.0034) << "a quarter of 60 m";
 }
 
-// Height turns the level and the reach without a step where texels double. Control seen: a blend that starts anew at 0.1 (a blend of
-// 0.1 instead of 0).
+// Height turns the level and the reach without a step where texels double. Control seen: a blend that starts anew at
+// 0.1 (a blend of 0.1 instead of 0).
 TEST(LodWindows, DoublingTexelsChangesNothingThatIsRead) {
   const LodWindowSettings s = small();
   double off = 0.0, out = 0.0;
@@ -101,9 +112,11 @@ TEST(LodWindows, DoublingTexelsChangesNothingThatIsRead) {
     for (int i = 0; i < 3000; ++i) {
       const glm::vec2 p(float(doubled * 0.013 * i), float(i % 7));
       for (const float footprint : {0.0f, 7.0f}) {
-        const gpu::LodRead fine = gpu::lod_read(a.reach, a.slices, gpu::lod_distance(p - a.viewer), footprint), coarse = gpu::lod_read(b.reach, b.slices, gpu::lod_distance(p - b.viewer), footprint);
+        const gpu::LodRead fine = gpu::lod_read(a.reach, a.slices, gpu::lod_distance(p - a.viewer), footprint),
+                           coarse = gpu::lod_read(b.reach, b.slices, gpu::lod_distance(p - b.viewer), footprint);
         out = std::max(out, double(std::abs(fine.present - coarse.present)));
-        const double was = below.scale.octave + fine.fine + fine.coarser, is = above.scale.octave + coarse.fine + coarse.coarser;
+        const double was = below.scale.octave + fine.fine + fine.coarser,
+                     is = above.scale.octave + coarse.fine + coarse.coarser;
         off = std::max(off, std::abs(was - is) * fine.present);
       }
     }
@@ -130,13 +143,14 @@ TEST(LodField, LosesOfAWaveWhatItSays) {
     }
     EXPECT_NEAR(std::sqrt(error / power), want, 0.01 * want) << texels;
     const double sinc = std::sin(pi / texels) / (pi / texels);
-    EXPECT_NEAR(std::sqrt(1.0 - 2.0 * sinc * sinc + (2.0 + std::cos(2.0 * pi / texels)) / 3.0), want, 0.01 * want) << "as stated";
+    EXPECT_NEAR(std::sqrt(1.0 - 2.0 * sinc * sinc + (2.0 + std::cos(2.0 * pi / texels)) / 3.0), want, 0.01 * want)
+        << "as stated";
   }
 }
 
-// A viewer glides; places that stay are read to the same bit while one slice reads them, and at every step all places are as near the
-// truth as straight lines between the coarser slice's texels. Controls seen: texels that come in are left as they were (1.95 m off); a
-// reach of half the window (0.04 m).
+// A viewer glides; places that stay are read to the same bit while one slice reads them, and at every step all places
+// are as near the truth as straight lines between the coarser slice's texels. Controls seen: texels that come in are
+// left as they were (1.95 m off); a reach of half the window (0.04 m).
 TEST(LodField, NothingPopsAsTheViewerMoves) {
   const LodWindowSettings s = small();
   glm::dvec2 viewer(-11.3, 7.7);
@@ -150,14 +164,19 @@ TEST(LodField, NothingPopsAsTheViewerMoves) {
     const LodIndex was = field.first(0);
     field.follow(at(s, viewer, 0.0), smooth_fill);
     moved_texels += was != field.first(0);
-    if (n < 12) { EXPECT_EQ(field.sample(fixed, 0.0), first) << n; }
+    if (n < 12) {
+      EXPECT_EQ(field.sample(fixed, 0.0), first) << n;
+    }
     for (int i = 0; i < 200; ++i) {
       const glm::dvec2 p(-11.3 + 0.61 * i - 60.0, 7.7 + 0.37 * std::sin(3.0 * i) * i);
-      const gpu::LodRead read = gpu::lod_read(field.windows().reach, field.windows().slices, gpu::lod_distance(glm::vec2(p - viewer)), 0.0f);
+      const gpu::LodRead read =
+          gpu::lod_read(field.windows().reach, field.windows().slices, gpu::lod_distance(glm::vec2(p - viewer)), 0.0f);
       if (read.present < 1.0f) continue;
-      const double value = field.sample(p, 0.0), miss = Smooth::missed(field.texel_m(read.fine + (read.coarser > 0.0f ? 1 : 0)));
+      const double value = field.sample(p, 0.0),
+                   miss = Smooth::missed(field.texel_m(read.fine + (read.coarser > 0.0f ? 1 : 0)));
       excess = std::max(excess, std::abs(value - Smooth::value(p)) - miss);
-      if (n > 0 && last[std::size_t(i)] != 0.0) step = std::max(step, std::abs(value - last[std::size_t(i)]) - 2.0 * miss);
+      if (n > 0 && last[std::size_t(i)] != 0.0)
+        step = std::max(step, std::abs(value - last[std::size_t(i)]) - 2.0 * miss);
       last[std::size_t(i)] = value;
     }
     viewer += glm::dvec2(0.31, -0.17);
@@ -167,23 +186,25 @@ TEST(LodField, NothingPopsAsTheViewerMoves) {
   EXPECT_LT(step, 0.0);
 }
 
-// The same without a fill: what comes in is what the coarser slice has, within its error; of the coarsest the value of outside. Control
-// seen: inherited from the slice itself (1.7 m).
+// The same without a fill: what comes in is what the coarser slice has, within its error; of the coarsest the value of
+// outside. Control seen: inherited from the slice itself (1.7 m).
 TEST(LodField, WhatComesInIsInheritedFromTheCoarserSlice) {
   const LodWindowSettings s = small();
   LodField<float> field = smooth_field(s, at(s, {0.0, 0.0}, 0.0));
   field.follow(at(s, {6.3, -6.1}, 0.0));  // more than half of the finest slice is new
   double worst = 0.0;
-  field.each(0, [&](LodIndex w) { worst = std::max(worst, std::abs(double(field.texel(0, w)) - Smooth::value(field.middle(0, w)))); });
+  field.each(0, [&](LodIndex w) {
+    worst = std::max(worst, std::abs(double(field.texel(0, w)) - Smooth::value(field.middle(0, w))));
+  });
   EXPECT_GT(worst, 1e-4) << "some are inherited";
   EXPECT_LT(worst, Smooth::missed(field.texel_m(1)));
   const LodIndex far = field.first(4) + LodIndex(s.resolution - 1, 0);
   EXPECT_EQ(field.texel(4, far), 0.0f) << "beyond what the coarsest slice knew";
 }
 
-// Twice the height: what slices had they keep, to the bit, one number lower; the new coarsest has means where the finer one reached.
-// Down again: only what was finer than all is interpolated. Controls seen: layers that do not turn with the octave (no texel kept); one
-// texel of the four for their mean (0.55 m).
+// Twice the height: what slices had they keep, to the bit, one number lower; the new coarsest has means where the finer
+// one reached. Down again: only what was finer than all is interpolated. Controls seen: layers that do not turn with
+// the octave (no texel kept); one texel of the four for their mean (0.55 m).
 TEST(LodField, AChangeOfScaleMovesWholeSlices) {
   const LodWindowSettings s = small();
   const glm::dvec2 viewer(5.2, -3.9);
@@ -214,7 +235,9 @@ TEST(LodField, AChangeOfScaleMovesWholeSlices) {
     EXPECT_EQ(same, s.resolution * s.resolution) << i;
   }
   worst = 0.0;
-  field.each(0, [&](LodIndex w) { worst = std::max(worst, std::abs(double(field.texel(0, w)) - Smooth::value(field.middle(0, w)))); });
+  field.each(0, [&](LodIndex w) {
+    worst = std::max(worst, std::abs(double(field.texel(0, w)) - Smooth::value(field.middle(0, w))));
+  });
   EXPECT_LT(worst, Smooth::missed(field.texel_m(1)));
   EXPECT_GT(worst, 1e-4) << "the finest was lost";
   // From low to high above in one step, and back: nothing is known there but what is given.
@@ -223,8 +246,8 @@ TEST(LodField, AChangeOfScaleMovesWholeSlices) {
   EXPECT_NEAR(field.sample(viewer, 0.0), 0.0, 3.0);
 }
 
-// A million metres away everything is the same to the bit, and 2^50 texels away texels are still told apart. Control seen: places in
-// float (7 of 400 reads the same).
+// A million metres away everything is the same to the bit, and 2^50 texels away texels are still told apart. Control
+// seen: places in float (7 of 400 reads the same).
 TEST(LodField, IsAsExactFarAway) {
   const LodWindowSettings s = small();
   const glm::dvec2 far(1048576.0, -1048576.0 * 4.0);  // whole texels of every slice
@@ -252,8 +275,8 @@ TEST(LodField, IsAsExactFarAway) {
   EXPECT_NE(test::error_of([&] { lod_placement(s, {std::nan(""), 0.0}, {}); }).find("viewer"), std::string::npos);
 }
 
-// What shaders are given finds the texels that the processor has, from an origin that is not the viewer. Control seen: coordinates
-// without the texel's fraction (0.97 texels off).
+// What shaders are given finds the texels that the processor has, from an origin that is not the viewer. Control seen:
+// coordinates without the texel's fraction (0.97 texels off).
 TEST(LodWindows, ShadersFindTheSameTexels) {
   const LodWindowSettings s = small();
   double off = 0.0;
@@ -264,8 +287,10 @@ TEST(LodWindows, ShadersFindTheSameTexels) {
       for (int i = 0; i < 100; ++i) {
         const glm::vec2 p(0.37f * float(i - 50), 0.11f * float(i));
         const glm::dvec2 texels = (origin + glm::dvec2(p)) / lod_texel_m(s, placement, slice);
-        const glm::dvec2 difference = glm::dvec2(gpu::lod_coordinates(w.slice[slice], p)) * double(s.resolution) - texels;
-        for (int axis = 0; axis < 2; ++axis) off = std::max(off, std::abs(difference[axis] - s.resolution * std::round(difference[axis] / s.resolution)));
+        const glm::dvec2 difference =
+            glm::dvec2(gpu::lod_coordinates(w.slice[slice], p)) * double(s.resolution) - texels;
+        for (int axis = 0; axis < 2; ++axis)
+          off = std::max(off, std::abs(difference[axis] - s.resolution * std::round(difference[axis] / s.resolution)));
       }
   }
   EXPECT_LT(off, 2e-4);
@@ -277,7 +302,8 @@ TEST(LodViewer, FollowsHeightAlikeAtAnyRate) {
   for (const int rate : {30, 60, 72, 90, 120}) {
     LodViewer viewer(small());
     viewer.follow({0.0, 0.0}, 10.0, 0.0);
-    EXPECT_NEAR(viewer.placement().scale.octave + viewer.placement().scale.blend, std::log2(2.5), 1e-9) << "at once at first";
+    EXPECT_NEAR(viewer.placement().scale.octave + viewer.placement().scale.blend, std::log2(2.5), 1e-9)
+        << "at once at first";
     for (int i = 0; i < rate / 2; ++i) viewer.follow({0.0, 0.0}, 30.0, 1.0 / rate);
     const double octaves = viewer.placement().scale.octave + viewer.placement().scale.blend;
     if (rate == 30) first = octaves;

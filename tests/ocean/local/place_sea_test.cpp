@@ -1,4 +1,5 @@
-// Levels and currents on the processor: the water that a query finds, waves that a current carries and that do not pulse.
+// Levels and currents on the processor: the water that a query finds, waves that a current carries and that do not
+// pulse.
 #include "ocean/local/place_sea.h"
 
 #include <gtest/gtest.h>
@@ -50,30 +51,35 @@ PlaceSettings current(double to_deg, double speed_mps, double period_s = 2.0) {
 
 class PlaceSeaTest : public ::testing::Test {
  protected:
-  PlaceSeaTest() : field(fresh(), WaveQuality{.resolution = 64, .cascades = 3}), tiles(true) { field.evaluate(ticks_from_seconds(12.5), tiles); }
+  PlaceSeaTest() : field(fresh(), WaveQuality{.resolution = 64, .cascades = 3}), tiles(true) {
+    field.evaluate(ticks_from_seconds(12.5), tiles);
+  }
   WaveField field;
   WaveTiles tiles;
 };
 
-// A query finds the point of the surface that stands at the place: where it stands, rest and displacement add up to it, level and all; its normal is that of
-// points around it.
+// A query finds the point of the surface that stands at the place: where it stands, rest and displacement add up to it,
+// level and all; its normal is that of points around it.
 TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
   const PlaceSea place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
   ASSERT_TRUE(place.moves());
-  const int converged = test::expect_found_on_surface(place, field, tiles, 3, 60.0, [&](glm::dvec2 asked, const QueryAnswer& answer) {
-    const double e = 0.05;
-    QueryAnswer east, south;
-    const glm::dvec2 to_east = asked + glm::dvec2(e, 0.0), to_south = asked + glm::dvec2(0.0, e);
-    place.query(field, tiles, {&to_east, 1}, {&east, 1});
-    place.query(field, tiles, {&to_south, 1}, {&south, 1});
-    const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(0.0, south.height_m - answer.height_m, e), glm::dvec3(e, east.height_m - answer.height_m, 0.0)));
-    EXPECT_GT(glm::dot(normal, answer.normal), 0.98);
-  });
+  const int converged =
+      test::expect_found_on_surface(place, field, tiles, 3, 60.0, [&](glm::dvec2 asked, const QueryAnswer& answer) {
+        const double e = 0.05;
+        QueryAnswer east, south;
+        const glm::dvec2 to_east = asked + glm::dvec2(e, 0.0), to_south = asked + glm::dvec2(0.0, e);
+        place.query(field, tiles, {&to_east, 1}, {&east, 1});
+        place.query(field, tiles, {&to_south, 1}, {&south, 1});
+        const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(0.0, south.height_m - answer.height_m, e),
+                                                            glm::dvec3(e, east.height_m - answer.height_m, 0.0)));
+        EXPECT_GT(glm::dot(normal, answer.normal), 0.98);
+      });
   EXPECT_GT(converged, 180);
 }
 
-// The level is that of the rest place, at the middle of a texel to the bit and elsewhere straight between them, and nothing else of the waves changes but their
-// slopes, by its own. Controls seen: the level where the water stands; texels taken at their corners.
+// The level is that of the rest place, at the middle of a texel to the bit and elsewhere straight between them, and
+// nothing else of the waves changes but their slopes, by its own. Controls seen: the level where the water stands;
+// texels taken at their corners.
 TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
   const PlaceSea place(inputs_of({hill(6.0)}), field);
   const Inputs alone(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
@@ -82,7 +88,8 @@ TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
     const SeaSample with = place.sea(field, tiles, rest, 0.0), without = field.sea(tiles, rest, 0.0);
     const auto level = [&](glm::dvec2 at) { return double(alone.value(at, 0.25, 0.0, glm::vec4(0.0f)).x); };
     EXPECT_NEAR(with.displacement.y - without.displacement.y, level(rest), 1e-9);
-    const double north = 0.6 * level(rest) + 0.4 * level(rest + glm::dvec2(0.25, 0.0)), south = 0.6 * level(rest + glm::dvec2(0.0, 0.25)) + 0.4 * level(rest + glm::dvec2(0.25));
+    const double north = 0.6 * level(rest) + 0.4 * level(rest + glm::dvec2(0.25, 0.0)),
+                 south = 0.6 * level(rest + glm::dvec2(0.0, 0.25)) + 0.4 * level(rest + glm::dvec2(0.25));
     EXPECT_NEAR(place.level_m(between, 0.0, 0.0), 0.75 * north + 0.25 * south, 1e-6);
     EXPECT_EQ(with.displacement.x, without.displacement.x);
     EXPECT_EQ(with.shift_gradient, without.shift_gradient);
@@ -101,7 +108,8 @@ TEST_F(PlaceSeaTest, WithoutPlacesItIsTheWavesQuery) {
   EXPECT_EQ(ours.orbital_velocity_mps, theirs.orbital_velocity_mps);
 }
 
-// Water is taken away where it stands within a volume, whatever lies above or below; flat inputs take it at any height. Control seen: the height left out.
+// Water is taken away where it stands within a volume, whatever lies above or below; flat inputs take it at any height.
+// Control seen: the height left out.
 TEST_F(PlaceSeaTest, VolumesTakeWaterByItsHeight) {
   InputSpec ball;
   ball.to = InputTarget::clip;
@@ -149,8 +157,9 @@ TEST_F(PlaceSeaTest, ACurrentCarriesWhatFloats) {
   EXPECT_NEAR(mean.z, 0.0, 0.15);
 }
 
-// The waves stand as high at every moment of the two patterns' turn: their variance does not pulse. Controls seen: a sum left at its height (in a fast current it
-// swings by 1.7), and one raised as if the patterns had nothing in common (slow water, 2.0).
+// The waves stand as high at every moment of the two patterns' turn: their variance does not pulse. Controls seen: a
+// sum left at its height (in a fast current it swings by 1.7), and one raised as if the patterns had nothing in common
+// (slow water, 2.0).
 TEST_F(PlaceSeaTest, CarriedWavesDoNotPulse) {
   for (const double speed : {0.2, 1.0, 6.0, 80.0}) {
     const PlaceSea place(inputs_of({}, current(30.0, speed)), field);
@@ -171,18 +180,19 @@ TEST_F(PlaceSeaTest, CarriedWavesDoNotPulse) {
   }
 }
 
-// Waves go with the water: a moment after a pattern was where it belongs, it stands so far on. By the correlation with the waves alone, that far behind.
-// Control seen: the patterns carried the other way.
+// Waves go with the water: a moment after a pattern was where it belongs, it stands so far on. By the correlation with
+// the waves alone, that far behind. Control seen: the patterns carried the other way.
 TEST_F(PlaceSeaTest, WavesGoWithTheWater) {
   const double speed = 15.0, later = 0.8;
   const PlaceSea place(inputs_of({}, current(90.0, speed, 8.0)), field);  // to +x
-  field.evaluate(ticks_from_seconds(52.0 + later), tiles);         // at 52 s the first pattern is in its place, and alone
+  field.evaluate(ticks_from_seconds(52.0 + later), tiles);  // at 52 s the first pattern is in its place, and alone
   const auto alike = [&](double behind_m) {
     double xy = 0.0, xx = 0.0, yy = 0.0;
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 40; ++i) {
         const glm::dvec2 rest(5.1 * i, 4.7 * j);
-        const double carried = place.sea(field, tiles, rest, 0.0).displacement.y, wave = field.sea(tiles, rest - glm::dvec2(behind_m, 0.0), 0.0).displacement.y;
+        const double carried = place.sea(field, tiles, rest, 0.0).displacement.y,
+                     wave = field.sea(tiles, rest - glm::dvec2(behind_m, 0.0), 0.0).displacement.y;
         xy += carried * wave, xx += carried * carried, yy += wave * wave;
       }
     return xy / std::sqrt(xx * yy);
@@ -213,13 +223,15 @@ TEST_F(PlaceSeaTest, NoNumberIsNoAnswer) {
   EXPECT_EQ(answer.height_m, 0.0);
 }
 
-// Windows hold what the inputs give at their texels' middles, and follow the viewer: the same as if made anew. Control seen: texels that come in left as they
-// were.
+// Windows hold what the inputs give at their texels' middles, and follow the viewer: the same as if made anew. Control
+// seen: texels that come in left as they were.
 TEST(PlaceField, FollowsTheViewer) {
   PlaceSettings settings;
   settings.windows = {.resolution = 64, .slices = 4, .texel_m = 0.5};
   const auto inputs = std::make_shared<const Inputs>(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
-  const auto placed = [&](glm::dvec2 at, double height) { return lod_placement(settings.windows, at, lod_scale(settings.windows, height)); };
+  const auto placed = [&](glm::dvec2 at, double height) {
+    return lod_placement(settings.windows, at, lod_scale(settings.windows, height));
+  };
   PlaceField follows(place_values(inputs, settings), settings, placed({0.0, 0.0}, 2.0), 0.0);
   for (int i = 1; i <= 30; ++i) {
     const LodPlacement next = placed({1.3 * i, -0.7 * i}, 2.0 + i);
@@ -227,7 +239,9 @@ TEST(PlaceField, FollowsTheViewer) {
     const PlaceField anew(place_values(inputs, settings), settings, next, 0.0);
     for (int slice = 0; slice < 4; ++slice) {
       double worst = 0.0;
-      follows.field().each(slice, [&](LodIndex w) { worst = std::max(worst, double(std::abs(follows.field().texel(slice, w).x - anew.field().texel(slice, w).x))); });
+      follows.field().each(slice, [&](LodIndex w) {
+        worst = std::max(worst, double(std::abs(follows.field().texel(slice, w).x - anew.field().texel(slice, w).x)));
+      });
       // A slice that came by a change of the octave holds means of finer texels until it moves.
       EXPECT_LE(worst, next.scale.octave > 0 ? 0.06 : 0.0) << i << ' ' << slice;
     }

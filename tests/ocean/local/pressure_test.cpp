@@ -1,4 +1,5 @@
-// Inputs that press on dynamic waves: the same waves as a source of that shape makes, wakes of what moves, and nothing where they are not.
+// Inputs that press on dynamic waves: the same waves as a source of that shape makes, wakes of what moves, and nothing
+// where they are not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,8 +23,9 @@ InputBounds all() {
 }
 double height(const DynamicSurface& surface, glm::dvec2 at) { return surface.sea(at, 0.0).displacement.y; }
 
-// A Gaussian that moves, given texel by texel, raises the waves of a source of that Gaussian within 4 % of the highest (its squares of 2 m, on the coarsest level, are no Gaussian). Controls seen: the scale of the Fourier sum left
-// out; squares laid half a texel off (5 %).
+// A Gaussian that moves, given texel by texel, raises the waves of a source of that Gaussian within 4 % of the highest
+// (its squares of 2 m, on the coarsest level, are no Gaussian). Controls seen: the scale of the Fourier sum left out;
+// squares laid half a texel off (5 %).
 TEST(Pressure, MovesTheWaterAsASourceOfItsShape) {
   constexpr double length = 5.0, speed = 3.0, pi = std::numbers::pi;
   DynamicWaves by_source(small_waves()), by_texels(small_waves());
@@ -34,10 +36,13 @@ TEST(Pressure, MovesTheWaterAsASourceOfItsShape) {
     const glm::dvec2 end(-3.0 + speed * dt * (i + 1), 0.0), middle = end - glm::dvec2(0.5 * speed * dt, 0.0);
     const WaveSource source{.place_m = end, .velocity_mps = {speed, 0.0}, .length_m = length, .head_m = 0.05};
     by_source.advance(dt, place, {&source, 1});
-    by_texels.advance(dt, place, {}, [&](glm::dvec2 at, double) {
-      const glm::dvec2 off = at - middle;
-      return float(0.05 * std::exp(-pi * pi * glm::dot(off, off) / (length * length)));
-    }, all());
+    by_texels.advance(
+        dt, place, {},
+        [&](glm::dvec2 at, double) {
+          const glm::dvec2 off = at - middle;
+          return float(0.05 * std::exp(-pi * pi * glm::dot(off, off) / (length * length)));
+        },
+        all());
   }
   source_surface.evaluate(by_source);
   texel_surface.evaluate(by_texels);
@@ -56,7 +61,9 @@ TEST(Pressure, ThatIsNoNumberIsNoneAndToldOf) {
   DynamicWaves waves(small_waves());
   const LodPlacement place = lod_placement(small_waves().windows, {0.0, 0.0}, {});
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    for (int i = 0; i < 10; ++i) waves.advance(1.0 / 60.0, place, {}, [&](glm::dvec2 at, double) { return glm::length(at) < 2.0 ? bad : 0.001f; }, all());
+    for (int i = 0; i < 10; ++i)
+      waves.advance(
+          1.0 / 60.0, place, {}, [&](glm::dvec2 at, double) { return glm::length(at) < 2.0 ? bad : 0.001f; }, all());
     EXPECT_TRUE(waves.take_fault());
     EXPECT_TRUE(std::isfinite(waves.energy_m2()));
     EXPECT_GT(waves.energy_m2(), 0.0) << "what is a number pushes";
@@ -79,8 +86,8 @@ DynamicSeaSettings dry_sea() {
 }
 const glm::dvec3 head{0.0, 2.0, 0.0};
 
-// A trail that presses leaves a wake behind it and nothing ahead, whatever the frame rate, to the bit; before it comes nothing is done. Control seen: the pressure of
-// the frame's time instead of its step's.
+// A trail that presses leaves a wake behind it and nothing ahead, whatever the frame rate, to the bit; before it comes
+// nothing is done. Control seen: the pressure of the frame's time instead of its step's.
 TEST(Pressure, ATrailLeavesAWakeAtEveryFrameRateAlike) {
   DynamicSea reference(dry_sea(), boat(11.0, 15.0));
   EXPECT_FALSE(reference.update(10.0, head));
@@ -98,7 +105,8 @@ TEST(Pressure, ATrailLeavesAWakeAtEveryFrameRateAlike) {
     DynamicSea sea(dry_sea(), boat(11.0, 15.0));
     sea.update(10.0, head);
     for (int i = 0; i <= int(3.0 * rate); ++i) sea.update(10.5 + i / rate, head);
-    for (double x = -7.0; x < 7.0; x += 0.7) EXPECT_EQ(height(sea.surface(), {x, 1.1}), height(reference.surface(), {x, 1.1})) << rate;
+    for (double x = -7.0; x < 7.0; x += 0.7)
+      EXPECT_EQ(height(sea.surface(), {x, 1.1}), height(reference.surface(), {x, 1.1})) << rate;
   }
 }
 

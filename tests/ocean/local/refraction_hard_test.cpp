@@ -1,4 +1,5 @@
-// Hard cases of bending and shelter: beds of land, of no land, of numbers that are none, a flat sea, and places that are no places.
+// Hard cases of bending and shelter: beds of land, of no land, of numbers that are none, a flat sea, and places that
+// are no places.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -20,7 +21,8 @@ struct Sea {
     sea.wind_speed_mps = wind, sea.depth_m = depth;
     bins = make_wave_bins(sea, {.resolution = 64, .cascades = 5});
   }
-  Refraction over(const DepthOfPlace& depth, const InputBounds& bounds = field, RefractionSettings settings = {.cells = 64}) const {
+  Refraction over(const DepthOfPlace& depth, const InputBounds& bounds = field,
+                  RefractionSettings settings = {.cells = 64}) const {
     return Refraction(sea, bins, ShallowWater(sea, bins), bounds, depth, settings);
   }
   SeaState sea;
@@ -53,13 +55,17 @@ TEST(RefractionHard, AnyBedGivesFiniteFields) {
   std::uniform_real_distribution<double> height(-30.0, 30.0);
   std::vector<double> noise(64);
   for (double& h : noise) h = height(random);
-  const auto archipelago = [&](glm::dvec2 p, double) { return noise[std::size_t((int(std::floor(p.x / 40.0)) * 7 + int(std::floor(p.y / 40.0)) * 3) & 63)]; };
+  const auto archipelago = [&](glm::dvec2 p, double) {
+    return noise[std::size_t((int(std::floor(p.x / 40.0)) * 7 + int(std::floor(p.y / 40.0)) * 3) & 63)];
+  };
   const std::vector<std::pair<const char*, DepthOfPlace>> beds{
       {"land alone", [](glm::dvec2, double) { return -3.0; }},
       {"no land", [](glm::dvec2, double) { return 8.0; }},
       {"the shore at 0", [](glm::dvec2 p, double) { return std::max(-p.x, 0.0); }},
-      {"land to the west and north edge", [](glm::dvec2 p, double) { return p.x < -100.0 || p.y < -100.0 ? -1.0 : 12.0; }},
-      {"land to the east and south edge", [](glm::dvec2 p, double) { return p.x > 100.0 || p.y > 100.0 ? -1.0 : 12.0; }},
+      {"land to the west and north edge",
+       [](glm::dvec2 p, double) { return p.x < -100.0 || p.y < -100.0 ? -1.0 : 12.0; }},
+      {"land to the east and south edge",
+       [](glm::dvec2 p, double) { return p.x > 100.0 || p.y > 100.0 ? -1.0 : 12.0; }},
       {"a lake in land", [](glm::dvec2 p, double) { return glm::length(p) < 80.0 ? 5.0 : -1.0; }},
       {"a film of water", [](glm::dvec2, double) { return 1e-6; }},
       {"an ocean under a cliff", [](glm::dvec2 p, double) { return p.x > 0.0 ? 1e6 : -1e6; }},
@@ -70,7 +76,9 @@ TEST(RefractionHard, AnyBedGivesFiniteFields) {
     for (const double wind : {0.0, 3.0, 25.0}) {
       const Refraction r = Sea(wind).over(bed);
       expect_sound(r);
-      if (wind == 0.0) { EXPECT_EQ(r.shift(0, {0.0, 0.0}), 0.0); }
+      if (wind == 0.0) {
+        EXPECT_EQ(r.shift(0, {0.0, 0.0}), 0.0);
+      }
     }
   }
   expect_sound(Sea(10.0, 6.0).over(beds[8].second));
@@ -87,7 +95,8 @@ TEST(RefractionHard, WithoutABedNothingBendsAndNothingIsSheltered) {
   EXPECT_EQ(none.shift(0, {3.0, 4.0}), 0.0);
   EXPECT_EQ(none.shelter(1, {3.0, 4.0}), 1.0f);
   EXPECT_EQ(none.shelter({3.0, 4.0}), 1.0f);
-  const Refraction point = Sea().over([](glm::dvec2, double) { return 2.0; }, InputBounds{{5.0, 5.0}, {5.0, 5.0}});  // of no width
+  const Refraction point =
+      Sea().over([](glm::dvec2, double) { return 2.0; }, InputBounds{{5.0, 5.0}, {5.0, 5.0}});  // of no width
   expect_sound(point);
   // As deep as the sea itself: nothing bends, to a thousandth of a cell.
   const Refraction deep = Sea().over([](glm::dvec2, double) { return deep_water_m; });
@@ -96,16 +105,21 @@ TEST(RefractionHard, WithoutABedNothingBendsAndNothingIsSheltered) {
 }
 
 TEST(RefractionHard, hard_3_a_bed_that_is_no_number_is_refused_by_its_place) {
-  // A bed that is NaN or infinite somewhere is refused with the place where it is. Control, seen: the depths not looked at, and nothing is thrown.
+  // A bed that is NaN or infinite somewhere is refused with the place where it is. Control, seen: the depths not looked
+  // at, and nothing is thrown.
   for (const double bad : {nan, infinity, -infinity}) {
-    const std::string said = test::error_of([&] { Sea().over([&](glm::dvec2 p, double) { return p.x > 100.0 && p.y > 50.0 ? bad : 9.0; }); });
+    const std::string said = test::error_of(
+        [&] { Sea().over([&](glm::dvec2 p, double) { return p.x > 100.0 && p.y > 50.0 ? bad : 9.0; }); });
     EXPECT_EQ(said.rfind("sea_depth: the depth at x 1", 0), 0u) << said;
   }
   const auto deep = [](glm::dvec2, double) { return 9.0; };
   for (const int cells : {-1, 0, 15, 2049})
-    EXPECT_NE(test::error_of([&] { Sea().over(deep, field, {.cells = cells}); }).find("cells: " + std::to_string(cells)), std::string::npos);
+    EXPECT_NE(
+        test::error_of([&] { Sea().over(deep, field, {.cells = cells}); }).find("cells: " + std::to_string(cells)),
+        std::string::npos);
   for (const double margin : {nan, infinity, -1.0})
-    EXPECT_NE(test::error_of([&] { Sea().over(deep, field, {.margin_waves = margin}); }).find("margin_waves: "), std::string::npos);
+    EXPECT_NE(test::error_of([&] { Sea().over(deep, field, {.margin_waves = margin}); }).find("margin_waves: "),
+              std::string::npos);
 }
 
 TEST(RefractionHard, TheSameBedGivesTheSameBitsOnAnyThreads) {

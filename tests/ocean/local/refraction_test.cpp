@@ -25,12 +25,15 @@ struct Swell {
 
 InputBounds square(double half) { return {glm::dvec2(-half), glm::dvec2(half)}; }
 
-// A plane beach, its water `slope` deep a metre from the shore, which lies `in` metres from the middle against its normal.
+// A plane beach, its water `slope` deep a metre from the shore, which lies `in` metres from the middle against its
+// normal.
 struct Beach {
   glm::dvec2 up;  // towards land, a unit vector
   double slope, in, deepest;
   double depth(glm::dvec2 p) const { return std::clamp(slope * (in - glm::dot(p, up)), -5.0, deepest); }
-  glm::dvec2 at(double depth_m, double along) const { return up * (in - depth_m / slope) + glm::dvec2(-up.y, up.x) * along; }
+  glm::dvec2 at(double depth_m, double along) const {
+    return up * (in - depth_m / slope) + glm::dvec2(-up.y, up.x) * along;
+  }
 };
 
 struct Bent {
@@ -44,9 +47,10 @@ Bent bent(const Refraction& r, const Beach& beach, glm::dvec2 p) {
 }
 
 TEST(Refraction, waves_turn_towards_a_plane_beach_by_snells_law) {
-  // k sin(angle) stays (Snell), k(h) / k0 by bisection: the angle within 1 degree and the length within 1 %, from half a wavelength's depth to a twentieth.
-  // The beach lies aslant on the grid. Also on half as many cells: the two agree within 4 % of a wave. Controls, seen: differences of the first order
-  // alone (3.1 %, grids 0.09), waves drawn out rather than together (150 degrees), drawn together by 1.5 at most (6.7 degrees).
+  // k sin(angle) stays (Snell), k(h) / k0 by bisection: the angle within 1 degree and the length within 1 %, from half
+  // a wavelength's depth to a twentieth. The beach lies aslant on the grid. Also on half as many cells: the two agree
+  // within 4 % of a wave. Controls, seen: differences of the first order alone (3.1 %, grids 0.09), waves drawn out
+  // rather than together (150 degrees), drawn together by 1.5 at most (6.7 degrees).
   const Swell swell;
   const MeanWave wave = mean_wave(swell.sea, swell.bins, 0);
   const double wave_m = 2.0 * truth::pi / wave.wave_number;
@@ -56,13 +60,18 @@ TEST(Refraction, waves_turn_towards_a_plane_beach_by_snells_law) {
     const double turn = incidence * truth::pi / 180.0;
     const double c = std::cos(turn), s = std::sin(turn);
     const double wide = 0.6 * wave_m * 20.0;
-    const Beach beach{{c * wave.direction.x + s * wave.direction.y, c * wave.direction.y - s * wave.direction.x}, 1.0 / 20.0, 0.55 * wide, 0.6 * wave_m};
+    const Beach beach{{c * wave.direction.x + s * wave.direction.y, c * wave.direction.y - s * wave.direction.x},
+                      1.0 / 20.0,
+                      0.55 * wide,
+                      0.6 * wave_m};
     const auto depth = [&](glm::dvec2 p, double) { return beach.depth(p); };
-    const Refraction fine = swell.over(square(0.95 * wide), depth), coarse = swell.over(square(0.95 * wide), depth, 128);
+    const Refraction fine = swell.over(square(0.95 * wide), depth),
+                     coarse = swell.over(square(0.95 * wide), depth, 128);
     for (double h = 0.5 * wave_m; h >= wave_m / 20.0; h *= 0.9)
       for (const double along : {-0.2 * wide, 0.0, 0.15 * wide}) {
         const glm::dvec2 p = beach.at(h, along);
-        const double ratio = truth::airy_inverse(wave.frequency, g, h) / truth::airy_inverse(wave.frequency, g, deep_water_m);
+        const double ratio =
+            truth::airy_inverse(wave.frequency, g, h) / truth::airy_inverse(wave.frequency, g, deep_water_m);
         const Bent b = bent(fine, beach, p);
         worst_angle = std::max(worst_angle, std::abs(b.angle - std::asin(std::sin(turn) / ratio)));
         worst_length = std::max(worst_length, std::abs(b.length / ratio - 1.0));
@@ -78,14 +87,17 @@ TEST(Refraction, waves_turn_towards_a_plane_beach_by_snells_law) {
 }
 
 TEST(Refraction, no_pattern_is_drawn_out_behind_a_breakwater) {
-  // A wall of 400 m across the waves: the pattern goes on by three quarters of a metre and more in each metre along its direction, in all of the lee, where crests turn still; and what
-  // stands before the wall, a cell and more away, knows nothing of what comes to the water behind it. Seen: 0.749 m, 0. Controls, seen: fronts as they are (-0.03 m
-  // in a metre), a field that is smoothed across the wall (0.6 m before it).
+  // A wall of 400 m across the waves: the pattern goes on by three quarters of a metre and more in each metre along its
+  // direction, in all of the lee, where crests turn still; and what stands before the wall, a cell and more away, knows
+  // nothing of what comes to the water behind it. Seen: 0.749 m, 0. Controls, seen: fronts as they are (-0.03 m in a
+  // metre), a field that is smoothed across the wall (0.6 m before it).
   const Swell swell;
   const double half_m = 200.0, thick_m = 3.6;
   const MeanWave wave = mean_wave(swell.sea, swell.bins, 0);
   const glm::dvec2 d = wave.direction, aside{-d.y, d.x};
-  const auto wall = [&](glm::dvec2 p, double) { return std::abs(glm::dot(p, d)) < thick_m && std::abs(glm::dot(p, aside)) < half_m ? -2.0 : 5000.0; };
+  const auto wall = [&](glm::dvec2 p, double) {
+    return std::abs(glm::dot(p, d)) < thick_m && std::abs(glm::dot(p, aside)) < half_m ? -2.0 : 5000.0;
+  };
   const Refraction r = swell.over(square(300.0), wall);
   const double cell = r.grid().cell_m, e = cell;
   ASSERT_LT(cell, 6.0);
@@ -96,16 +108,19 @@ TEST(Refraction, no_pattern_is_drawn_out_behind_a_breakwater) {
       least = std::min(least, 1.0 + (r.shift(0, p + e * d) - r.shift(0, p - e * d)) / (2.0 * e));
       turned = std::max(turned, std::abs(r.shift(0, p + e * aside) - r.shift(0, p - e * aside)) / (2.0 * e));
     }
-  for (double across = -190.0; across <= 190.0; across += 3.0) before = std::max(before, std::abs(r.shift(0, across * aside - (thick_m + 1.5 * cell) * d)));
-  RecordProperty("least", std::to_string(least)), RecordProperty("before", std::to_string(before)), RecordProperty("turned", std::to_string(turned));
+  for (double across = -190.0; across <= 190.0; across += 3.0)
+    before = std::max(before, std::abs(r.shift(0, across * aside - (thick_m + 1.5 * cell) * d)));
+  RecordProperty("least", std::to_string(least)), RecordProperty("before", std::to_string(before)),
+      RecordProperty("turned", std::to_string(turned));
   EXPECT_GT(least, 0.73);
   EXPECT_GT(turned, 0.5);
   EXPECT_LT(before, 0.1);
 }
 
 TEST(Refraction, plane_waves_come_in_over_whichever_edges_they_meet) {
-  // Over an even bed no front bends, whatever its direction: what is left of S is rounding. Over one half as fast it gains as many metres as it goes, from the edges that it came in over. Controls,
-  // seen: no edge in the east, in the north, in the west (each alone), an edge that waves leave over taken for one they come in by.
+  // Over an even bed no front bends, whatever its direction: what is left of S is rounding. Over one half as fast it
+  // gains as many metres as it goes, from the edges that it came in over. Controls, seen: no edge in the east, in the
+  // north, in the west (each alone), an edge that waves leave over taken for one they come in by.
   const BedGrid grid{.least = {-40.0, 25.0}, .cell_m = 2.0, .nx = 37, .nz = 23};
   const std::vector<double> even(grid.size(), 1.0), slow(grid.size(), 2.0);
   for (int n = 0; n < 16; ++n) {
@@ -116,10 +131,13 @@ TEST(Refraction, plane_waves_come_in_over_whichever_edges_they_meet) {
     int came_in = 0;
     for (int j = 0; j < grid.nz; ++j)
       for (int i = 0; i < grid.nx; ++i) {
-        const bool over = (i == 0 && d.x > 1e-6) || (i + 1 == grid.nx && d.x < -1e-6) || (j == 0 && d.y > 1e-6) || (j + 1 == grid.nz && d.y < -1e-6);
+        const bool over = (i == 0 && d.x > 1e-6) || (i + 1 == grid.nx && d.x < -1e-6) || (j == 0 && d.y > 1e-6) ||
+                          (j + 1 == grid.nz && d.y < -1e-6);
         came_in += over;
-        if (over) ASSERT_EQ(gained[grid.node(i, j)], 0.0) << n;
-        else ASSERT_GT(gained[grid.node(i, j)], 0.0) << n;
+        if (over)
+          ASSERT_EQ(gained[grid.node(i, j)], 0.0) << n;
+        else
+          ASSERT_GT(gained[grid.node(i, j)], 0.0) << n;
       }
     EXPECT_EQ(came_in, std::abs(d.x) < 1e-6 ? grid.nx : std::abs(d.y) < 1e-6 ? grid.nz : grid.nx + grid.nz - 1);
   }
@@ -130,8 +148,9 @@ constexpr double island_m = 300.0;
 double island(glm::dvec2 p, double) { return glm::length(p) < island_m ? -2.0 : 5000.0; }
 
 TEST(Refraction, fronts_close_behind_an_island_by_the_shortest_way_around_it) {
-  // Straight past it, along its shore and off it again on a tangent (Huygens): within two cells, and straight on wherever it is not in the way.
-  // Controls, seen: land let pass as deep water (122 m off), fading within the most of the shift (3 m in 10).
+  // Straight past it, along its shore and off it again on a tangent (Huygens): within two cells, and straight on
+  // wherever it is not in the way. Controls, seen: land let pass as deep water (122 m off), fading within the most of
+  // the shift (3 m in 10).
   const Swell swell;
   const Refraction r = swell.over(square(1.2 * island_m), island);
   const glm::dvec2 d = r.direction(0), aside{-d.y, d.x};
@@ -147,12 +166,13 @@ TEST(Refraction, fronts_close_behind_an_island_by_the_shortest_way_around_it) {
   EXPECT_GT(r.shift(0, d * 1.3 * island_m), 90.0);
   // Far behind it has faded away, and nowhere faster than a fifth.
   EXPECT_EQ(r.shift(0, d * 1e4), 0.0);
-  for (double far = 2.0 * island_m; far < 1e4; far += 10.0) ASSERT_LE(std::abs(r.shift(0, d * (far + 10.0)) - r.shift(0, d * far)), 2.0 + 0.25) << far;
+  for (double far = 2.0 * island_m; far < 1e4; far += 10.0)
+    ASSERT_LE(std::abs(r.shift(0, d * (far + 10.0)) - r.shift(0, d * far)), 2.0 + 0.25) << far;
 }
 
 TEST(Refraction, an_islands_lee_has_the_waves_whose_way_to_it_is_free) {
-  // Against straight lines from each wave of the sea, drawn by the test; monotone from the lee to the windward side, 1 far away. Controls,
-  // seen: lines half as slanting (0.32 off), directions two sectors off (0.23).
+  // Against straight lines from each wave of the sea, drawn by the test; monotone from the lee to the windward side, 1
+  // far away. Controls, seen: lines half as slanting (0.32 off), directions two sectors off (0.23).
   for (const double swell_m : {0.0, 2.0}) {
     SeaState sea;
     sea.wind_speed_mps = 12.0, sea.swell_height_m = swell_m, sea.swell_to_deg = 140.0;
@@ -190,7 +210,9 @@ TEST(Refraction, an_islands_lee_has_the_waves_whose_way_to_it_is_free) {
 
       EXPECT_EQ(has({1e4, -1e4}), 1.0f);
       if (swell_m > 0.0) continue;
-      const glm::dvec2 to{std::sin(sea.wind_to_deg * truth::pi / 180.0), -std::cos(sea.wind_to_deg * truth::pi / 180.0)}, aside{-to.y, to.x};
+      const glm::dvec2 to{std::sin(sea.wind_to_deg * truth::pi / 180.0),
+                          -std::cos(sea.wind_to_deg * truth::pi / 180.0)},
+          aside{-to.y, to.x};
       EXPECT_LE(has(to * 1.2 * island_m), cascade == 2 ? 0.4 : 0.3);  // short waves go every way
       EXPECT_GE(has(-to * 1.2 * island_m), cascade == 2 ? 0.9 : 0.99);
       for (const double side : {-1.0, 1.0}) {
@@ -206,9 +228,9 @@ TEST(Refraction, an_islands_lee_has_the_waves_whose_way_to_it_is_free) {
 }
 
 TEST(Refraction, what_breaks_on_a_reef_stays_gone_behind_it) {
-  // A bar 1 m deep across the waves' way, 20 m on both sides: there is no shelter before it, and behind it the energy that the bar let stand.
-  // On the bar itself the depth's own factor has it all. Controls, seen: the bar's own breaking counted in the shelter too
-  // (0.16 on the bar), breaking forgotten behind it (1).
+  // A bar 1 m deep across the waves' way, 20 m on both sides: there is no shelter before it, and behind it the energy
+  // that the bar let stand. On the bar itself the depth's own factor has it all. Controls, seen: the bar's own breaking
+  // counted in the shelter too (0.16 on the bar), breaking forgotten behind it (1).
   const Swell swell;
   const glm::dvec2 d = mean_wave(swell.sea, swell.bins, 0).direction;
   const auto bar = [&](glm::dvec2 p, double) { return std::abs(glm::dot(p, d)) < 60.0 ? 1.0 : 20.0; };

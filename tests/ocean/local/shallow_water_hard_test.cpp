@@ -27,7 +27,8 @@ struct Sea {
 };
 
 TEST(ShallowWaterHard, hard_6_land_is_dry) {
-  // In no depth, in negative ones and in NaN every factor and height is exactly 0 and all waves break. Controls, seen: what is no depth taken as the thinnest water (7e-6 on land), and only 0 taken for land (-0.7).
+  // In no depth, in negative ones and in NaN every factor and height is exactly 0 and all waves break. Controls, seen:
+  // what is no depth taken as the thinnest water (7e-6 on land), and only 0 taken for land (-0.7).
   for (const double wind : {0.0, 3.0, 10.0, 60.0}) {
     const Sea sea(wind);
     for (const double h : {0.0, -0.0, -1e-300, -1.0, -1e6, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
@@ -44,8 +45,8 @@ TEST(ShallowWaterHard, hard_6_land_is_dry) {
 }
 
 TEST(ShallowWaterHard, hard_7_the_thinnest_and_the_deepest_water) {
-  // 1e-6 m: less than a film's worth; 1e6 m and infinity: the sea as it is, to 1e-6. Controls, seen: a table that ends at 100 m (1.4e-4 off), a flat
-  // sea that never breaks (a factor of 0.1 in 1e-6 m).
+  // 1e-6 m: less than a film's worth; 1e6 m and infinity: the sea as it is, to 1e-6. Controls, seen: a table that ends
+  // at 100 m (1.4e-4 off), a flat sea that never breaks (a factor of 0.1 in 1e-6 m).
   for (const double wind : {3.0, 10.0, 25.0}) {
     const Sea sea(wind);
     sea.each([&](const auto& factor) {
@@ -65,8 +66,9 @@ TEST(ShallowWaterHard, hard_7_the_thinnest_and_the_deepest_water) {
 }
 
 TEST(ShallowWaterHard, FactorsAreContinuousAndBoundedAtAnyDepth) {
-  // Near the shore a factor falls with the depth, so by no more than a thousandth of its bound, 4, where the depth does; nowhere else is it steeper, the
-  // table's ends included. Control, seen: a table read with its two neighbours' shares exchanged (steps of 0.0081).
+  // Near the shore a factor falls with the depth, so by no more than a thousandth of its bound, 4, where the depth
+  // does; nowhere else is it steeper, the table's ends included. Control, seen: a table read with its two neighbours'
+  // shares exchanged (steps of 0.0081).
   for (const double wind : {0.0, 3.0, 10.0, 60.0})
     for (const double made_for : {deep_water_m, 5.0}) {
       const Sea sea(wind, made_for);

@@ -30,7 +30,8 @@ truth::Train train_of(const WaveBins& bins, int cascade) {
   for (int mz = -half; mz < half; ++mz)
     for (int mx = -half; mx < half; ++mx) {
       const glm::dvec2 a(bins.at(cascade, mx, mz).amplitude);
-      if (const double v = 0.5 * (a.x * a.x + a.y * a.y); v > 0.0) result[2.0 * truth::pi * std::hypot(mx, mz) / bins.ladder[std::size_t(cascade)].side_m] += v;
+      if (const double v = 0.5 * (a.x * a.x + a.y * a.y); v > 0.0)
+        result[2.0 * truth::pi * std::hypot(mx, mz) / bins.ladder[std::size_t(cascade)].side_m] += v;
     }
   return result;
 }
@@ -69,9 +70,9 @@ TEST(ShallowWater, a_sea_of_finite_depth_shoals_from_there) {
 }
 
 TEST(ShallowWater, a_whole_sea_meets_both_laws_at_every_depth) {
-  // Every cascade of three winds and of a sea with a swell and another train, against sums over its bins: within 1e-3. Heights stay below 0.594
-  // of the depth, those of a high sea reach 0.58 of it. Controls, seen: breaking by the heights before shoaling (0.0025 of the share broken),
-  // factors held at 1 (0.11).
+  // Every cascade of three winds and of a sea with a swell and another train, against sums over its bins: within 1e-3.
+  // Heights stay below 0.594 of the depth, those of a high sea reach 0.58 of it. Controls, seen: breaking by the
+  // heights before shoaling (0.0025 of the share broken), factors held at 1 (0.11).
   double worst = 0.0;
   for (const double wind : {3.0, 10.0, 25.0}) {
     SeaState sea;
@@ -86,7 +87,8 @@ TEST(ShallowWater, a_whole_sea_meets_both_laws_at_every_depth) {
     for (const double h : {0.003, 0.05, 0.4, 1.1, 2.9, 7.3, 18.0, 55.0, 400.0}) {
       std::vector<double> shoaled;
       double all = 0.0;
-      for (const truth::Train& train : trains) all += shoaled.emplace_back(truth::shoaled_variance(train, g, h, deep_water_m));
+      for (const truth::Train& train : trains)
+        all += shoaled.emplace_back(truth::shoaled_variance(train, g, h, deep_water_m));
       const double height = 4.0 * std::sqrt(all), left = truth::broken(height, h);
       for (std::size_t i = 0; i < trains.size(); ++i) {
         const double truth = std::sqrt(shoaled[i] / truth::variance(trains[i])) * left / height;
@@ -102,7 +104,9 @@ TEST(ShallowWater, a_whole_sea_meets_both_laws_at_every_depth) {
       for (int i = 0; i < 5; ++i) drawn += truth::variance(trains[std::size_t(i)]) * std::pow(water.factor(i, h), 2.0);
       ASSERT_LE(4.0 * std::sqrt(drawn), 0.595 * h) << wind << " " << h;
     }
-    if (wind == 25.0) { EXPECT_GT(water.height_m(2.0), 0.58 * 2.0); }
+    if (wind == 25.0) {
+      EXPECT_GT(water.height_m(2.0), 0.58 * 2.0);
+    }
   }
   EXPECT_LE(worst, ShallowWater::table_error);
   RecordProperty("worst", std::to_string(worst));

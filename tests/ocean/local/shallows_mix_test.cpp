@@ -52,7 +52,8 @@ TEST(ShallowsMix, PassesFromOneSeaToTheOther) {
   EXPECT_EQ(before.swash, end.swash);
 }
 
-// In every frame the four windows around the viewer; each of the others within four frames; and none that is not stale. Control seen: a turn that passes one over.
+// In every frame the four windows around the viewer; each of the others within four frames; and none that is not stale.
+// Control seen: a turn that passes one over.
 TEST(BedTurns, EveryWindowHasItsTurn) {
   BedTurns turns(8);
   EXPECT_EQ(turns.take(0u), 0u);

@@ -57,8 +57,12 @@ PlaceInputs inputs_of(const std::vector<InputSpec>& specs) {
 
 class ShallowsTest : public ::testing::Test {
  protected:
-  ShallowsTest() : field(fresh(), WaveQuality{.resolution = 64, .cascades = 3}), tiles(true) { field.evaluate(ticks_from_seconds(12.5), tiles); }
-  std::shared_ptr<const Shallows> shallows(const std::vector<InputSpec>& specs) const { return make_shallows(field.state(), field.bins(), field.others(), inputs_of(specs)); }
+  ShallowsTest() : field(fresh(), WaveQuality{.resolution = 64, .cascades = 3}), tiles(true) {
+    field.evaluate(ticks_from_seconds(12.5), tiles);
+  }
+  std::shared_ptr<const Shallows> shallows(const std::vector<InputSpec>& specs) const {
+    return make_shallows(field.state(), field.bins(), field.others(), inputs_of(specs));
+  }
   PlaceSea sea(const std::vector<InputSpec>& specs) const { return PlaceSea(inputs_of(specs), field); }
   WaveField field;
   WaveTiles tiles;
@@ -69,9 +73,9 @@ TEST_F(ShallowsTest, WithoutABedThereAreNone) {
   EXPECT_FALSE(sea({}).moves());
 }
 
-// Far from all inputs nothing is changed; over the bank less of every wave is left, and on the dry island nothing but the run-up; of a cascade that this quality has
-// not, as much as of the shortest that it has. Controls seen: the shelter left out of the shares (the lee is as rough as the windward side); the run-up
-// everywhere.
+// Far from all inputs nothing is changed; over the bank less of every wave is left, and on the dry island nothing but
+// the run-up; of a cascade that this quality has not, as much as of the shortest that it has. Controls seen: the
+// shelter left out of the shares (the lee is as rough as the windward side); the run-up everywhere.
 TEST_F(ShallowsTest, WavesChangeOverTheBankAndEndAtTheShore) {
   const auto s = shallows(island());
   const glm::dvec2 open(20000.0, 3000.0), bank(-90.0, 20.0), land(2.0, -3.0);
@@ -99,14 +103,17 @@ TEST_F(ShallowsTest, WavesChangeOverTheBankAndEndAtTheShore) {
   EXPECT_LT(s->waves(lee, 2.0).share[0], 0.8f * s->waves(windward, 2.0).share[0]);
 }
 
-// Waves that the scene puts along curves break at the height that they and what comes of the sea have together: on the windward bank nearly as the sea does, in the lee of the island and without a sea
-// by their own; and the sea's waves are as if they were not there. Controls seen: the sea's height everywhere (the lee as the windward side); none of it (the same); their height among that of
-// the sea's waves.
+// Waves that the scene puts along curves break at the height that they and what comes of the sea have together: on the
+// windward bank nearly as the sea does, in the lee of the island and without a sea by their own; and the sea's waves
+// are as if they were not there. Controls seen: the sea's height everywhere (the lee as the windward side); none of it
+// (the same); their height among that of the sea's waves.
 TEST_F(ShallowsTest, WavesThatTheScenePutsBreakByWhatComesThere) {
   GerstnerSettings settings;
   settings.set1 = {.height_m = 0.4, .wavelength_m = 14.0, .shore = true};
   const TileSources along{std::make_shared<const Gerstner>(settings, 9.81, sea_depth_m, 0.0, true)};
-  const auto made = [&](const WaveField& of) { return make_shallows(of.state(), of.bins(), along, inputs_of(island())); };
+  const auto made = [&](const WaveField& of) {
+    return make_shallows(of.state(), of.bins(), along, inputs_of(island()));
+  };
   const auto here = made(field), without = shallows(island());
   SeaState flat = fresh();
   flat.wind_speed_mps = 0.0;
@@ -114,10 +121,12 @@ TEST_F(ShallowsTest, WavesThatTheScenePutsBreakByWhatComesThere) {
   const glm::dvec2 open(20000.0, 3000.0), lee = 60.0 * here->direction(0), windward = -90.0 * here->direction(0);
   EXPECT_NEAR(here->placed(open, sea_depth_m).share, 1.0, 2e-3);
   EXPECT_LT(here->placed(open, sea_depth_m).surf, 1e-3);
-  for (const double depth : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) EXPECT_EQ(here->placed(open, depth).share, 0.0);
+  for (const double depth : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(here->placed(open, depth).share, 0.0);
   EXPECT_EQ(without->placed(open, 2.0).share, 0.0);
   for (const double depth : {0.3, 0.6, 1.2}) {
-    const Shallows::Placed own = alone->placed(lee, depth), sheltered = here->placed(lee, depth), struck = here->placed(windward, depth);
+    const Shallows::Placed own = alone->placed(lee, depth), sheltered = here->placed(lee, depth),
+                           struck = here->placed(windward, depth);
     const double most = 0.42 * std::sqrt(2.0) * depth;
     EXPECT_LT(0.4 * own.share, most);
     EXPECT_GT(0.4 * own.share, 0.85 * std::min(most, 0.4)) << depth;
@@ -127,12 +136,13 @@ TEST_F(ShallowsTest, WavesThatTheScenePutsBreakByWhatComesThere) {
     EXPECT_GE(sheltered.surf, own.surf);
     EXPECT_GT(struck.surf, 0.5);
     for (const glm::dvec2 at : {lee, windward})
-      for (int i = 0; i < 3; ++i) EXPECT_EQ(here->waves(at, depth).share[std::size_t(i)], without->waves(at, depth).share[std::size_t(i)]);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(here->waves(at, depth).share[std::size_t(i)], without->waves(at, depth).share[std::size_t(i)]);
   }
 }
 
-// What lies in the lee of land has lost its long waves and not its ripples, which grow again within some hundred metres; without wind nothing does. Control seen: all cascades
-// sheltered alike.
+// What lies in the lee of land has lost its long waves and not its ripples, which grow again within some hundred
+// metres; without wind nothing does. Control seen: all cascades sheltered alike.
 TEST_F(ShallowsTest, RipplesGrowAgainInTheLee) {
   const WaveQuality all{.resolution = 64, .cascades = 5};
   const glm::dvec2 lee = 75.0 * shallows(island())->direction(0);
@@ -160,7 +170,8 @@ TEST_F(ShallowsTest, RunUpIsThatOfMeasuredBeaches) {
     if (i < 2) of_swash += wave.variance;
     frequency += wave.variance * wave.frequency;
   }
-  const double period = 2.0 * 3.14159265358979 * variance / frequency, length = 9.81 * period * period / (2.0 * 3.14159265358979);
+  const double period = 2.0 * 3.14159265358979 * variance / frequency,
+               length = 9.81 * period * period / (2.0 * 3.14159265358979);
   EXPECT_NEAR(variance, field.statistics().height_variance, 0.02 * variance);
   EXPECT_NEAR(s->swash_m(), 0.06 * std::sqrt(4.0 * std::sqrt(variance) * length), 1e-6);
   EXPECT_NEAR(s->run_up_m() / s->swash_m(), 0.043 / 0.06, 1e-9);
@@ -168,11 +179,12 @@ TEST_F(ShallowsTest, RunUpIsThatOfMeasuredBeaches) {
   EXPECT_NEAR(double(s->waves({1e6, 0.0}, 1e-4).swash) * 4.0 * std::sqrt(of_swash), s->swash_m(), 1e-3 * s->swash_m());
 }
 
-// Hard case 6: where the bed stands at the water or above there is no water wave, no division and nothing that is no number. Control seen: shallow water's tables read without their case of no
-// depth (the logarithm of a negative depth).
+// Hard case 6: where the bed stands at the water or above there is no water wave, no division and nothing that is no
+// number. Control seen: shallow water's tables read without their case of no depth (the logarithm of a negative depth).
 TEST_F(ShallowsTest, hard_6_dry_places_are_finite) {
   const auto s = shallows(island());
-  for (const double depth : {0.0, -0.0, -1e-9, -5.0, 1e-9, 1e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
+  for (const double depth :
+       {0.0, -0.0, -1e-9, -5.0, 1e-9, 1e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
     const PlaceWaves waves = s->waves({3.0, 4.0}, depth);
     for (const float share : waves.share) EXPECT_TRUE(std::isfinite(share) && share >= 0.0f) << depth;
     EXPECT_TRUE(std::isfinite(waves.others) && std::isfinite(waves.swash)) << depth;
@@ -186,7 +198,8 @@ TEST_F(ShallowsTest, hard_6_dry_places_are_finite) {
   EXPECT_TRUE(std::isfinite(dry->swash_m()) && std::isfinite(dry->most_share()));
 }
 
-// The ground is what a query finds on land: its height and normal, at rest. Control seen: land that has the velocity of the run-up over it.
+// The ground is what a query finds on land: its height and normal, at rest. Control seen: land that has the velocity of
+// the run-up over it.
 TEST_F(ShallowsTest, LandIsFoundAsItStands) {
   const PlaceSea place = sea(island());
   for (const glm::dvec2 asked : {glm::dvec2(0.0, 0.0), glm::dvec2(14.0, 3.0), glm::dvec2(-12.0, 12.0)}) {
@@ -198,14 +211,17 @@ TEST_F(ShallowsTest, LandIsFoundAsItStands) {
     EXPECT_NEAR(answer.height_m, ground(asked), 1e-3);  // between texels of a quarter of a metre
     EXPECT_EQ(answer.orbital_velocity_mps, glm::dvec3(0.0));
     const double e = 0.25;
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(ground(asked - glm::dvec2(e, 0.0)) - ground(asked + glm::dvec2(e, 0.0)), 2.0 * e, ground(asked - glm::dvec2(0.0, e)) - ground(asked + glm::dvec2(0.0, e))));
+    const glm::dvec3 normal =
+        glm::normalize(glm::dvec3(ground(asked - glm::dvec2(e, 0.0)) - ground(asked + glm::dvec2(e, 0.0)), 2.0 * e,
+                                  ground(asked - glm::dvec2(0.0, e)) - ground(asked + glm::dvec2(0.0, e))));
     EXPECT_GT(glm::dot(normal, answer.normal), 0.9999);
   }
 }
 
-// The gradients that a sample has are those of the surface, heights a little to either side, over the bank, its slope and about the shore as well as in the open: the
-// derivatives' tiles miss what lies between texels of the heights'. Controls seen (0.120 with the bed, 0.132 without): the bend of a pattern left out (0.36), the shares' own
-// gradient left out (0.144).
+// The gradients that a sample has are those of the surface, heights a little to either side, over the bank, its slope
+// and about the shore as well as in the open: the derivatives' tiles miss what lies between texels of the heights'.
+// Controls seen (0.120 with the bed, 0.132 without): the bend of a pattern left out (0.36), the shares' own gradient
+// left out (0.144).
 TEST_F(ShallowsTest, GradientsAreThoseOfTheSurface) {
   const WaveField fine(fresh(), WaveQuality{.resolution = 256, .cascades = 2});
   WaveTiles waves;
@@ -218,8 +234,10 @@ TEST_F(ShallowsTest, GradientsAreThoseOfTheSurface) {
       const glm::dvec2 rest(at(random), at(random));
       const auto height = [&](glm::dvec2 p) { return place.sea(fine, waves, p, 0.0).displacement.y; };
       constexpr double e = 0.25;
-      if (std::abs(place.shallows()->bed_m(rest, 0.0, 0.0)) < 0.4) continue;  // the surface has an edge where the ground begins
-      const glm::dvec2 rise(height(rest + glm::dvec2(e, 0.0)) - height(rest - glm::dvec2(e, 0.0)), height(rest + glm::dvec2(0.0, e)) - height(rest - glm::dvec2(0.0, e)));
+      if (std::abs(place.shallows()->bed_m(rest, 0.0, 0.0)) < 0.4)
+        continue;  // the surface has an edge where the ground begins
+      const glm::dvec2 rise(height(rest + glm::dvec2(e, 0.0)) - height(rest - glm::dvec2(e, 0.0)),
+                            height(rest + glm::dvec2(0.0, e)) - height(rest - glm::dvec2(0.0, e)));
       const glm::dvec2 got = place.sea(fine, waves, rest, 0.0).height_gradient, off = got - rise / (2.0 * e);
       off2 += glm::dot(off, off);
       all2 += glm::dot(got, got);
@@ -237,7 +255,8 @@ TEST_F(ShallowsTest, QueriesFindTheSurface) {
   EXPECT_GT(test::expect_found_on_surface(place, field, tiles, 5, 130.0, [](glm::dvec2, const QueryAnswer&) {}), 190);
 }
 
-// A lake's depth is that of its own water: the same bank under a lake two metres higher has the waves of a bank of four metres. Control seen: depth from y = 0.
+// A lake's depth is that of its own water: the same bank under a lake two metres higher has the waves of a bank of four
+// metres. Control seen: depth from y = 0.
 TEST_F(ShallowsTest, DepthIsFromTheStillWater) {
   std::vector<InputSpec> specs = island();
   specs.push_back(lake(2.0f));
@@ -249,7 +268,8 @@ TEST_F(ShallowsTest, DepthIsFromTheStillWater) {
   for (int i = 0; i < 300; ++i) {
     const glm::dvec2 at = bank + glm::dvec2(0.07 * i, -0.05 * i);
     const double here = place.sea(field, tiles, at, 0.0).displacement.y - 2.0;
-    const double off = here - deeper.sea(field, tiles, at, 0.0).displacement.y, other = here - alone.sea(field, tiles, at, 0.0).displacement.y;
+    const double off = here - deeper.sea(field, tiles, at, 0.0).displacement.y,
+                 other = here - alone.sea(field, tiles, at, 0.0).displacement.y;
     off2 += off * off, other2 += other * other;
   }
   EXPECT_LT(off2, 0.02 * other2);
@@ -266,7 +286,8 @@ TEST_F(ShallowsTest, ACurrentCarriesWavesOverABed) {
   double carried = 0.0, still = 0.0, together = 0.0;
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec2 at(-100.0 + 0.35 * (i % 50), -60.0 + 3.1 * (i / 50));
-    const double a = with.sea(field, tiles, at, 0.0).displacement.y, b = without.sea(field, tiles, at, 0.0).displacement.y;
+    const double a = with.sea(field, tiles, at, 0.0).displacement.y,
+                 b = without.sea(field, tiles, at, 0.0).displacement.y;
     carried += a * a, still += b * b, together += a * b;
   }
   EXPECT_NEAR(carried / still, 1.0, 0.35);
@@ -279,7 +300,9 @@ TEST_F(ShallowsTest, ExtremeBedsAreFinite) {
     const PlaceSea place = sea({bed(height, 240.0, 40.0)});
     for (double x = -140.0; x <= 140.0; x += 7.0) {
       const SeaSample s = place.sea(field, tiles, {x, 1.0}, 0.5);
-      EXPECT_TRUE(std::isfinite(s.displacement.x + s.displacement.y + s.displacement.z + s.height_gradient.x + s.height_gradient.y)) << height << ' ' << x;
+      EXPECT_TRUE(std::isfinite(s.displacement.x + s.displacement.y + s.displacement.z + s.height_gradient.x +
+                                s.height_gradient.y))
+          << height << ' ' << x;
     }
   }
 }

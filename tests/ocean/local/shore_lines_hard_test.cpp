@@ -1,4 +1,5 @@
-// Hard cases of waves along curves: 3 numbers that are none, 36 splines of nothing; what does not go together; points nearly at one place.
+// Hard cases of waves along curves: 3 numbers that are none, 36 splines of nothing; what does not go together; points
+// nearly at one place.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,9 +27,12 @@ std::string refusal(const InputSpec& spec) {
 }
 SplinePoint at(double x, double z, double width = 10.0) { return {{x, z}, width, glm::vec4(1.0f)}; }
 
-// Of curves of no points, of one and of coincident ones there are no waves, and a message says what to do. Control seen: points_apart() that gives too few points all the same (the curve's assertion of two points or more, or NaN).
+// Of curves of no points, of one and of coincident ones there are no waves, and a message says what to do. Control
+// seen: points_apart() that gives too few points all the same (the curve's assertion of two points or more, or NaN).
 TEST(ShoreLinesHard, hard_36_a_spline_of_no_length_gives_nothing_and_says_so) {
-  for (const SplineInput& nothing : {SplineInput{}, SplineInput{{at(1, 1)}}, SplineInput{{at(1, 1), at(1, 1), at(1, 1)}}, SplineInput{{at(1, 1), at(2, 1), at(1, 1)}, true}}) {
+  for (const SplineInput& nothing :
+       {SplineInput{}, SplineInput{{at(1, 1)}}, SplineInput{{at(1, 1), at(1, 1), at(1, 1)}},
+        SplineInput{{at(1, 1), at(2, 1), at(1, 1)}, true}}) {
     const InputSpec spec = along(nothing);
     EXPECT_TRUE(lines(spec).empty());
     EXPECT_EQ(lines(spec).at({1.0, 1.0}, 1.0).share, 0.0f);
@@ -42,7 +46,8 @@ TEST(ShoreLinesHard, hard_36_a_spline_of_no_length_gives_nothing_and_says_so) {
   EXPECT_TRUE(lines(weightless).empty());
 }
 
-// NaN in places, widths, values and edges, and what no waves run along, is refused with the key's name. Control seen: a blend of max let pass.
+// NaN in places, widths, values and edges, and what no waves run along, is refused with the key's name. Control seen: a
+// blend of max let pass.
 TEST(ShoreLinesHard, hard_3_what_is_no_number_or_does_not_go_together_is_refused_by_name) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(along({{at(0, nan), at(9, 9)}})).find("points[0].at_m[1]: "), std::string::npos);
@@ -63,7 +68,8 @@ TEST(ShoreLinesHard, hard_3_what_is_no_number_or_does_not_go_together_is_refused
   EXPECT_NE(refusal(spec).find("kind: "), std::string::npos);
 }
 
-// Points almost at one place, turns back on themselves, and places and sizes at the ends of their ranges: all finite, shares from 0 to 1.
+// Points almost at one place, turns back on themselves, and places and sizes at the ends of their ranges: all finite,
+// shares from 0 to 1.
 TEST(ShoreLinesHard, AllIsFinite) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> off(-1e-9, 1e-9), place(-20.0, 20.0);

@@ -1,4 +1,5 @@
-// Gerstner waves along curves on the processor: as the waves everywhere where the curve is straight, and crests along it that come in as fast as they must.
+// Gerstner waves along curves on the processor: as the waves everywhere where the curve is straight, and crests along
+// it that come in as fast as they must.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +49,8 @@ GerstnerSettings many() {
 
 // Waves along curves, and the sea around them; nothing else but `inputs`.
 struct Shore {
-  Shore(GerstnerSettings settings, const std::vector<InputSpec>& specs, double time_s, const PlaceInputs& others = {}) : tiles(true) {
+  Shore(GerstnerSettings settings, const std::vector<InputSpec>& specs, double time_s, const PlaceInputs& others = {})
+      : tiles(true) {
     settings.set1.shore = true;
     tile = std::make_shared<const Gerstner>(settings, 9.81, 1e6, 0.0, true);
     field = std::make_unique<WaveField>(flat(), WaveQuality{.resolution = 16, .cascades = 1}, TileSources{tile});
@@ -70,15 +72,17 @@ struct Shore {
   WaveTiles tiles;
 };
 
-// Along a straight curve of any direction the set is the set everywhere that goes to its left, to 1e-5 m; displacement, derivatives and velocity. Controls seen: the
-// shore on the right; a displacement that is not turned; the shift's derivatives along and across changed about.
+// Along a straight curve of any direction the set is the set everywhere that goes to its left, to 1e-5 m; displacement,
+// derivatives and velocity. Controls seen: the shore on the right; a displacement that is not turned; the shift's
+// derivatives along and across changed about.
 TEST(ShoreSea, AlongAStraightCurveItIsTheSetEverywhere) {
   for (const double heading_deg : {90.0, 0.0, 37.0, 215.0}) {  // of the curve
     const double heading = heading_deg * std::numbers::pi / 180.0;
     const glm::dvec2 along(std::sin(heading), -std::cos(heading));
     const Shore shore(one_wave(0.0), {spline({glm::dvec2(0.0), 60.0 * along, 400.0 * along}, 100.0, 5.0)}, 17.3);
     const double to_deg = heading_deg - 90.0 < 0.0 ? heading_deg + 270.0 : heading_deg - 90.0;
-    const WaveField everywhere(flat(), WaveQuality{.resolution = 16, .cascades = 1}, TileSources{std::make_shared<const Gerstner>(one_wave(to_deg))});
+    const WaveField everywhere(flat(), WaveQuality{.resolution = 16, .cascades = 1},
+                               TileSources{std::make_shared<const Gerstner>(one_wave(to_deg))});
     WaveTiles tiles(true);
     everywhere.evaluate(ticks_from_seconds(17.3), tiles);
     std::mt19937 random(3);
@@ -98,8 +102,9 @@ TEST(ShoreSea, AlongAStraightCurveItIsTheSetEverywhere) {
   }
 }
 
-// Crests are parallel to the curve, and come in to its left at the speed of deep water, sqrt(g / k). The phase across the curve is that of the best fitting wave. Controls
-// seen: the pattern's z the other way about; the way along the curve taken for the distance.
+// Crests are parallel to the curve, and come in to its left at the speed of deep water, sqrt(g / k). The phase across
+// the curve is that of the best fitting wave. Controls seen: the pattern's z the other way about; the way along the
+// curve taken for the distance.
 TEST(ShoreSea, CrestsFollowTheCurveAndComeIn) {
   GerstnerSettings settings = one_wave(0.0);
   settings.chop = 0.0;
@@ -126,7 +131,8 @@ TEST(ShoreSea, CrestsFollowTheCurveAndComeIn) {
     for (int i = 0; i < 96; ++i) {
       const double right = 12.0 * (2.0 * i / 96.0 - 1.0);
       const glm::dvec2 p = at[foot] + right * feet[foot].right();
-      sum += double(shore.sea(p).displacement.y) / std::max(double(lines.at(p, 0.0).share), 0.2) * std::polar(1.0, k * right);
+      sum += double(shore.sea(p).displacement.y) / std::max(double(lines.at(p, 0.0).share), 0.2) *
+             std::polar(1.0, k * right);
     }
     return std::arg(sum);
   };
@@ -139,8 +145,9 @@ TEST(ShoreSea, CrestsFollowTheCurveAndComeIn) {
   }
 }
 
-// Normals of queries are those of the heights around, along bends and where the waves fade, as nearly as along a straight line (whose tile is bilinear: a sixth of a degree on
-// average). Controls seen: without what the share changes by (0.58 degrees); without the stretch (0.21); the stretch of a bend's other side (0.31).
+// Normals of queries are those of the heights around, along bends and where the waves fade, as nearly as along a
+// straight line (whose tile is bilinear: a sixth of a degree on average). Controls seen: without what the share changes
+// by (0.58 degrees); without the stretch (0.21); the stretch of a bend's other side (0.31).
 TEST(ShoreSea, NormalsAreThoseOfTheHeights) {
   const auto off_deg = [&](const InputSpec& curve) {
     const Shore shore(many(), {curve}, 41.0);
@@ -155,7 +162,8 @@ TEST(ShoreSea, NormalsAreThoseOfTheHeights) {
       ++seen;
       const double e = 0.3;
       const auto height = [&](double dx, double dz) { return shore.query(at + glm::dvec2(dx, dz)).height_m; };
-      const glm::dvec3 normal = glm::normalize(glm::dvec3(height(-e, 0) - height(e, 0), 2.0 * e, height(0, -e) - height(0, e)));
+      const glm::dvec3 normal =
+          glm::normalize(glm::dvec3(height(-e, 0) - height(e, 0), 2.0 * e, height(0, -e) - height(0, e)));
       const double off = glm::degrees(std::acos(std::min(glm::dot(normal, here.normal), 1.0)));
       worst = std::max(worst, off), sum += off;
     }
@@ -168,7 +176,8 @@ TEST(ShoreSea, NormalsAreThoseOfTheHeights) {
   EXPECT_LT(mean, 1.4 * mean_straight);
 }
 
-// Beyond the width the sea is as if there were no such waves, to the bit, and so are the waves everywhere beside them. Control seen: the tile laid over the sea as others are.
+// Beyond the width the sea is as if there were no such waves, to the bit, and so are the waves everywhere beside them.
+// Control seen: the tile laid over the sea as others are.
 TEST(ShoreSea, NothingIsBeyondTheWidth) {
   const Shore shore(many(), {spline(bay(), 60.0, 10.0)}, 5.0);
   const WaveField without(flat(), WaveQuality{.resolution = 16, .cascades = 1});
@@ -183,7 +192,9 @@ TEST(ShoreSea, NothingIsBeyondTheWidth) {
       double least = 1e9;  // of a polygon of the curve's points, which it keeps within 4 m of
       for (std::size_t p = 0; p + 1 < bay().size(); ++p) {
         const glm::dvec2 a = bay()[p], b = bay()[p + 1];
-        least = std::min(least, glm::distance(rest, a + (b - a) * std::clamp(glm::dot(rest - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0)));
+        least = std::min(
+            least, glm::distance(
+                       rest, a + (b - a) * std::clamp(glm::dot(rest - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0)));
       }
       if (least < 35.0) continue;
       ASSERT_FALSE(there) << rest.x << ' ' << rest.y;
@@ -192,7 +203,8 @@ TEST(ShoreSea, NothingIsBeyondTheWidth) {
   EXPECT_GT(within, 3000);
 }
 
-// Around an island waves have no seam: no step from one place to the next, all the way round. Control seen: a pattern that is not stretched to close (a step of 0.25 m).
+// Around an island waves have no seam: no step from one place to the next, all the way round. Control seen: a pattern
+// that is not stretched to close (a step of 0.25 m).
 TEST(ShoreSea, AClosedCurveHasNoSeam) {
   std::vector<glm::dvec2> island;
   for (int i = 0; i < 14; ++i) {
@@ -216,11 +228,15 @@ TEST(ShoreSea, AClosedCurveHasNoSeam) {
 double between_texels(glm::dvec2 at_m, const std::function<double(glm::dvec2, double)>& value) {
   const double texel = place_reading(PlaceSettings{}.windows, at_m, 0.0, nullptr).fine_texel_m();
   const glm::dvec2 at = at_m / texel - 0.5, cell = glm::floor(at), part = at - cell;
-  const auto row = [&](double z) { return glm::mix(value((cell + glm::dvec2(0.5, z)) * texel, texel), value((cell + glm::dvec2(1.5, z)) * texel, texel), part.x); };
+  const auto row = [&](double z) {
+    return glm::mix(value((cell + glm::dvec2(0.5, z)) * texel, texel),
+                    value((cell + glm::dvec2(1.5, z)) * texel, texel), part.x);
+  };
   return glm::mix(row(0.5), row(1.5), part.y);
 }
 
-// Over a bed they fade with depth as other sources do, and a current carries them. Controls seen: the bed's share left out; a current that is not turned into the pattern.
+// Over a bed they fade with depth as other sources do, and a current carries them. Controls seen: the bed's share left
+// out; a current that is not turned into the pattern.
 TEST(ShoreSea, ABedAndACurrentMakeOfThemWhatTheyMakeOfOthers) {
   InputSpec bank;
   bank.to = InputTarget::sea_depth;
@@ -230,25 +246,33 @@ TEST(ShoreSea, ABedAndACurrentMakeOfThemWhatTheyMakeOfOthers) {
   bank.shape = AreaInput{.round = true, .at_m = {20.0, -20.0}, .size_m = {160.0, 160.0}};
   PlaceInputs over_bank;
   over_bank.kinds.push_back(std::make_shared<const Inputs>(InputTarget::sea_depth, std::vector<InputSpec>{bank}));
-  const Shore open(many(), {spline(bay(), 60.0, 10.0)}, 9.0), shallow(many(), {spline(bay(), 60.0, 10.0)}, 9.0, over_bank);
+  const Shore open(many(), {spline(bay(), 60.0, 10.0)}, 9.0),
+      shallow(many(), {spline(bay(), 60.0, 10.0)}, 9.0, over_bank);
   const ShoreLines lines(std::vector<InputSpec>{spline(bay(), 60.0, 10.0)}, open.tile->side_m());
   ASSERT_NE(shallow.place->shallows(), nullptr);
   int weaker = 0;
   for (double x = -100.0; x < 130.0; x += 3.1)
     for (double z = -60.0; z < 40.0; z += 2.9) {
       const glm::dvec2 rest(x, z);
-      const auto placed = [&](glm::dvec2 at, double texel) { return double(float(shallow.place->shallows()->placed(at, -shallow.place->shallows()->bed_m(at, texel, 0.0)).share)); };
+      const auto placed = [&](glm::dvec2 at, double texel) {
+        return double(
+            float(shallow.place->shallows()->placed(at, -shallow.place->shallows()->bed_m(at, texel, 0.0)).share));
+      };
       const auto strength = [&](glm::dvec2 at, double texel) { return double(lines.at(at, texel).share); };
       const double whole = between_texels(rest, strength);
       if (whole == 0.0) continue;
-      const double share = between_texels(rest, [&](glm::dvec2 at, double texel) { return strength(at, texel) * placed(at, texel); }) / whole;
+      const double share =
+          between_texels(rest, [&](glm::dvec2 at, double texel) { return strength(at, texel) * placed(at, texel); }) /
+          whole;
       const glm::dvec3 a = open.sea(rest).displacement, b = shallow.sea(rest).displacement;
-      if (-shallow.place->shallows()->bed_m(rest, 0.0, 0.0) < 0.3 + 1.2 * std::abs(a.y)) continue;  // where the bed shows
+      if (-shallow.place->shallows()->bed_m(rest, 0.0, 0.0) < 0.3 + 1.2 * std::abs(a.y))
+        continue;  // where the bed shows
       ASSERT_NEAR(b.y, share * a.y, 1e-6);
       weaker += share < 0.8 && std::abs(a.y) > 0.05;
     }
   EXPECT_GT(weaker, 40);
-  // A current takes them along: by the correlation with those in still water so far upstream, in the moment in which one pattern counts for most.
+  // A current takes them along: by the correlation with those in still water so far upstream, in the moment in which
+  // one pattern counts for most.
   PlaceInputs current;
   current.settings.flow_to_deg = 270.0;
   current.settings.flow_mps = 8.0;

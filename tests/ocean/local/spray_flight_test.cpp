@@ -40,8 +40,9 @@ TEST(SprayFlight, IsExactForAnyTime) {
   }
 }
 
-// Dropped, it comes to the speed at which Schiller and Naumann's drag carries its weight, within 1 %, at any rate; and of 0.6 to 1.6 mm within 8 % of what rain does
-// (Atlas et al. 1973, 9.65 - 10.3 exp(-600 d)). Control seen: Stokes's drag alone.
+// Dropped, it comes to the speed at which Schiller and Naumann's drag carries its weight, within 1 %, at any rate; and
+// of 0.6 to 1.6 mm within 8 % of what rain does (Atlas et al. 1973, 9.65 - 10.3 exp(-600 d)). Control seen: Stokes's
+// drag alone.
 TEST(SprayFlight, ComesToItsTerminalSpeed) {
   for (const double d : {6e-5, 2e-4, 6e-4, 1e-3, 1.6e-3, 2e-3})
     for (const double rate : {4.0, 12.0, 60.0}) {
@@ -49,8 +50,10 @@ TEST(SprayFlight, ComesToItsTerminalSpeed) {
       for (int i = 0; i < int(8.0 * rate); ++i) v = fly(v, {}, relaxation_s(d, glm::length(v)), g, 1.0 / rate).velocity;
       EXPECT_NEAR(-v.y / terminal_speed(d, g), 1.0, 0.01) << d << " m, " << rate << " Hz";
     }
-  for (const double d : {6e-4, 1e-3, 1.6e-3}) EXPECT_NEAR(terminal_speed(d, g) / (9.65 - 10.3 * std::exp(-600.0 * d)), 1.0, 0.08) << d;
-  EXPECT_NEAR(terminal_speed(6e-5, g), sea_water_density * g * 36e-10 / (18.0 * air_viscosity), 0.012) << "nearly Stokes's";
+  for (const double d : {6e-4, 1e-3, 1.6e-3})
+    EXPECT_NEAR(terminal_speed(d, g) / (9.65 - 10.3 * std::exp(-600.0 * d)), 1.0, 0.08) << d;
+  EXPECT_NEAR(terminal_speed(6e-5, g), sea_water_density * g * 36e-10 / (18.0 * air_viscosity), 0.012)
+      << "nearly Stokes's";
 }
 
 // At 10 m nearly the wind that is asked for, less below, and none without wind. Control seen: a logarithm of base 10.

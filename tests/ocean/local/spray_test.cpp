@@ -1,4 +1,5 @@
-// Spray of a sea: where it begins, how much of it there is, when it ends, and that neither frames, threads, jumps nor the viewer change it.
+// Spray of a sea: where it begins, how much of it there is, when it ends, and that neither frames, threads, jumps nor
+// the viewer change it.
 #include "ocean/local/spray.h"
 
 #include <gtest/gtest.h>
@@ -27,10 +28,13 @@ SpraySettings plenty() {
   return settings;
 }
 const glm::dvec3 head{3.0, 4.0, -2.0};
-Spray spray_of(const SpraySettings& settings, const SeaState& sea) { return Spray(settings, sea, WaveQuality{}, {}, 3.85); }
+Spray spray_of(const SpraySettings& settings, const SeaState& sea) {
+  return Spray(settings, sea, WaveQuality{}, {}, 3.85);
+}
 
 std::vector<double> numbers(const Spray::Puff& p) {
-  std::vector<double> all{p.relaxation_s, p.age_s, p.life_s, p.diameter_m, p.radius_m, p.above_m, p.rising_mps, p.drops, p.shape};
+  std::vector<double> all{p.relaxation_s, p.age_s,      p.life_s, p.diameter_m, p.radius_m,
+                          p.above_m,      p.rising_mps, p.drops,  p.shape};
   for (const glm::dvec3& v : {p.place_m, p.velocity_mps, p.eddy_mps, p.air_mps}) all.insert(all.end(), {v.x, v.y, v.z});
   return all;
 }
@@ -49,9 +53,10 @@ double mean_aloft(Spray& spray) {
   return sum / 12.0;
 }
 
-// Of puffs that are just beginning, nearly all begin where the surface is squeezed to less than the threshold, as a query finds the water there (a folded crest has
-// several places, of which it finds one, and what begins later in the step has moved on: a twentieth); of all places a twentieth. Seen: all of 398. Control seen: a breaker() that
-// does not ask for the Jacobian (a fifth).
+// Of puffs that are just beginning, nearly all begin where the surface is squeezed to less than the threshold, as a
+// query finds the water there (a folded crest has several places, of which it finds one, and what begins later in the
+// step has moved on: a twentieth); of all places a twentieth. Seen: all of 398. Control seen: a breaker() that does not
+// ask for the Jacobian (a fifth).
 TEST(Spray, BeginsWhereTheJacobianCollapses) {
   Spray spray = spray_of(plenty(), storm());
   int born = 0, squeezed = 0, any = 0, any_squeezed = 0;
@@ -62,7 +67,8 @@ TEST(Spray, BeginsWhereTheJacobianCollapses) {
     const auto is_squeezed = [&](glm::dvec2 place) {
       QueryAnswer water;
       query(field, tiles, {&place, 1}, {&water, 1}, {.footprint_m = 0.25, .most_iterations = 30});
-      return field.sea(tiles, place - glm::dvec2(water.displacement.x, water.displacement.z), 0.25).jacobian() < spray.breaking().threshold() + 0.03;
+      return field.sea(tiles, place - glm::dvec2(water.displacement.x, water.displacement.z), 0.25).jacobian() <
+             spray.breaking().threshold() + 0.03;
     };
     for (const Spray::Puff& p : spray.puffs()) {
       if (!(p.age_s < 0.0) || p.age_s < -0.02) continue;  // before the water has moved on
@@ -78,7 +84,8 @@ TEST(Spray, BeginsWhereTheJacobianCollapses) {
   EXPECT_LT(any_squeezed, 0.1 * any);
 }
 
-// Mean numbers aloft of 10, 15 and 23 m/s, and none below 7 m/s, where not even the waves are computed. Seen: 10, 583 and 8,512. Control seen: a wind factor of 1.
+// Mean numbers aloft of 10, 15 and 23 m/s, and none below 7 m/s, where not even the waves are computed. Seen: 10, 583
+// and 8,512. Control seen: a wind factor of 1.
 TEST(Spray, GrowsWithTheWind) {
   double before = 0.0;
   for (const double wind : {10.0, 15.0, 23.0}) {
@@ -99,7 +106,8 @@ TEST(Spray, GrowsWithTheWind) {
   }
 }
 
-// To the bit, whatever the display's rate, and what is drawn of them. Control seen: frames' time instead of whole steps.
+// To the bit, whatever the display's rate, and what is drawn of them. Control seen: frames' time instead of whole
+// steps.
 TEST(Spray, IsTheSameAtEveryFrameRate) {
   Spray reference = spray_of(plenty(), storm());
   for (int i = 0; i <= 60; ++i) reference.update(40.0 + i / 60.0, head);
@@ -113,12 +121,15 @@ TEST(Spray, IsTheSameAtEveryFrameRate) {
     for (int i = 0; i <= int(rate); ++i) spray.update(40.0 + i / rate, head);
     EXPECT_EQ(numbers(spray), want) << rate;
     ASSERT_EQ(spray.drawn(41.02, head, others), count);
-    for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(others[i].place == shown[i].place && others[i].streak == shown[i].streak && others[i].look == shown[i].look);
+    for (std::size_t i = 0; i < count; ++i)
+      ASSERT_TRUE(others[i].place == shown[i].place && others[i].streak == shown[i].streak &&
+                  others[i].look == shown[i].look);
   }
 }
 
-// One thread or many; again, and after a jump there, forwards or backwards, to the bit: all that is aloft began within a life. Another seed is another spray. Control
-// seen: a jump that keeps what was there; a beginning of half a life before.
+// One thread or many; again, and after a jump there, forwards or backwards, to the bit: all that is aloft began within
+// a life. Another seed is another spray. Control seen: a jump that keeps what was there; a beginning of half a life
+// before.
 TEST(Spray, AMomentHasTheVeryPuffsHoweverItWasComeTo) {
   Spray runs = spray_of(plenty(), storm()), jumps = spray_of(plenty(), storm());
   for (int i = 0; i <= 40; ++i) runs.update(50.0 + 0.1 * i, head);
@@ -167,7 +178,8 @@ TEST(Spray, BelongsToTheWorld) {
   EXPECT_GT(near, 20);
 }
 
-// The wildest sea: never more than the most, all of it finite, and thinned evenly around the viewer, not on one side. Control seen: no thinning (the middle of it 37 m to one side).
+// The wildest sea: never more than the most, all of it finite, and thinned evenly around the viewer, not on one side.
+// Control seen: no thinning (the middle of it 37 m to one side).
 TEST(Spray, KeepsItsMost) {
   for (const int most : {64, 1000}) {
     SpraySettings settings = plenty();
@@ -192,8 +204,8 @@ TEST(Spray, KeepsItsMost) {
   }
 }
 
-// Nothing is drawn that lies deep beneath the water, at any moment between steps; and what has lived less than it may has ended on the water. Control seen: land() that asks for the
-// age alone (metres beneath).
+// Nothing is drawn that lies deep beneath the water, at any moment between steps; and what has lived less than it may
+// has ended on the water. Control seen: land() that asks for the age alone (metres beneath).
 TEST(Spray, EndsOnTheWater) {
   Spray spray = spray_of(plenty(), storm());
   const WaveField field(storm(), {64, 4});
@@ -224,7 +236,8 @@ TEST(Spray, EndsOnTheWater) {
   for (const Spray::Puff& p : spray.puffs()) EXPECT_GE(p.above_m, 0.0);
 }
 
-// Drops hide more than mist; all of it less as eddies draw it apart, and nothing at the end of its life. Control: drops that hide less (tests/mutants).
+// Drops hide more than mist; all of it less as eddies draw it apart, and nothing at the end of its life. Control: drops
+// that hide less (tests/mutants).
 TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
   Spray spray = spray_of(plenty(), storm());
   std::vector<gpu::SprayPuff> shown(32768);
@@ -239,8 +252,12 @@ TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
       if (next == n || shown[next].look.x != float(p.shape)) continue;  // not to be seen
       const gpu::SprayPuff& seen = shown[next++];
       const double distance = glm::length(p.place_m - viewer), old = p.age_s / p.life_s;
-      if (p.age_s < 0.08 || (p.rising_mps < 0.0 && p.above_m < 0.2) || distance < 3.0 || distance > 33.0) continue;  // comes, goes, or is too near or far
-      EXPECT_NEAR(double(seen.streak.w), (0.4 + 0.4 * p.drops) * std::pow(p.radius_m / double(seen.place.w), 1.5) * std::pow(1.0 - old * old, 2.0), 1e-5);
+      if (p.age_s < 0.08 || (p.rising_mps < 0.0 && p.above_m < 0.2) || distance < 3.0 || distance > 33.0)
+        continue;  // comes, goes, or is too near or far
+      EXPECT_NEAR(
+          double(seen.streak.w),
+          (0.4 + 0.4 * p.drops) * std::pow(p.radius_m / double(seen.place.w), 1.5) * std::pow(1.0 - old * old, 2.0),
+          1e-5);
       least_drops = std::min(least_drops, p.drops), most_drops = std::max(most_drops, p.drops);
       ++compared;
     }
@@ -259,7 +276,8 @@ TEST(Spray, KnowsItsPlace) {
   ASSERT_GT(n, 20u);
   for (std::size_t i = 0; i < n; ++i) ASSERT_LT(std::abs(shown[i].place.x) + std::abs(shown[i].place.z), 120.0f);
 
-  Spray flat = spray_of(plenty(), storm()), raised = spray_of(plenty(), storm()), land = spray_of(plenty(), storm()), none = spray_of(plenty(), storm());
+  Spray flat = spray_of(plenty(), storm()), raised = spray_of(plenty(), storm()), land = spray_of(plenty(), storm()),
+        none = spray_of(plenty(), storm());
   raised.set_water([](glm::dvec2, double) { return Spray::Water{30.0, 1e6, 1.0}; });
   land.set_water([](glm::dvec2, double) { return Spray::Water{0.0, -1.0, 1.0}; });
   flat.update(54.0, head);
@@ -267,7 +285,8 @@ TEST(Spray, KnowsItsPlace) {
   land.update(54.0, head);
   none.update(54.0, head + glm::dvec3(0.0, 400.0, 0.0));
   ASSERT_EQ(raised.puffs().size(), flat.puffs().size());
-  for (std::size_t i = 0; i < flat.puffs().size(); ++i) EXPECT_NEAR(raised.puffs()[i].place_m.y, flat.puffs()[i].place_m.y + 30.0, 1e-6);
+  for (std::size_t i = 0; i < flat.puffs().size(); ++i)
+    EXPECT_NEAR(raised.puffs()[i].place_m.y, flat.puffs()[i].place_m.y + 30.0, 1e-6);
   EXPECT_TRUE(land.puffs().empty());
   EXPECT_TRUE(none.puffs().empty());
   EXPECT_EQ(none.breaking().tiles().cascades(), 0) << "no wave was computed";

@@ -1,4 +1,5 @@
-// The wake of a travelling pressure against Kelvin's angle, the narrowing of what stands highest, and Havelock's integral.
+// The wake of a travelling pressure against Kelvin's angle, the narrowing of what stands highest, and Havelock's
+// integral.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,22 +48,27 @@ Angles wake(double froude, double depth_m) {
   for (double behind = 6.0; behind <= 11.51; behind += 0.5, ++lines) {
     const auto at = [&](double x, double y) { return surface.at({place.x - behind + x, place.y + y}); };
     const auto high = [&](double y) { return std::abs(at(0.0, y)); };
-    const auto steep = [&](double y) { return std::hypot(std::abs(at(0.0625, y) - at(-0.0625, y)), std::abs(at(0.0, y + 0.0625) - at(0.0, y - 0.0625))); };
+    const auto steep = [&](double y) {
+      return std::hypot(std::abs(at(0.0625, y) - at(-0.0625, y)), std::abs(at(0.0, y + 0.0625) - at(0.0, y - 0.0625)));
+    };
     const auto [where, best] = greatest(high, 0.02);
     double fold = where;
     while (fold < 6.0 && high(fold) > truth::airy_at_fold() * best) fold += 0.02;
     sum.highest += degrees(where, behind);
     sum.fold += degrees(fold, behind);
     sum.steepest += degrees(greatest(steep, 0.02).first, behind);
-    if (depth_m > 1.0) sum.truth_highest += degrees(greatest([&](double y) { return truth::wake_amplitude(froude, behind, y, 0, share); }, 0.04).first, behind);
+    if (depth_m > 1.0)
+      sum.truth_highest += degrees(
+          greatest([&](double y) { return truth::wake_amplitude(froude, behind, y, 0, share); }, 0.04).first, behind);
   }
   return {sum.highest / lines, sum.fold / lines, sum.steepest / lines, sum.truth_highest / lines};
 }
 
-// Where the waves are highest stands as Havelock's integral has it, at every speed. At Froude numbers up to 0.6 they end at Kelvin's
-// angle. Above, the formula of Darmon et al. for a narrowing peak holds for where they are steepest, within the 1.5 degrees that issue
-// 5 asks for; for where they are highest it is 2.4 degrees less than the integral at Fr 1 (at 6 to 11.5 lengths behind; far behind
-// 2.3), and 1.2 at Fr 2. The control is below: a sea in which all waves run alike.
+// Where the waves are highest stands as Havelock's integral has it, at every speed. At Froude numbers up to 0.6 they
+// end at Kelvin's angle. Above, the formula of Darmon et al. for a narrowing peak holds for where they are steepest,
+// within the 1.5 degrees that issue 5 asks for; for where they are highest it is 2.4 degrees less than the integral at
+// Fr 1 (at 6 to 11.5 lengths behind; far behind 2.3), and 1.2 at Fr 2. The control is below: a sea in which all waves
+// run alike.
 TEST(Wake, IsKelvinsAndNarrows) {
   for (const double froude : {0.5, 0.6, 1.0, 2.0}) {
     const Angles a = wake(froude, 1e6);
@@ -75,8 +81,8 @@ TEST(Wake, IsKelvinsAndNarrows) {
   }
 }
 
-// The control that the issue asks for: over a bottom of 9 cm, c = sqrt(g h), the same pressure at the same speeds leaves a wedge of its
-// own, and passes none of the bars.
+// The control that the issue asks for: over a bottom of 9 cm, c = sqrt(g h), the same pressure at the same speeds
+// leaves a wedge of its own, and passes none of the bars.
 TEST(Wake, WithoutDispersionIsNot) {
   for (const double froude : {0.5, 1.0, 2.0}) {
     const Angles a = wake(froude, 0.09);

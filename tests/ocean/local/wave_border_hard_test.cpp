@@ -16,8 +16,8 @@ using waves_test::launch;
 
 double airy_speed(double wave_m) { return 0.5 * std::sqrt(9.81 * wave_m / (2.0 * truth::pi)); }
 
-// The energy that is left in a level, of a whole group's, when the group would be one and a quarter windows away: what its border gave
-// back and what came round.
+// The energy that is left in a level, of a whole group's, when the group would be one and a quarter windows away: what
+// its border gave back and what came round.
 double left(int level, double texels, double angle) {
   const DynamicWavesSettings s = waves_test::quiet(256, 2, 0.125);
   DynamicWaves waves(s);
@@ -29,9 +29,9 @@ double left(int level, double texels, double angle) {
   return waves.level(level).energy_m2() / whole;
 }
 
-// Less than 0.5 % of the energy for all levels but the coarsest (truths.md, hard case 30, asks for 1 %), straight on and aslant; of the
-// coarsest 0.5 % up to 32 texels a wave and 2 % at 50, beyond which its share of waves ends. Controls seen: no border (90, 100 and 54 %
-// left); one twenty times as strong (0.76, 1.9 and 4.6 %).
+// Less than 0.5 % of the energy for all levels but the coarsest (truths.md, hard case 30, asks for 1 %), straight on
+// and aslant; of the coarsest 0.5 % up to 32 texels a wave and 2 % at 50, beyond which its share of waves ends.
+// Controls seen: no border (90, 100 and 54 % left); one twenty times as strong (0.76, 1.9 and 4.6 %).
 TEST(WaveBorder, hard_30_a_border_gives_little_back) {
   if (test::sanitized) GTEST_SKIP() << "thousands of the steps that the other tests take";
   double fine = 0.0, coarse = 0.0, longest = 0.0;
@@ -44,8 +44,9 @@ TEST(WaveBorder, hard_30_a_border_gives_little_back) {
   EXPECT_LT(longest, 0.02);
 }
 
-// A group of waves of 20 texels, which two levels share, runs out of the finer one's window: within it less than 0.5 % of the energy
-// stays behind, and the coarser level's share goes on as if nothing was there. Control seen: no border (93 % within).
+// A group of waves of 20 texels, which two levels share, runs out of the finer one's window: within it less than 0.5 %
+// of the energy stays behind, and the coarser level's share goes on as if nothing was there. Control seen: no border
+// (93 % within).
 TEST(WaveBorder, AGroupCrossesToTheCoarserLevel) {
   const DynamicWavesSettings s = waves_test::quiet(256, 2, 0.125);
   DynamicWaves waves(s);

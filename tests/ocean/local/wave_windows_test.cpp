@@ -36,8 +36,8 @@ double difference(const Surface& a, const Surface& b, glm::dvec2 middle, double 
   return worst / high;
 }
 
-// Two viewers, one that stays and one that glides by 4.8 m in a second: the waves between them are the same. Control seen: a border
-// that stays where it was first (29 % off).
+// Two viewers, one that stays and one that glides by 4.8 m in a second: the waves between them are the same. Control
+// seen: a border that stays where it was first (29 % off).
 TEST(WaveWindows, WavesStayWhereTheyAreAsTheViewerMoves) {
   const DynamicWavesSettings s = quiet(128, 3, 0.125);
   DynamicWaves stays(s), glides(s);
@@ -51,8 +51,8 @@ TEST(WaveWindows, WavesStayWhereTheyAreAsTheViewerMoves) {
   EXPECT_LT(off, 0.02);
 }
 
-// A viewer who jumps away finds calm water, not the waves of where he was. Control seen: a border that only absorbs by its rate (1.6e-5
-// m^2 left).
+// A viewer who jumps away finds calm water, not the waves of where he was. Control seen: a border that only absorbs by
+// its rate (1.6e-5 m^2 left).
 TEST(WaveWindows, AJumpTakesNoWavesAlong) {
   const DynamicWavesSettings s = quiet(64, 2, 0.25);
   DynamicWaves waves(s);
@@ -68,13 +68,14 @@ TEST(WaveWindows, AJumpTakesNoWavesAlong) {
   EXPECT_GT(near.energy_m2(), 0.01 * before);
 }
 
-// Texels double, and halve again: waves that fit both stay as they are, to 1 and 3 % of the highest; beside one whose windows never
-// change. Controls seen: nothing handed over (4.2 % each); half a texel forgotten (2.1 and 3.3 %).
+// Texels double, and halve again: waves that fit both stay as they are, to 1 and 3 % of the highest; beside one whose
+// windows never change. Controls seen: nothing handed over (4.2 % each); half a texel forgotten (2.1 and 3.3 %).
 TEST(WaveWindows, AChangeOfScaleKeepsWhatFits) {
   const DynamicWavesSettings s = quiet(128, 3, 0.125);
   const glm::dvec2 middle(0.4, -0.3);
   DynamicWaves same(s), changes(s);
-  const LodPlacement low = lod_placement(s.windows, {0.0, 0.0}, {}), high = lod_placement(s.windows, {0.0, 0.0}, {1, 0.0});
+  const LodPlacement low = lod_placement(s.windows, {0.0, 0.0}, {}),
+                     high = lod_placement(s.windows, {0.0, 0.0}, {1, 0.0});
   for (DynamicWaves* waves : {&same, &changes}) ring(*waves, low, middle, 6.0, 30);
   same.advance(dt, low, {});
   changes.advance(dt, high, {});
@@ -87,8 +88,9 @@ TEST(WaveWindows, AChangeOfScaleKeepsWhatFits) {
   EXPECT_LT(down, 0.03);
 }
 
-// A group of waves 16 texels long runs against a wall two waves thick: a quarter of its height comes by (the level's band of waves is
-// too narrow for a sharper shadow), a good part comes back. Control seen: a wall that is not looked at (all of it, nothing back).
+// A group of waves 16 texels long runs against a wall two waves thick: a quarter of its height comes by (the level's
+// band of waves is too narrow for a sharper shadow), a good part comes back. Control seen: a wall that is not looked at
+// (all of it, nothing back).
 TEST(WaveWindows, ObstaclesCastShadows) {
   const DynamicWavesSettings s = quiet(128, 2, 0.25);
   const LodPlacement placement = lod_placement(s.windows, {0.0, 0.0}, {});

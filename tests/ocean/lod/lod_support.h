@@ -18,8 +18,10 @@ struct Preset {
   double threshold, cull_scale;
   double pixel_error;  // coarser than the preset's, so that thousands of whole meshes are quickly looked through
 };
-inline constexpr std::array<Preset, 4> presets{
-    {{"low", 16, 2.0, 1.2, 26.0}, {"medium", 32, 1.5, 1.5, 10.0}, {"high", 64, 1.2, 1.8, 4.0}, {"ultra", 64, 1.0, 2.0, 3.3}}};
+inline constexpr std::array<Preset, 4> presets{{{"low", 16, 2.0, 1.2, 26.0},
+                                                {"medium", 32, 1.5, 1.5, 10.0},
+                                                {"high", 64, 1.2, 1.8, 4.0},
+                                                {"ultra", 64, 1.0, 2.0, 3.3}}};
 
 inline LodSettings settings_of(const Preset& preset, double ocean_size_m, LodJoin join = LodJoin::masked) {
   LodSettings s;
@@ -38,7 +40,8 @@ inline LodSettings by_threshold(LodSettings s) {
 }
 // The spacing of vertices over their distance, at most, of a sea of which the tree knows no mesh_error.
 inline double spacing_over_distance(const LodSettings& s) {
-  return s.pixel_error > 0.0 ? s.pixel_error / (Quadtree::error_over_spacing * reference_pixels_per_radian) : Quadtree::spacing_over_distance(s);
+  return s.pixel_error > 0.0 ? s.pixel_error / (Quadtree::error_over_spacing * reference_pixels_per_radian)
+                             : Quadtree::spacing_over_distance(s);
 }
 
 // A viewer without eyes: the whole selection, nothing culled.
@@ -55,7 +58,9 @@ struct VertexKey {
   bool operator==(const VertexKey& o) const { return bits == o.bits; }
 };
 inline VertexKey key_of(const SurfaceSelection& s, const gpu::PatchInstance& p, int i, int j) {
-  const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph) + 0.0f;  // no -0
+  const glm::vec2 place =
+      gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph) +
+      0.0f;  // no -0
   return {place, std::uint64_t{std::bit_cast<std::uint32_t>(place.x)} << 32 | std::bit_cast<std::uint32_t>(place.y)};
 }
 
@@ -64,7 +69,8 @@ struct Topology {
   int open_edges = 0;     // used by one triangle only, and not on the skirt's outer border
   int crowded_edges = 0;  // used by more than two, or twice in the same direction
   // Triangles of the tree that are clockwise from above. Where east and north neighbours are both coarser, one triangle
-  // of the corner is flat at rest (its vertices lie on a line); it still closes the displaced surface, and is not a fold.
+  // of the corner is flat at rest (its vertices lie on a line); it still closes the displaced surface, and is not a
+  // fold.
   int folded = 0;
   double twice_area = 0.0;  // of the tree's triangles, in square units
 };
@@ -88,7 +94,8 @@ inline Topology topology_of(const SurfaceSelection& selection) {
       const std::array<const VertexKey*, 3> v{&keys[indices[t]], &keys[indices[t + 1]], &keys[indices[t + 2]]};
       if (*v[0] == *v[1] || *v[1] == *v[2] || *v[2] == *v[0]) continue;  // empty after snapping: draws nothing
       if (!is_skirt(p)) {
-        const glm::dvec2 a = glm::dvec2(v[1]->place) - glm::dvec2(v[0]->place), b = glm::dvec2(v[2]->place) - glm::dvec2(v[0]->place);
+        const glm::dvec2 a = glm::dvec2(v[1]->place) - glm::dvec2(v[0]->place),
+                         b = glm::dvec2(v[2]->place) - glm::dvec2(v[0]->place);
         const double up = a.y * b.x - a.x * b.y;  // y of (b - a) x (c - a)
         if (up < -1e-6 * p.stride * p.stride) ++result.folded;
         result.twice_area += up;

@@ -1,4 +1,5 @@
-// The tree's triangles beside those of concentric rings and of a uniform grid that miss the sea by as little: fewer than either.
+// The tree's triangles beside those of concentric rings and of a uniform grid that miss the sea by as little: fewer
+// than either.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +16,9 @@ using namespace lod_test;
 class Sight {
  public:
   Sight(const Viewpoint& view, const DisplacementBounds& bounds, double cull_scale, const glm::dvec2& origin)
-      : bounds_(bounds), scale_(cull_scale), centre_(bounds.below->rest_m - origin),
+      : bounds_(bounds),
+        scale_(cull_scale),
+        centre_(bounds.below->rest_m - origin),
         viewer_(glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z) - origin) {
     frusta_.set(view.eyes, {origin.x, 0.0, origin.y});
   }
@@ -29,7 +32,8 @@ class Sight {
     const glm::dvec2 a = low + glm::dvec2(least_by.x, least_by.z), b = high + glm::dvec2(most_by.x, most_by.z);
     const glm::dvec2 far = glm::max(glm::abs(a - viewer_), glm::abs(b - viewer_));
     const glm::dvec2 middle = 0.5 * (a + b), half = 0.5 * glm::abs(b - a);
-    const UprightBox box{middle.x, middle.y, half.x, half.y, least_by.y - curvature_drop(glm::dot(far, far)), most_by.y};
+    const UprightBox box{middle.x, middle.y, half.x, half.y, least_by.y - curvature_drop(glm::dot(far, far)),
+                         most_by.y};
     return frusta_.may_see(box);
   }
 
@@ -40,16 +44,18 @@ class Sight {
   EyeFrusta frusta_;
 };
 
-constexpr double vertices_a_triangle = (gpu::patch_quads + 1.0) * (gpu::patch_quads + 1.0) / (2.0 * gpu::patch_quads * gpu::patch_quads);
+constexpr double vertices_a_triangle =
+    (gpu::patch_quads + 1.0) * (gpu::patch_quads + 1.0) / (2.0 * gpu::patch_quads * gpu::patch_quads);
 
 struct Triangles {
   double tree = 0.0, rings = 0.0, grid = 0.0;
 };
 
-// Rings: square, each twice as wide as the one inside and with twice its spacing; twelve blocks a ring, four by four without the inner
-// two by two, culled one by one. As wide as the tree's law demands: a spacing may double where the tree's may, beyond reach(n),
-// measured straight down too. A ring's vertices keep to the lattice of the next ring's, so that it may lie two spacings off the viewer, and a
-// block has an even number of quads, so that its vertices can slide onto the next ring's. Rings nearer than the water is high beneath the eye are left out, the innermost is filled.
+// Rings: square, each twice as wide as the one inside and with twice its spacing; twelve blocks a ring, four by four
+// without the inner two by two, culled one by one. As wide as the tree's law demands: a spacing may double where the
+// tree's may, beyond reach(n), measured straight down too. A ring's vertices keep to the lattice of the next ring's, so
+// that it may lie two spacings off the viewer, and a block has an even number of quads, so that its vertices can slide
+// onto the next ring's. Rings nearer than the water is high beneath the eye are left out, the innermost is filled.
 // Grid: everywhere the spacing that the nearest water needs, culled by squares of a sixty-fourth of the ocean.
 // The tree without its skirt and without the culling by the water that stands there, which rivals could have as well.
 Triangles of_one_view(const SurfaceSelection& s, const Sight& sight, int levels, double ocean_m) {
@@ -103,11 +109,13 @@ TEST(MeshRivalsHard, TheTreeHasFewerTrianglesThanRingsAndAGrid) {
         const Viewpoint view = pose_over(field, tiles, random, n);
         const DisplacementBounds bounds = bounds_of(field, tiles, view.viewer.position_m);
         const SurfaceSelection& s = tree.select(view, bounds);
-        const Triangles t = of_one_view(s, Sight(view, bounds, settings.lod.cull_scale, s.grid_origin_m), tree.levels(), settings.lod.ocean_size_m);
+        const Triangles t = of_one_view(s, Sight(view, bounds, settings.lod.cull_scale, s.grid_origin_m), tree.levels(),
+                                        settings.lod.ocean_size_m);
         sum.tree += t.tree / poses, sum.rings += t.rings / poses, sum.grid += t.grid / poses;
       }
-      std::printf("| %s %s | %.0f, %.0f | %.0f (%.2f) | %.3g (%.3g) |\n", preset.name, scene, sum.tree * vertices_a_triangle, sum.tree, sum.rings,
-                  sum.rings / sum.tree, sum.grid, sum.grid / sum.tree);
+      std::printf("| %s %s | %.0f, %.0f | %.0f (%.2f) | %.3g (%.3g) |\n", preset.name, scene,
+                  sum.tree * vertices_a_triangle, sum.tree, sum.rings, sum.rings / sum.tree, sum.grid,
+                  sum.grid / sum.tree);
       EXPECT_LT(sum.tree, sum.rings) << preset.name << ' ' << scene;
       EXPECT_LT(sum.tree, sum.grid) << preset.name << ' ' << scene;
     }

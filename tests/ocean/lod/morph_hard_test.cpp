@@ -1,5 +1,5 @@
-// Morphed joins: the mesh that patches of all levels and the skirt make together is closed to the bit, folds nowhere, stays in
-// its patches, and does not change at once when a level does.
+// Morphed joins: the mesh that patches of all levels and the skirt make together is closed to the bit, folds nowhere,
+// stays in its patches, and does not change at once when a level does.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,11 +21,11 @@ glm::dvec3 anywhere(std::mt19937& random, const Quadtree& tree, int n) {
   return {unit(random) * 3000.0, n % 5 == 2 ? 1.7 : height, unit(random) * 3000.0};
 }
 
-// Every edge of the mesh, vertices identified by the bits of their places, belongs to two triangles that run along it in opposite
-// directions, or to the skirt's outer border; no triangle is turned over and together they cover the root once. Calm and storm,
-// and an error larger than any preset's. Controls seen, each fails here: vertices that arrive 10 % beyond the reach, distance
-// by the vertex itself instead of the one it slides to, the skirt's strips not sliding, a twelfth of the room between levels
-// beyond the visible reach.
+// Every edge of the mesh, vertices identified by the bits of their places, belongs to two triangles that run along it
+// in opposite directions, or to the skirt's outer border; no triangle is turned over and together they cover the root
+// once. Calm and storm, and an error larger than any preset's. Controls seen, each fails here: vertices that arrive 10
+// % beyond the reach, distance by the vertex itself instead of the one it slides to, the skirt's strips not sliding, a
+// twelfth of the room between levels beyond the visible reach.
 TEST(MorphHard, TheWholeMeshIsWatertight) {
   std::mt19937 random(3);
   for (std::size_t k = 0; k < 5; ++k)
@@ -39,8 +39,9 @@ TEST(MorphHard, TheWholeMeshIsWatertight) {
         const SurfaceSelection& s = tree.select(everything_from(eye), {vertical, vertical});
         const Topology t = topology_of(s);
         const double area = 8.0 * s.half_size * static_cast<double>(s.half_size);
-        const std::string what = std::string(k == 4 ? "coarsest" : presets[k].name) + ' ' + std::to_string(size) + " from " + std::to_string(eye.x) + ' ' +
-                                 std::to_string(eye.y) + ' ' + std::to_string(eye.z) + ", waves of " + std::to_string(vertical);
+        const std::string what = std::string(k == 4 ? "coarsest" : presets[k].name) + ' ' + std::to_string(size) +
+                                 " from " + std::to_string(eye.x) + ' ' + std::to_string(eye.y) + ' ' +
+                                 std::to_string(eye.z) + ", waves of " + std::to_string(vertical);
         ASSERT_EQ(t.open_edges, 0) << what;
         ASSERT_EQ(t.crowded_edges, 0) << what;
         ASSERT_EQ(t.folded, 0) << what;
@@ -59,7 +60,8 @@ TEST(MorphHard, ADroppedPatchOrStripOpensTheMesh) {
   }
 }
 
-// Culling takes a patch for its square: no vertex slides out of it. And vertices do slide. Control seen: with the ratio not bounded.
+// Culling takes a patch for its square: no vertex slides out of it. And vertices do slide. Control seen: with the ratio
+// not bounded.
 TEST(MorphHard, VerticesStayInTheirPatch) {
   std::mt19937 random(4);
   int slid = 0, arrived = 0;
@@ -99,7 +101,9 @@ double mesh_height(const SurfaceSelection& s, const glm::dvec2& place_m, double 
     if (is_skirt(p) || !glm::all(glm::lessThanEqual(low, at)) || !glm::all(glm::lessThan(at, high))) continue;
     for (std::size_t t = 0; t < indices.size(); t += 3) {
       std::array<glm::dvec2, 3> v;
-      for (std::size_t c = 0; c < 3; ++c) v[c] = glm::dvec2(key_of(s, p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1)).place);
+      for (std::size_t c = 0; c < 3; ++c)
+        v[c] = glm::dvec2(
+            key_of(s, p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1)).place);
       const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
       const double whole = cross(v[1] - v[0], v[2] - v[0]);
       if (std::abs(whole) < 1e-9) continue;
@@ -107,7 +111,8 @@ double mesh_height(const SurfaceSelection& s, const glm::dvec2& place_m, double 
       if (std::min({a, b, c}) < -1e-9) continue;
       const auto height = [&](const glm::dvec2& vertex) {
         const glm::dvec2 world = s.grid_origin_m + vertex * s.unit_m;
-        return 0.05 * wavelength_m * std::sin(world.x * 6.2832 / wavelength_m) * std::cos(world.y * 6.2832 / wavelength_m);
+        return 0.05 * wavelength_m * std::sin(world.x * 6.2832 / wavelength_m) *
+               std::cos(world.y * 6.2832 / wavelength_m);
       };
       return a * height(v[0]) + b * height(v[1]) + c * height(v[2]);
     }
@@ -115,8 +120,8 @@ double mesh_height(const SurfaceSelection& s, const glm::dvec2& place_m, double 
   return std::nan("");
 }
 
-// The greatest step of the mesh's height at places about a viewer who glides by 2 cm at a time, over a frozen swell. Masked joins
-// are the control: there a level changes at once, by up to what the coarser mesh misses.
+// The greatest step of the mesh's height at places about a viewer who glides by 2 cm at a time, over a frozen swell.
+// Masked joins are the control: there a level changes at once, by up to what the coarser mesh misses.
 double greatest_step(LodJoin join, const Preset& preset) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

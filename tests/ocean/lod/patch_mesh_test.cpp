@@ -59,8 +59,10 @@ TEST(PatchVertex, SnapsOddVerticesOfMarkedEdgesDown) {
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
         glm::ivec2 want(i, j);
-        if ((i == n && (mask & gpu::patch_east) != 0u) || (i == 0 && (mask & gpu::patch_west) != 0u)) want.y = j / 2 * 2;
-        if ((j == n && (mask & gpu::patch_north) != 0u) || (j == 0 && (mask & gpu::patch_south) != 0u)) want.x = i / 2 * 2;
+        if ((i == n && (mask & gpu::patch_east) != 0u) || (i == 0 && (mask & gpu::patch_west) != 0u))
+          want.y = j / 2 * 2;
+        if ((j == n && (mask & gpu::patch_north) != 0u) || (j == 0 && (mask & gpu::patch_south) != 0u))
+          want.x = i / 2 * 2;
         const gpu::PatchInstance p{{-100, 36}, stride, mask | (3u << gpu::patch_level_shift)};
         EXPECT_EQ(gpu::patch_coordinate(p, i, j), glm::ivec2(-100, 36) + stride * want) << mask;
       }

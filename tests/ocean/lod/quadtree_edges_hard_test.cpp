@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "engine/error.h"
-#include "ocean/lod/quadtree.h"
 #include "ocean/lod/horizon.h"
+#include "ocean/lod/quadtree.h"
 
 namespace seascape {
 namespace {
 
-// Hard 76: An eye from the least double to 1e12 m above or below the sea selects a whole mesh with finite numbers; one at 1e160 m, whose height squared is more than any double, is refused by name. Control:
-// the code as it was: an infinite horizon, whose logarithm was cast to an int.
+// Hard 76: An eye from the least double to 1e12 m above or below the sea selects a whole mesh with finite numbers; one
+// at 1e160 m, whose height squared is more than any double, is refused by name. Control: the code as it was: an
+// infinite horizon, whose logarithm was cast to an int.
 TEST(QuadtreeHard, hard_76_eyes_of_any_height) {
   for (const LodJoin join : {LodJoin::morphed, LodJoin::masked}) {
     LodSettings settings;
@@ -22,7 +23,9 @@ TEST(QuadtreeHard, hard_76_eyes_of_any_height) {
       viewpoint.viewer.position_m = {1e6, y, -1e6};
       const SurfaceSelection& selection = tree.select(viewpoint, {20.0, 10.0});
       EXPECT_FALSE(selection.patches.empty()) << y;
-      EXPECT_TRUE(std::isfinite(selection.horizon_m) && std::isfinite(selection.skirt_to_horizon) && selection.skirt_to_horizon >= selection.skirt_to_multiplier) << y;
+      EXPECT_TRUE(std::isfinite(selection.horizon_m) && std::isfinite(selection.skirt_to_horizon) &&
+                  selection.skirt_to_horizon >= selection.skirt_to_multiplier)
+          << y;
       EXPECT_GT(selection.skirt_rows, 0);
     }
     for (const double y : {1e160, -1e160, 1e308}) {

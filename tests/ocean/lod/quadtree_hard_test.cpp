@@ -16,10 +16,11 @@ namespace seascape {
 namespace {
 using namespace lod_test;
 
-// The leaves as squares of the root's grid of their own size. Faults: squares off their grid or that lie in another or twice
-// (overlaps); root not filled by squares that do not overlap (holes: by whole finest cells); leaves beside the middle of whose
-// side, or either half of it, lies no leaf of half, the same or twice the size (unbalanced); edge bits that do not say whether
-// that one is larger. All of it from corner and stride alone, in whole numbers: what a raster of the finest cells would show.
+// The leaves as squares of the root's grid of their own size. Faults: squares off their grid or that lie in another or
+// twice (overlaps); root not filled by squares that do not overlap (holes: by whole finest cells); leaves beside the
+// middle of whose side, or either half of it, lies no leaf of half, the same or twice the size (unbalanced); edge bits
+// that do not say whether that one is larger. All of it from corner and stride alone, in whole numbers: what a raster
+// of the finest cells would show.
 struct TilingFaults {
   std::int64_t holes = 0;
   int overlaps = 0, unbalanced = 0, wrong_edges = 0;
@@ -32,7 +33,8 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
   const int root = s.half_size * 2;
   const glm::ivec2 least = s.tree_centre - s.half_size;
   std::unordered_set<std::uint64_t> leaves;
-  // The square of `size` that holds a point, as a key: sizes are powers of two from 8 on, so that the lowest bit tells them.
+  // The square of `size` that holds a point, as a key: sizes are powers of two from 8 on, so that the lowest bit tells
+  // them.
   const auto key = [](int x, int z, int size) {
     const auto at = [size](int v) { return static_cast<std::uint64_t>((v & ~(size - 1)) | (size >> 1)); };
     return at(x) << 32 | at(z);
@@ -42,8 +44,8 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
     if (is_skirt(p)) continue;
     const int size = p.stride * quads;
     const glm::ivec2 at = p.corner - least;
-    const bool on_grid = std::has_single_bit(static_cast<unsigned>(p.stride)) && at % size == glm::ivec2(0) && at.x >= 0 && at.y >= 0 &&
-                         at.x + size <= root && at.y + size <= root;
+    const bool on_grid = std::has_single_bit(static_cast<unsigned>(p.stride)) && at % size == glm::ivec2(0) &&
+                         at.x >= 0 && at.y >= 0 && at.x + size <= root && at.y + size <= root;
     if (!on_grid || !leaves.insert(key(at.x, at.y, size)).second) ++faults.overlaps;
     area += static_cast<std::int64_t>(size) * size;
   }
@@ -62,8 +64,10 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
     const struct {
       unsigned bit;
       glm::ivec2 first, along;  // a cell beside the near end of the side, and from there to the half after it
-    } sides[] = {{gpu::patch_east, at + glm::ivec2(size, 0), {0, half}}, {gpu::patch_north, at + glm::ivec2(0, size), {half, 0}},
-                 {gpu::patch_west, at - glm::ivec2(1, 0), {0, half}}, {gpu::patch_south, at - glm::ivec2(0, 1), {half, 0}}};
+    } sides[] = {{gpu::patch_east, at + glm::ivec2(size, 0), {0, half}},
+                 {gpu::patch_north, at + glm::ivec2(0, size), {half, 0}},
+                 {gpu::patch_west, at - glm::ivec2(1, 0), {0, half}},
+                 {gpu::patch_south, at - glm::ivec2(0, 1), {half, 0}}};
     for (const auto& side : sides)
       for (int n = 0; n < 2; ++n) {
         const glm::ivec2 c = side.first + side.along * n;
@@ -89,8 +93,8 @@ void expect_watertight(const SurfaceSelection& s, const std::string& what) {
 constexpr std::array<double, 6> sizes{256.0, 777.7, 1024.0, 2000.0, 4096.0, 8192.0};
 
 // Hard case 21 and the 2:1 balance, over presets, sizes and 60 viewpoints each (24 cases, 1,440 selections).
-// Controls seen: balance() left out or blind to +x (unbalanced), coarser_edges() returning 0 (wrong edges); and below, a
-// dropped patch is a hole.
+// Controls seen: balance() left out or blind to +x (unbalanced), coarser_edges() returning 0 (wrong edges); and below,
+// a dropped patch is a hole.
 TEST(QuadtreeHard, hard_21_ocean_sizes_tile_the_root_once_and_balanced) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -118,7 +122,8 @@ TEST(QuadtreeHard, EveryDepthAndThresholdIsBalanced) {
       Quadtree tree(settings);
       ASSERT_EQ(tree.levels(), levels + 2);  // of patches, four a side in a square of 16 quads
       for (int n = 0; n < (levels > 9 ? 2 : 20); ++n)
-        ASSERT_EQ(tiling_faults(tree.select(everything_from({unit(random) * 900.0, 1.0, unit(random) * 900.0}), {})), TilingFaults{})
+        ASSERT_EQ(tiling_faults(tree.select(everything_from({unit(random) * 900.0, 1.0, unit(random) * 900.0}), {})),
+                  TilingFaults{})
             << levels << ' ' << threshold;
     }
 }
@@ -175,7 +180,9 @@ TEST(QuadtreeHard, ADroppedPatchOrStripOpensTheMesh) {
   const int patches = static_cast<int>(Quadtree(settings).select(everything_from({3.0, 1.7, 5.0}), {}).patches.size());
   for (int drop = 0; drop < patches; ++drop) {
     settings.drop_patch = drop;
-    EXPECT_GE(topology_of(Quadtree(settings).select(everything_from({3.0, 1.7, 5.0}), {})).open_edges, 3 * gpu::patch_quads) << drop;
+    EXPECT_GE(topology_of(Quadtree(settings).select(everything_from({3.0, 1.7, 5.0}), {})).open_edges,
+              3 * gpu::patch_quads)
+        << drop;
   }
 }
 
@@ -206,7 +213,8 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         ++border[{c.x, c.y}];
         for (int j = 0; j <= n; ++j) {
           const int row = gpu::patch_skirt_row(p, j);
-          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
+          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier,
+                                                    s.skirt_to_horizon, s.morph);
           if (row == 0) {
             EXPECT_EQ(place, glm::vec2(c));
           }
@@ -236,7 +244,8 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
       for (std::size_t t = 0; t < indices.size(); t += 3) {
         std::array<glm::dvec2, 3> v;
         for (std::size_t c = 0; c < 3; ++c)
-          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1), s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
+          v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1),
+                                   s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
         const glm::dvec2 a = v[1] - v[0], b = v[2] - v[0];
         ASSERT_GT(a.y * b.x - a.x * b.y, 0.0) << preset.name << " side " << side_of(p);
       }
@@ -245,7 +254,8 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
   }
 }
 
-// Hard case 19: the viewer exactly on corners of the tree, of every level: 2:1 balance, no hole, no patch twice. Controls: those of hard_21 above, and TheTilingSeesADroppedPatch.
+// Hard case 19: the viewer exactly on corners of the tree, of every level: 2:1 balance, no hole, no patch twice.
+// Controls: those of hard_21 above, and TheTilingSeesADroppedPatch.
 TEST(QuadtreeHard, hard_19_quadtree_corner) {
   for (const Preset& preset : presets) {
     Quadtree tree(settings_of(preset, 1024.0));
@@ -271,7 +281,8 @@ TEST(QuadtreeHard, hard_20_jitter) {
       const SurfaceSelection first = tree.select(everything_from({place, 1.7, place}), {0.8, 0.6});
       for (int n = 0; n < 50; ++n) {
         const glm::dvec3 off(unit(random), unit(random), unit(random));
-        const SurfaceSelection& s = tree.select(everything_from(glm::dvec3(place, 1.7, place) + off * amplitude_m), {0.8, 0.6});
+        const SurfaceSelection& s =
+            tree.select(everything_from(glm::dvec3(place, 1.7, place) + off * amplitude_m), {0.8, 0.6});
         bool same = s.patches.size() == first.patches.size() && s.grid_origin_m == first.grid_origin_m;
         for (std::size_t p = 0; same && p < s.patches.size(); ++p)
           same = s.patches[p].corner == first.patches[p].corner && s.patches[p].stride == first.patches[p].stride &&
@@ -287,7 +298,8 @@ TEST(QuadtreeHard, hard_20_jitter) {
   }
 }
 
-// Hard case 15 for the mesh: far from the world's origin the same list, and vertices relative to the viewer to 1e-6 m. Control seen: the grid's origin in floats.
+// Hard case 15 for the mesh: far from the world's origin the same list, and vertices relative to the viewer to 1e-6 m.
+// Control seen: the grid's origin in floats.
 TEST(QuadtreeHard, hard_15_a_million_metres_from_the_origin) {
   Quadtree tree{LodSettings{}};
   const glm::dvec3 near(12.34, 1.7, -56.78), far = near + glm::dvec3(1048576.0, 0.0, -2097152.0);
@@ -297,7 +309,8 @@ TEST(QuadtreeHard, hard_15_a_million_metres_from_the_origin) {
     ASSERT_EQ(a.patches[p].corner, b.patches[p].corner);
     ASSERT_EQ(a.patches[p].flags, b.patches[p].flags);
   }
-  const glm::dvec2 fraction_a = glm::dvec2(near.x, near.z) - a.grid_origin_m, fraction_b = glm::dvec2(far.x, far.z) - b.grid_origin_m;
+  const glm::dvec2 fraction_a = glm::dvec2(near.x, near.z) - a.grid_origin_m,
+                   fraction_b = glm::dvec2(far.x, far.z) - b.grid_origin_m;
   EXPECT_LT(glm::length(fraction_a - fraction_b), 1e-6);
   EXPECT_LE(std::abs(fraction_a.x), 0.5 * a.unit_m);
 }
@@ -316,8 +329,8 @@ TEST(QuadtreeHard, AltitudeAndUnderWater) {
 }
 
 // Hard case 22: along every bearing the highest point of the mesh, curved as the drawing curves it, lies within a pixel
-// of the analytic dip acos(R / (R + h)): 0.06 degrees a pixel for low and medium (a headset's), 0.01 for high and ultra.
-// Highest: among vertices, between which edges are straight; azimuths in steps of 1/16 of a quad. Waves off.
+// of the analytic dip acos(R / (R + h)): 0.06 degrees a pixel for low and medium (a headset's), 0.01 for high and
+// ultra. Highest: among vertices, between which edges are straight; azimuths in steps of 1/16 of a quad. Waves off.
 // Control seen: horizon_distance halved.
 TEST(QuadtreeHard, hard_22_horizon_reach) {
   const double radius = static_cast<double>(gpu::earth_radius_m);
@@ -334,7 +347,10 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
         double worst = 0.0, reach = 1e12;
         constexpr int n = gpu::patch_quads;
         const auto place = [&](const gpu::PatchInstance& p, int i, int j) {
-          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph)) * s.unit_m - fraction;
+          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier,
+                                                            s.skirt_to_horizon, s.morph)) *
+                                   s.unit_m -
+                               fraction;
           return glm::dvec3(v.x, -height - glm::dot(v, v) / (2.0 * radius), v.y);
         };
         for (const auto& p : s.patches) {
@@ -347,14 +363,16 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
                 gpu::PatchInstance band = p;
                 const int of = std::min(row / n, s.skirt_rows / n - 1);
                 band.flags |= static_cast<unsigned>(of) << gpu::patch_skirt_band_shift;
-                const glm::dvec3 v = glm::mix(place(band, i, row - of * n), place(band, i + 1, row - of * n), part / 16.0);
+                const glm::dvec3 v =
+                    glm::mix(place(band, i, row - of * n), place(band, i + 1, row - of * n), part / 16.0);
                 highest = std::max(highest, std::atan2(v.y, std::hypot(v.x, v.z)));
                 if (row == s.skirt_rows) reach = std::min(reach, std::hypot(v.x, v.z));
               }
               worst = std::max(worst, std::abs(highest + dip));
             }
         }
-        EXPECT_LE(worst, pixel) << preset.name << ' ' << height << " m, multiplier " << multiplier << ": " << worst / pixel << " pixels";
+        EXPECT_LE(worst, pixel) << preset.name << ' ' << height << " m, multiplier " << multiplier << ": "
+                                << worst / pixel << " pixels";
         EXPECT_GE(reach, s.horizon_m * 0.9999);
         EXPECT_GE(s.horizon_m, 1.2 * std::sqrt(2.0 * radius * height + height * height));
       }

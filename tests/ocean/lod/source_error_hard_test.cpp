@@ -50,7 +50,8 @@ Drawn draw(const Row& row, const char* preset, int poses, double told) {
     if (n % 25 == 0) field.evaluate(ticks_from_seconds(17.0 * n + 3.0), tiles);
     const Viewpoint view = pose_over(field, tiles, random, n);
     DisplacementBounds bounds = bounds_of(field, tiles, view.viewer.position_m);
-    for (std::size_t o = 0; o < all.octave_m.size(); ++o) bounds.mesh_error.octave_m[o] = std::lerp(waves.octave_m[o], all.octave_m[o], told);
+    for (std::size_t o = 0; o < all.octave_m.size(); ++o)
+      bounds.mesh_error.octave_m[o] = std::lerp(waves.octave_m[o], all.octave_m[o], told);
     bounds.vertical_m += height_m;
     bounds.horizontal_m += shift_m;
     for (std::size_t o = 0; bounds.below && o < bounds.below->off.vertical_m.size(); ++o) {
@@ -64,27 +65,35 @@ Drawn draw(const Row& row, const char* preset, int poses, double told) {
 
 bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
-// In all presets' pixels, of their `lod.pixel_error`. SEASCAPE_LONG=1: 200 poses of each, which come to 0.24 to 0.96 of it. Control seen: what several kinds miss together
-// taken for the root of their squares (`mixed` 1: 1.04 of the figure at ultra, and with `more` 1.2 1.11 at high).
+// In all presets' pixels, of their `lod.pixel_error`. SEASCAPE_LONG=1: 200 poses of each, which come to 0.24 to 0.96 of
+// it. Control seen: what several kinds miss together taken for the root of their squares (`mixed` 1: 1.04 of the figure
+// at ultra, and with `more` 1.2 1.11 at high).
 TEST(SourceErrorHard, IsWithinThePixelsAskedFor) {
-  const Row rows[] = {{"gerstner", {"waves", "gerstner"}}, {"baked", {"waves", "baked"}}, {"rain_pool", {"waves", "wave_particles"}}, {"calm", {"waves", "wave_particles", "gerstner"}}};
+  const Row rows[] = {{"gerstner", {"waves", "gerstner"}},
+                      {"baked", {"waves", "baked"}},
+                      {"rain_pool", {"waves", "wave_particles"}},
+                      {"calm", {"waves", "wave_particles", "gerstner"}}};
   for (const Row& row : rows)
     for (const char* preset : {"low", "medium", "high", "ultra"}) {
       if (test::sanitized && std::string(preset) != "low") continue;
       Drawn d = draw(row, preset, long_run() ? 200 : 3, 1.0);
       const std::string what = std::string(row.scene) + ' ' + preset + " with " + row.effects.back();
       if (long_run())
-        std::printf("%s: %.0f triangles, %.2f of %.0f pixels at most, 99.9 %% within %.2f\n", what.c_str(), d.error.triangles / d.error.poses, d.error.worst, d.figure, d.error.share(0.999));
+        std::printf("%s: %.0f triangles, %.2f of %.0f pixels at most, 99.9 %% within %.2f\n", what.c_str(),
+                    d.error.triangles / d.error.poses, d.error.worst, d.figure, d.error.share(0.999));
       ASSERT_GT(d.error.pixels.size(), 1000u) << what;
       EXPECT_LE(d.error.worst, d.figure) << what << ": " << d.error.where;
     }
 }
 
-// The control: a quadtree that is told of the waves alone. Seen: 1.26, 1.7 and 2.6 times what it misses when told; told twice as much it has a seventh to 2.4 times more triangles.
+// The control: a quadtree that is told of the waves alone. Seen: 1.26, 1.7 and 2.6 times what it misses when told; told
+// twice as much it has a seventh to 2.4 times more triangles.
 TEST(SourceErrorHard, SeesSourcesThatTheTreeIsNotToldOf) {
   if (test::sanitized) GTEST_SKIP() << "the test above takes the same steps";
-  for (const Row& row : {Row{"gerstner", {"waves", "gerstner"}}, Row{"baked", {"waves", "baked"}}, Row{"calm", {"waves", "wave_particles"}}}) {
-    const Drawn untold = draw(row, "medium", 24, 0.0), told = draw(row, "medium", 24, 1.0), twice = draw(row, "medium", 24, 2.0);
+  for (const Row& row : {Row{"gerstner", {"waves", "gerstner"}}, Row{"baked", {"waves", "baked"}},
+                         Row{"calm", {"waves", "wave_particles"}}}) {
+    const Drawn untold = draw(row, "medium", 24, 0.0), told = draw(row, "medium", 24, 1.0),
+                twice = draw(row, "medium", 24, 2.0);
     EXPECT_GT(untold.error.worst, 1.1 * told.error.worst) << row.scene;
     EXPECT_GT(twice.error.triangles, 1.1 * told.error.triangles) << row.scene;
   }

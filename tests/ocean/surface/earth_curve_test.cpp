@@ -30,28 +30,32 @@ Exact exact(const Point& p) {
   return {(radius_m + p.above_m) * std::sin(angle), p.above_m * std::cos(angle) - 2.0 * radius_m * half * half};
 }
 
-// Single precision keeps six digits; of the height as many as of the sea's fall. Controls seen, each fails here: the sine's and
-// the fall's highest terms left out (from 6.8e5 m on).
+// Single precision keeps six digits; of the height as many as of the sea's fall. Controls seen, each fails here: the
+// sine's and the fall's highest terms left out (from 6.8e5 m on).
 TEST(EarthCurve, IsTheSphere) {
   for_points([](const Point& p) {
-    const glm::vec3 place = gpu::curved({0.6f * float(p.flat_m), -0.8f * float(p.flat_m)}, float(p.above_m), float(curvature));
+    const glm::vec3 place =
+        gpu::curved({0.6f * float(p.flat_m), -0.8f * float(p.flat_m)}, float(p.above_m), float(curvature));
     const Exact e = exact(p);
     EXPECT_NEAR(place.x, 0.6 * e.along, 4e-7 * e.along + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
     EXPECT_NEAR(place.z, -0.8 * e.along, 4e-7 * e.along + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
-    EXPECT_NEAR(place.y, e.up, 5e-7 * (std::abs(p.above_m) + std::abs(e.up - p.above_m)) + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
+    EXPECT_NEAR(place.y, e.up, 5e-7 * (std::abs(p.above_m) + std::abs(e.up - p.above_m)) + 1e-6)
+        << p.flat_m << " m, " << p.above_m << " m high";
   });
 }
 
-// Controls seen: without the arc sine's terms after the first (from 3.6e5 m on), the height as a difference of distances from the
-// earth's centre (everywhere).
+// Controls seen: without the arc sine's terms after the first (from 3.6e5 m on), the height as a difference of
+// distances from the earth's centre (everywhere).
 TEST(EarthCurve, TheWayBackEndsWhereItBegan) {
   for_points([](const Point& p) {
     const Exact e = exact(p);
-    const glm::vec3 back = gpu::flattened({0.6f * float(e.along), float(e.up), -0.8f * float(e.along)}, float(curvature));
+    const glm::vec3 back =
+        gpu::flattened({0.6f * float(e.along), float(e.up), -0.8f * float(e.along)}, float(curvature));
     EXPECT_NEAR(back.x, 0.6 * p.flat_m, 5e-7 * p.flat_m + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
     EXPECT_NEAR(back.z, -0.8 * p.flat_m, 5e-7 * p.flat_m + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
     // What the place itself has lost to single precision is lost.
-    EXPECT_NEAR(back.y, p.above_m, 4e-7 * (std::abs(e.up) + 0.15 * e.along + std::abs(p.above_m)) + 1e-6) << p.flat_m << " m, " << p.above_m << " m high";
+    EXPECT_NEAR(back.y, p.above_m, 4e-7 * (std::abs(e.up) + 0.15 * e.along + std::abs(p.above_m)) + 1e-6)
+        << p.flat_m << " m, " << p.above_m << " m high";
   });
 }
 

@@ -1,4 +1,5 @@
-// Recorded loops against closed forms in double (tests/support/gerstner_truth.h): what is recorded, and what is played at any time.
+// Recorded loops against closed forms in double (tests/support/gerstner_truth.h): what is recorded, and what is played
+// at any time.
 #include "ocean/waves/baked.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 #include <cmath>
 #include <complex>
 #include <cstring>
-#include <numbers>
 #include <map>
+#include <numbers>
 #include <random>
 #include <tuple>
 
@@ -24,7 +25,8 @@ namespace {
 using Tile = test::SourceTile;
 constexpr double pi = std::numbers::pi;
 
-// Waves of whole numbers on a tile of 64 m, of whole turns in a loop of 12 s, so that they close in place and time. The shortest has `texels` of a 64th of the tile.
+// Waves of whole numbers on a tile of 64 m, of whole turns in a loop of 12 s, so that they close in place and time. The
+// shortest has `texels` of a 64th of the tile.
 std::vector<truth::Trochoid> waves_of_loop(double texels) {
   std::vector<truth::Trochoid> waves;
   const int most = int(64.0 / texels);
@@ -33,13 +35,16 @@ std::vector<truth::Trochoid> waves_of_loop(double texels) {
   for (int i = 0; i < 12; ++i) {
     truth::Trochoid w;
     int mx = 0, mz = 0;
-    while (mx == 0 && mz == 0) mx = int((2 * most + 1) * uniform(random)) - most, mz = int((2 * most + 1) * uniform(random)) - most;
+    while (mx == 0 && mz == 0)
+      mx = int((2 * most + 1) * uniform(random)) - most, mz = int((2 * most + 1) * uniform(random)) - most;
     w.kx = 2.0 * pi * mx / 64.0;
     w.kz = 2.0 * pi * mz / 64.0;
     w.a = 0.1 / std::hypot(mx, mz);
     w.phase = 2.0 * pi * uniform(random);
     w.chop = 0.8;
-    w.w = 2.0L * 3.14159265358979323846264338L / 12.0L * std::max(1.0L, std::round(truth::trochoid_frequency(std::hypot(w.kx, w.kz), 9.81L, 1e6L) * 12.0L / (2.0L * 3.14159265358979323846264338L)));
+    w.w = 2.0L * 3.14159265358979323846264338L / 12.0L *
+          std::max(1.0L, std::round(truth::trochoid_frequency(std::hypot(w.kx, w.kz), 9.81L, 1e6L) * 12.0L /
+                                    (2.0L * 3.14159265358979323846264338L)));
     waves.push_back(w);
   }
   return waves;
@@ -87,7 +92,9 @@ Off off(const BakedSettings& settings, int samples, int frames, double texels, d
     truth::Trochoids want = truth::trochoids(waves, truth_time_s, rest.x / size, rest.y / size);
     const double by = size * settings.weight;
     const SeaSample sample = field.sea(tiles, rest, 0.0);
-    const auto add = [](double& sum, double& all, double got, double right) { sum += (got - right) * (got - right), all += right * right; };
+    const auto add = [](double& sum, double& all, double got, double right) {
+      sum += (got - right) * (got - right), all += right * right;
+    };
     add(e.height, heights, sample.displacement.y, by * want.y);
     add(e.slope, slopes, sample.height_gradient.x, settings.weight * want.hx);
     add(e.slope, slopes, sample.height_gradient.y, settings.weight * want.hz);
@@ -102,11 +109,14 @@ Off off(const BakedSettings& settings, int samples, int frames, double texels, d
     add(e.asked, ignored, answer.height_m, by * want.y);
   }
   const auto over = [](double sum, double all) { return std::sqrt(sum / all); };
-  return {over(e.height, heights), over(e.slope, slopes), over(e.shear, shears), over(e.asked, heights), over(e.velocity, speeds)};
+  return {over(e.height, heights), over(e.slope, slopes), over(e.shear, shears), over(e.asked, heights),
+          over(e.velocity, speeds)};
 }
 
-// At frames and between them, early and late, and after 1e6 loops: the waves that were recorded. What texels of eight a wave leave is most of it. Controls seen: frames taken one late
-// (0.48 of the height), the rates' factor frames_a_second_ left out (0.75 of the velocity), raise() left out (0.076 of waves of four texels); here: a quarter of a second late.
+// At frames and between them, early and late, and after 1e6 loops: the waves that were recorded. What texels of eight a
+// wave leave is most of it. Controls seen: frames taken one late (0.48 of the height), the rates' factor
+// frames_a_second_ left out (0.75 of the velocity), raise() left out (0.076 of waves of four texels); here: a quarter
+// of a second late.
 TEST(Baked, PlaysWhatWasRecorded) {
   for (const double time_s : {0.0, 0.125, 12.0e6 + 3.99, -0.4}) {
     const double in_loop = time_s - 12.0 * std::floor(time_s / 12.0);
@@ -128,7 +138,8 @@ TEST(Baked, PlaysWhatWasRecorded) {
   EXPECT_LE(four.slope, 0.2);
 }
 
-// Scale, weight and speed: the same waves, larger and slower by the root; twice as high; twice as fast; backwards. Controls: each of them left at 1 in the truth is off by more than a quarter.
+// Scale, weight and speed: the same waves, larger and slower by the root; twice as high; twice as fast; backwards.
+// Controls: each of them left at 1 in the truth is off by more than a quarter.
 TEST(Baked, ScaleWeightAndSpeedAreAsSaid) {
   BakedSettings s;
   s.scale = 4.0;
@@ -148,8 +159,9 @@ TEST(Baked, ScaleWeightAndSpeedAreAsSaid) {
   EXPECT_LE(off(s, 64, 48, 8.0, 5.0, 0.0).height, 0.02);
 }
 
-// Variance does not pulse with the frames: in the middle between two it is that of the frames within what kept_between_frames() says of the fastest wave. Straight lines
-// between frames, the control, lose 1 - cos(w / 2) of a wave each time: here 6 % of variance.
+// Variance does not pulse with the frames: in the middle between two it is that of the frames within what
+// kept_between_frames() says of the fastest wave. Straight lines between frames, the control, lose 1 - cos(w / 2) of a
+// wave each time: here 6 % of variance.
 TEST(Baked, VarianceDoesNotPulseWithTheFrames) {
   EXPECT_NEAR(1.0 - kept_between_frames(0.5), 7.3e-5, 1e-6);
   EXPECT_NEAR(1.0 - kept_between_frames(1.0), 0.0042, 2e-4);
@@ -180,14 +192,16 @@ TEST(Baked, VarianceDoesNotPulseWithTheFrames) {
   RecordProperty("pulse", std::to_string(worst) + " of variance, straight lines " + std::to_string(straight));
 }
 
-// The sea's waves as they are recorded: frame N is frame 0, the water stands as the sum of its bins does with frequencies rounded to the loop, and these
-// are off by no more than half of 2 pi / T. Control seen: loop_s left 0 (frame N off by as much as the height).
+// The sea's waves as they are recorded: frame N is frame 0, the water stands as the sum of its bins does with
+// frequencies rounded to the loop, and these are off by no more than half of 2 pi / T. Control seen: loop_s left 0
+// (frame N off by as much as the height).
 TEST(LoopRecorder, RecordsAClosedLoopOfTheSeasWaves) {
   SeaState sea;
   sea.wind_speed_mps = 8.0;
   LoopRecorder recorder(sea, {24, 2.0, 64, 100.0});
   BakedLoop loop{64, 24, 2.0, 100.0, std::vector<float>(24 * 3 * 64 * 64)};
-  for (int f = 0; f < 24; ++f) recorder.record(f, std::span(loop.texels).subspan(std::size_t(f) * loop.frame_floats(), loop.frame_floats()));
+  for (int f = 0; f < 24; ++f)
+    recorder.record(f, std::span(loop.texels).subspan(std::size_t(f) * loop.frame_floats(), loop.frame_floats()));
   std::vector<float> next(loop.frame_floats());
   recorder.record(24, next);
   double closed = 0.0, moved = 0.0, height = 0.0;
@@ -200,16 +214,19 @@ TEST(LoopRecorder, RecordsAClosedLoopOfTheSeasWaves) {
   EXPECT_GT(moved, 0.1 * recorder.height_m()) << "a frame later";
   EXPECT_NEAR(4.0 * std::sqrt(height), recorder.height_m(), 0.35 * recorder.height_m()) << "one time of it";
   EXPECT_GT(recorder.frequency_error(), 0.005);
-  EXPECT_LE(recorder.worst_frequency_error(), 0.5 * 2.0 * pi / 12.0 / double(truth::trochoid_frequency(2.0 * pi / 100.0, 9.81L, 1e6L)) + 1e-6);
+  EXPECT_LE(recorder.worst_frequency_error(),
+            0.5 * 2.0 * pi / 12.0 / double(truth::trochoid_frequency(2.0 * pi / 100.0, 9.81L, 1e6L)) + 1e-6);
   LoopRecorder longer(sea, {240, 2.0, 64, 100.0});
   EXPECT_LE(longer.frequency_error(), 0.15 * recorder.frequency_error()) << "a loop ten times as long";
-  // The water against a sum over the bins, taken from the frame itself: amplitudes of frame 0 by a plain Fourier sum, turned by the rounded frequencies, give a later frame.
-  // Two waves a bin run opposite ways, so that displacement along x and height tell them apart; heights of frames 0 and 3 s on are enough for a sum of both.
+  // The water against a sum over the bins, taken from the frame itself: amplitudes of frame 0 by a plain Fourier sum,
+  // turned by the rounded frequencies, give a later frame. Two waves a bin run opposite ways, so that displacement
+  // along x and height tell them apart; heights of frames 0 and 3 s on are enough for a sum of both.
   const auto bin = [&](int frame, int mx, int mz) {
     std::complex<double> sum = 0.0;
     for (int z = 0; z < 64; ++z)
       for (int x = 0; x < 64; ++x)
-        sum += double(loop.texels[std::size_t(frame) * loop.frame_floats() + std::size_t(4096 + z * 64 + x)]) * std::polar(1.0, -2.0 * pi * (mx * x + mz * z) / 64.0) / 4096.0;
+        sum += double(loop.texels[std::size_t(frame) * loop.frame_floats() + std::size_t(4096 + z * 64 + x)]) *
+               std::polar(1.0, -2.0 * pi * (mx * x + mz * z) / 64.0) / 4096.0;
     return sum;
   };
   for (const auto& [mx, mz] : {std::pair(2, -1), std::pair(3, 2), std::pair(1, -4), std::pair(9, 5)}) {
@@ -218,7 +235,8 @@ TEST(LoopRecorder, RecordsAClosedLoopOfTheSeasWaves) {
     // h(t) = A exp(-i w t) + B exp(i w t): frames t - d, t, t + d obey h(t - d) + h(t + d) = 2 cos(w d) h(t).
     const std::complex<double> a = bin(3, mx, mz), b = bin(4, mx, mz), c = bin(5, mx, mz);
     EXPECT_LE(std::abs(a + c - 2.0 * std::cos(0.5 * w) * b), 1e-5 * recorder.height_m()) << mx << " " << mz;
-    EXPECT_GT(std::abs(a + c - 2.0 * std::cos(0.5 * (w + step)) * b), 1e-5 * recorder.height_m()) << "the control: the next frequency";
+    EXPECT_GT(std::abs(a + c - 2.0 * std::cos(0.5 * (w + step)) * b), 1e-5 * recorder.height_m())
+        << "the control: the next frequency";
   }
 }
 
@@ -231,15 +249,18 @@ TEST(Baked, AreTheSameForAnyNumberOfThreads) {
     arena.execute([&] { tiles.emplace_back(source, ticks_from_seconds(4.2), true); });
   }
   for (std::size_t i = 0; i < tiles[0].texels.size(); ++i)
-    EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(), tiles[0].texels[i].size() * sizeof(glm::vec4)), 0);
+    EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(),
+                          tiles[0].texels[i].size() * sizeof(glm::vec4)),
+              0);
 }
 
-// Statistics are those of what is played, and bounds hold it; slopes lost to a footprint become roughness. Not seen: moment_share_ left at 1, which these waves
-// of eight texels and more hardly need.
+// Statistics are those of what is played, and bounds hold it; slopes lost to a footprint become roughness. Not seen:
+// moment_share_ left at 1, which these waves of eight texels and more hardly need.
 TEST(Baked, StatisticsAreThoseOfTheLoop) {
   const std::vector<truth::Trochoid> waves = waves_of_loop(8.0);
   double variance = 0.0, slope = 0.0;
-  for (const truth::Trochoid& w : waves) variance += 0.5 * w.a * w.a, slope += 0.5 * w.a * w.a * (w.kx * w.kx + w.kz * w.kz);
+  for (const truth::Trochoid& w : waves)
+    variance += 0.5 * w.a * w.a, slope += 0.5 * w.a * w.a * (w.kx * w.kx + w.kz * w.kz);
   const auto source = std::make_shared<Baked>(loop_of(waves, 64, 48), BakedSettings{});
   EXPECT_NEAR(source->statistics().height_variance / variance, 1.0, 0.01);
   EXPECT_NEAR((source->statistics().slope_moments.x + source->statistics().slope_moments.y) / slope, 1.0, 0.02);
@@ -250,7 +271,8 @@ TEST(Baked, StatisticsAreThoseOfTheLoop) {
   double highest = 0.0;
   for (const double time_s : {0.1, 3.4, 9.9}) {
     field.evaluate(ticks_from_seconds(time_s), tiles);
-    for (int i = 0; i < 4000; ++i) highest = std::max(highest, std::abs(field.sea(tiles, {0.37 * i, 0.91 * i}, 0.0).displacement.y));
+    for (int i = 0; i < 4000; ++i)
+      highest = std::max(highest, std::abs(field.sea(tiles, {0.37 * i, 0.91 * i}, 0.0).displacement.y));
   }
   EXPECT_LE(highest, source->statistics().largest_height_m);
   EXPECT_GE(highest, 0.5 * source->statistics().largest_height_m);
@@ -258,8 +280,11 @@ TEST(Baked, StatisticsAreThoseOfTheLoop) {
     double sum = 0.0;
     std::mt19937 random(9);
     for (int i = 0; i < 4000; ++i) {
-      const SeaSample sample = field.sea(tiles, {0.01 * double(random() % 100000), 0.01 * double(random() % 100000)}, footprint);
-      sum += (glm::dot(sample.height_gradient, sample.height_gradient) + sample.slope_moments.x + sample.slope_moments.y) / 4000.0;
+      const SeaSample sample =
+          field.sea(tiles, {0.01 * double(random() % 100000), 0.01 * double(random() % 100000)}, footprint);
+      sum +=
+          (glm::dot(sample.height_gradient, sample.height_gradient) + sample.slope_moments.x + sample.slope_moments.y) /
+          4000.0;
     }
     EXPECT_NEAR(sum / slope, 1.0, 0.08) << footprint;
   }
@@ -287,7 +312,8 @@ TEST(Baked, RefuseWhatIsOutOfRangeByName) {
   record({48, 4.0, 64, 0.0}, "neither wind waves nor swell", 0.0);
   SeaState sea;
   sea.wind_speed_mps = 8.0;
-  EXPECT_GT(LoopRecorder(sea, {48, 4.0, 256, 0.0}).request().side_m, LoopRecorder(sea, {48, 4.0, 64, 0.0}).request().side_m);
+  EXPECT_GT(LoopRecorder(sea, {48, 4.0, 256, 0.0}).request().side_m,
+            LoopRecorder(sea, {48, 4.0, 64, 0.0}).request().side_m);
   EXPECT_TRUE(Baked(BakedLoop{16, 8, 1.0, 10.0, std::vector<float>(8 * 3 * 256, 0.0f)}, {}).still());
 }
 

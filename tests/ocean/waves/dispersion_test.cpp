@@ -22,7 +22,8 @@ TEST(Dispersion, airy_is_met_at_every_depth) {
 }
 
 TEST(Dispersion, orbits_are_as_wide_as_airy_has_them) {
-  // coth(k h) by exponentials, to 1e-12, up to 8; a circle in the deep, and where there is no wave. Control: circles at every depth (seen).
+  // coth(k h) by exponentials, to 1e-12, up to 8; a circle in the deep, and where there is no wave. Control: circles at
+  // every depth (seen).
   for (const double kh : {0.1, 0.13, 0.2, 0.5, 1.0, 3.0, 8.0, 30.0}) {
     const double e = std::exp(-2 * kh);
     EXPECT_NEAR(orbit_width(kh / 7, 7) / std::min((1 + e) / (1 - e), 8.0), 1, 1e-12) << kh;
@@ -46,7 +47,8 @@ TEST(Dispersion, hard_7_depths_of_1e_6_and_1e6) {
 }
 
 TEST(Dispersion, hard_6_dry_land_and_no_wave) {
-  // Depths of 0 and less, and k = 0, give exactly 0 without a division. Control: a depth of -1 let through gives the root of a negative number.
+  // Depths of 0 and less, and k = 0, give exactly 0 without a division. Control: a depth of -1 let through gives the
+  // root of a negative number.
   for (const double h : {0.0, -1.0, -1e6}) {
     EXPECT_EQ(airy_frequency(1, g, h), 0);
     EXPECT_EQ(airy_group_speed(1, g, h), 0);

@@ -28,16 +28,20 @@ std::size_t wrong_numbers(const DrawnSource& drawn, const WaveTiles& tiles, bool
         const glm::vec4 want = tiles.texels(1, WavePlane(plane), level)[i / size * tiles.stride(1, level) + i % size];
         glm::vec4 got;
         std::uint64_t packed;
-        if (half) std::memcpy(&packed, &bytes[std::size_t(8 * i)], 8), got = glm::unpackHalf4x16(packed);
-        else std::memcpy(&got, &bytes[std::size_t(16 * i)], 16);
-        for (int c = 0; c < 4; ++c) wrong += half ? std::abs(got[c] - want[c]) > 5e-4f * std::abs(want[c]) + 6e-8f : std::memcmp(&got[c], &want[c], 4) != 0;
+        if (half)
+          std::memcpy(&packed, &bytes[std::size_t(8 * i)], 8), got = glm::unpackHalf4x16(packed);
+        else
+          std::memcpy(&got, &bytes[std::size_t(16 * i)], 16);
+        for (int c = 0; c < 4; ++c)
+          wrong += half ? std::abs(got[c] - want[c]) > 5e-4f * std::abs(want[c]) + 6e-8f
+                        : std::memcmp(&got[c], &want[c], 4) != 0;
       }
     }
   return wrong;
 }
 
-// Also with two frames in flight, each of which keeps what it had: the second's evaluation is done while the first may still be copied. Control seen: planes
-// copied from the one before.
+// Also with two frames in flight, each of which keeps what it had: the second's evaluation is done while the first may
+// still be copied. Control seen: planes copied from the one before.
 TEST_F(DrawnSources, HoldWhatTheSourceEvaluates) {
   SeaState flat;
   flat.wind_speed_mps = 0.0;

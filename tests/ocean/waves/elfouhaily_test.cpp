@@ -27,28 +27,31 @@ TEST(Elfouhaily, is_as_published) {
   EXPECT_EQ(inverse_wave_age(1e-3), 5);
 }
 
-// Mean square slopes up- and crosswind by adaptive quadrature over ln k of the spectrum's own densities, the moments of its spreadings
-// by their own.
+// Mean square slopes up- and crosswind by adaptive quadrature over ln k of the spectrum's own densities, the moments of
+// its spreadings by their own.
 truth::Slopes slopes_of(const SeaState& sea) {
   const Spectrum spectrum(sea);
   const auto moment = [&](int up) {
-    return truth::integral([&](double s) {
-      const double k = std::exp(s);
-      double sum = 0;
-      for (int c = 0; c < 2; ++c) {
-        const double m = second_moment(spectrum.shape(c, k));
-        sum += spectrum.radial(c, k) * (up ? 0.5 + 0.5 * m : 0.5 - 0.5 * m);
-      }
-      return sum * std::pow(k, 4);
-    }, std::log(1e-3), std::log(1e4), 1e-7, 200);
+    return truth::integral(
+        [&](double s) {
+          const double k = std::exp(s);
+          double sum = 0;
+          for (int c = 0; c < 2; ++c) {
+            const double m = second_moment(spectrum.shape(c, k));
+            sum += spectrum.radial(c, k) * (up ? 0.5 + 0.5 * m : 0.5 - 0.5 * m);
+          }
+          return sum * std::pow(k, 4);
+        },
+        std::log(1e-3), std::log(1e4), 1e-7, 200);
   };
   return {moment(1), moment(0)};
 }
 
 TEST(Elfouhaily, slopes_of_the_joined_sea_are_cox_and_munks) {
-  // Bar 0.004 up- and crosswind, for the winds that Cox and Munk saw (1 to 14 m/s) and fetches of the open sea. Elfouhaily's own long
-  // waves pass it at 1 m/s, by 0.0007 (their published tail does by 0.004 more). Controls: without the viscous limit 1 m/s passes the upwind bar by 0.002; without the short waves' own part 12 m/s
-  // misses it by 0.02.
+  // Bar 0.004 up- and crosswind, for the winds that Cox and Munk saw (1 to 14 m/s) and fetches of the open sea.
+  // Elfouhaily's own long waves pass it at 1 m/s, by 0.0007 (their published tail does by 0.004 more). Controls:
+  // without the viscous limit 1 m/s passes the upwind bar by 0.002; without the short waves' own part 12 m/s misses it
+  // by 0.02.
   double worst_up = 0, worst_cross = 0;
   for (int spectrum = 0; spectrum < 4; ++spectrum)
     for (const double fetch : {100e3, 300e3})
@@ -60,7 +63,8 @@ TEST(Elfouhaily, slopes_of_the_joined_sea_are_cox_and_munks) {
         sea.fetch_m = fetch;
         const truth::Slopes slopes = slopes_of(sea);
         const double age = wind * Spectrum(sea).wind().peak_rad_s / 9.81;
-        const truth::Slopes truth = truth::cox_munk(truth::wind_at_12(wind, truth::Elfouhaily(wind, std::max(0.84, age), 9.81).friction));
+        const truth::Slopes truth =
+            truth::cox_munk(truth::wind_at_12(wind, truth::Elfouhaily(wind, std::max(0.84, age), 9.81).friction));
         EXPECT_NEAR(slopes.up, truth.up, 0.004) << spectrum << ", " << fetch << " m, " << wind << " m/s";
         EXPECT_NEAR(slopes.cross, truth.cross, 0.004) << spectrum << ", " << fetch << " m, " << wind << " m/s";
         worst_up = std::max(worst_up, std::abs(slopes.up - truth.up));
@@ -76,8 +80,9 @@ TEST(Elfouhaily, slopes_of_the_joined_sea_are_cox_and_munks) {
 }
 
 TEST(Elfouhaily, joins_the_long_waves_without_a_step) {
-  // The joined density against the truth's; curvature, whose size is 0.005, never moves by more than 2e-5 over a step of 0.1 % in
-  // k from beyond the peak to 2 cm. Below 0.3 m it is Elfouhaily's alone. Control: a share that jumps at 0.3 m.
+  // The joined density against the truth's; curvature, whose size is 0.005, never moves by more than 2e-5 over a step
+  // of 0.1 % in k from beyond the peak to 2 cm. Below 0.3 m it is Elfouhaily's alone. Control: a share that jumps at
+  // 0.3 m.
   for (const double wind : {2.0, 5.0, 10.0, 20.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;
@@ -99,10 +104,12 @@ TEST(Elfouhaily, joins_the_long_waves_without_a_step) {
       }
     }
     // Energy: the join moves it by less than 1 % (at 2 m/s; 0.1 % above 8).
-    const double energy = truth::integral([&](double s) {
-      const double k = std::exp(s);
-      return (spectrum.radial(0, k) + spectrum.radial(1, k)) * k * k;
-    }, std::log(1e-3), std::log(1e3), 1e-8, 400);
+    const double energy = truth::integral(
+        [&](double s) {
+          const double k = std::exp(s);
+          return (spectrum.radial(0, k) + spectrum.radial(1, k)) * k * k;
+        },
+        std::log(1e-3), std::log(1e3), 1e-8, 400);
     EXPECT_NEAR(energy / jonswap.energy(), 1, wind < 8 ? 0.004 : 0.002) << wind;
   }
 }

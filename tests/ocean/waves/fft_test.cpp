@@ -49,9 +49,9 @@ std::complex<double> direct(const Field& f, int n, int x, int z) {
 }
 
 TEST(Fft, equals_the_direct_sum) {
-  // Every band of every size, the dense transform among them: relative L2 error over places, bar 5e-7. Controls, all seen: one odd result
-  // of radix 8 turned by the wrong eighth gave 0.77 to 1.02, the
-  // last value of radix 16 by the wrong sixteenth 0.26 to 0.35, a fold of two turned the other way 1.3 (1024, band 512 alone).
+  // Every band of every size, the dense transform among them: relative L2 error over places, bar 5e-7. Controls, all
+  // seen: one odd result of radix 8 turned by the wrong eighth gave 0.77 to 1.02, the last value of radix 16 by the
+  // wrong sixteenth 0.26 to 0.35, a fold of two turned the other way 1.3 (1024, band 512 alone).
   for (int n = 16; n <= 1024; n *= 2)
     for (int band = 16; band <= n; band *= 2) {
       const Field f = random_field(band, unsigned(n + band));
@@ -70,14 +70,15 @@ TEST(Fft, equals_the_direct_sum) {
         size += std::norm(truth);
       }
       EXPECT_LE(std::sqrt(error / size), 5e-7) << n << " band " << band;
-      RecordProperty("relative_l2_" + std::to_string(n) + "_" + std::to_string(band), std::to_string(1e9 * std::sqrt(error / size)) + "e-9");
+      RecordProperty("relative_l2_" + std::to_string(n) + "_" + std::to_string(band),
+                     std::to_string(1e9 * std::sqrt(error / size)) + "e-9");
     }
 }
 
 TEST(Fft, energy_is_kept) {
-  // Parseval over all samples of dense transforms: the mean square is the sum of the squared amplitudes, to 1e-6. Sampled places alone would
-  // miss a few wrong rows. Control: the last eight rows of 1024 left out,
-  // 0.008 too little (seen).
+  // Parseval over all samples of dense transforms: the mean square is the sum of the squared amplitudes, to 1e-6.
+  // Sampled places alone would miss a few wrong rows. Control: the last eight rows of 1024 left out, 0.008 too little
+  // (seen).
   for (int n = 16; n <= 1024; n *= 2) {
     const Field f = random_field(n, unsigned(n));
     const int stride = n + 16;
@@ -88,7 +89,8 @@ TEST(Fft, energy_is_kept) {
     double squares = 0, amplitudes = 0;
     for (std::size_t i = 0; i < f.re.size(); ++i) amplitudes += double(f.re[i]) * f.re[i] + double(f.im[i]) * f.im[i];
     for (int z = 0; z < n; ++z)
-      for (int x = 0; x < n; ++x) squares += std::norm(std::complex<double>(re[std::size_t(z) * stride + x], im[std::size_t(z) * stride + x]));
+      for (int x = 0; x < n; ++x)
+        squares += std::norm(std::complex<double>(re[std::size_t(z) * stride + x], im[std::size_t(z) * stride + x]));
     EXPECT_NEAR(squares / (double(n) * n) / amplitudes, 1, 1e-6) << n;
   }
 }

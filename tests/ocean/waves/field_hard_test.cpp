@@ -21,9 +21,11 @@ glm::dvec3 direct(const SeaState& sea, const WaveBins& bins, glm::dvec2 p, doubl
         if (bins.at(c, mx, mz).amplitude == glm::vec2(0)) continue;
         const glm::dvec2 a = truth::raised(mx, mz, samples) * glm::dvec2(bins.at(c, mx, mz).amplitude);
         const double angle = bins.ladder[c].rotation_rad, step = 2 * truth::pi / bins.ladder[c].side_m;
-        const double kx = step * (std::cos(angle) * mx - std::sin(angle) * mz), kz = step * (std::sin(angle) * mx + std::cos(angle) * mz);
+        const double kx = step * (std::cos(angle) * mx - std::sin(angle) * mz),
+                     kz = step * (std::sin(angle) * mx + std::cos(angle) * mz);
         const double k = std::hypot(kx, kz);
-        const long double phase = (long double)kx * p.x + (long double)kz * p.y - std::sqrt((long double)sea.gravity_mps2 * k + 7.17e-5L * k * k * k) * t;
+        const long double phase = (long double)kx * p.x + (long double)kz * p.y -
+                                  std::sqrt((long double)sea.gravity_mps2 * k + 7.17e-5L * k * k * k) * t;
         const double co = double(std::cos(phase)), si = double(std::sin(phase)), im = a.x * si + a.y * co;
         sum += glm::dvec3(-sea.chop * kx / k * im, a.x * co - a.y * si, -sea.chop * kz / k * im);
       }
@@ -63,8 +65,8 @@ TEST(WaveFieldHard, hard_1_wind_0) {
 }
 
 TEST(WaveFieldHard, hard_2_wind_60) {
-  // Finite, and Hs = the sum of its own bins to 1 %, over times since opposed waves beat. Control: horizontal displacement taken
-  // for height, or spectra halved once more.
+  // Finite, and Hs = the sum of its own bins to 1 %, over times since opposed waves beat. Control: horizontal
+  // displacement taken for height, or spectra halved once more.
   SeaState sea;
   sea.wind_speed_mps = 60;
   sea.fetch_m = 1e6;
@@ -92,7 +94,8 @@ TEST(WaveFieldHard, hard_2_wind_60) {
     for (int c = 0; c < 4; ++c)
       for (int mz = -bins_of(c) / 2; mz < bins_of(c) / 2; ++mz)
         for (int mx = -bins_of(c) / 2; mx < bins_of(c) / 2; ++mx) {
-          const glm::dvec2 a = truth::raised(mx, mz, tiles.samples(c)) * glm::dvec2(field.bins().at(c, mx, mz).amplitude);
+          const glm::dvec2 a =
+              truth::raised(mx, mz, tiles.samples(c)) * glm::dvec2(field.bins().at(c, mx, mz).amplitude);
           carried += 0.5 * glm::dot(a, a);
         }
     EXPECT_NEAR(std::sqrt(variance / carried), 1, 0.01) << resolution;
@@ -121,7 +124,9 @@ TEST(WaveFieldHard, hard_10_dt_0) {
   field.evaluate(12345, b);
   field.evaluate(99, b);
   field.evaluate(12345, b);
-  for (int i = 0; i < 64; ++i) ASSERT_EQ(a.texels(1, WavePlane::shift, 0)[i * a.stride(1, 0) + i], b.texels(1, WavePlane::shift, 0)[i * b.stride(1, 0) + i]);
+  for (int i = 0; i < 64; ++i)
+    ASSERT_EQ(a.texels(1, WavePlane::shift, 0)[i * a.stride(1, 0) + i],
+              b.texels(1, WavePlane::shift, 0)[i * b.stride(1, 0) + i]);
 }
 
 TEST(WaveFieldHard, hard_12_time_jumps_backwards) {
@@ -135,7 +140,8 @@ TEST(WaveFieldHard, hard_12_time_jumps_backwards) {
     field.evaluate(ticks_from_seconds(t), tiles);
     for (int i = 0; i < 20; ++i) {
       const int x = i * 37 % 512, z = i * 101 % 512;
-      const glm::dvec3 truth = direct(sea, field.bins(), rotate_xz(texel * glm::dvec2(x, z), field.bins().ladder[0].rotation_rad), t, 512);
+      const glm::dvec3 truth =
+          direct(sea, field.bins(), rotate_xz(texel * glm::dvec2(x, z), field.bins().ladder[0].rotation_rad), t, 512);
       const glm::dvec3 got(glm::vec3(tiles.texels(0, WavePlane::shift, 0)[z * tiles.stride(0, 0) + x]));
       EXPECT_LE(glm::length(got - truth), 1e-4 * std::sqrt(field.statistics().height_variance)) << t;
     }
@@ -156,11 +162,13 @@ TEST(WaveFieldHard, hard_15_a_thousand_kilometres_out) {
     // field of one cascade's waves is made.
     WaveBins bins = field.bins();
     for (int i = 0; i < 4; ++i)
-      if (i != c) std::fill(bins.bins.begin() + WaveBins::first(i), bins.bins.begin() + WaveBins::first(i + 1), gpu::WaveBin{});
+      if (i != c)
+        std::fill(bins.bins.begin() + WaveBins::first(i), bins.bins.begin() + WaveBins::first(i + 1), gpu::WaveBin{});
     const WaveField single(sea, {.resolution = 256, .cascades = 4}, bins);
     WaveTiles part;
     single.evaluate(ticks_from_seconds(1), part);
-    const glm::dvec2 near(12.345, -67.89), far = near + rotate_xz({whole * cascade.side_m, -whole * cascade.side_m}, cascade.rotation_rad);
+    const glm::dvec2 near(12.345, -67.89),
+        far = near + rotate_xz({whole * cascade.side_m, -whole * cascade.side_m}, cascade.rotation_rad);
     EXPECT_LE(glm::length(single.displacement(part, far, 0) - single.displacement(part, near, 0)), 1e-3) << c;
   }
   const glm::dvec2 out(1e6, -1e6);
@@ -195,8 +203,8 @@ TEST(WaveFieldHard, hard_24_folded_crests) {
   }
   EXPECT_GT(failed, 10);
   EXPECT_LT(failed, 5000);
-  // A search that begins at a point in a fold finds it at once, and says that it is one. Control: `converged` from the residual
-  // alone fails.
+  // A search that begins at a point in a fold finds it at once, and says that it is one. Control: `converged` from the
+  // residual alone fails.
   int folded = 0;
   for (int i = 0; i < 300000; ++i) {
     const glm::dvec2 rest(i % 547 * 0.9, i / 547 * 0.9);
@@ -217,8 +225,8 @@ TEST(WaveFieldHard, hard_24_folded_crests) {
 }
 
 TEST(WaveFieldHard, hard_34_no_variance_twice) {
-  // Variance of the drawn sea with all cascades against the spectrum's own integral over the same wave numbers, mean of 40
-  // seeds, 1 %. Control: a band that rises but does not fall counts the overlaps twice.
+  // Variance of the drawn sea with all cascades against the spectrum's own integral over the same wave numbers, mean of
+  // 40 seeds, 1 %. Control: a band that rises but does not fall counts the overlaps twice.
   SeaState sea;
   sea.wind_speed_mps = 8;
   double sum = 0, square = 0;
@@ -228,7 +236,8 @@ TEST(WaveFieldHard, hard_34_no_variance_twice) {
     const double v = sea_statistics(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 5})).height_variance;
     sum += v / seeds, square += v * v / seeds;
   }
-  // The fully developed sea of this wind (fetch 300 km): Hs = 0.20925 (1.026 U)^2 / g, of which nothing is below 1 cm waves.
+  // The fully developed sea of this wind (fetch 300 km): Hs = 0.20925 (1.026 U)^2 / g, of which nothing is below 1 cm
+  // waves.
   const double truth = std::pow(truth::pierson_moskowitz_hs(1.026 * 8, 9.81) / 4, 2);
   const double error = std::sqrt((square - sum * sum) / (seeds - 1));
   EXPECT_NEAR(sum / truth, 1, 0.01 + 3 * error / truth);

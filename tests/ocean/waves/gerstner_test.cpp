@@ -32,7 +32,13 @@ GerstnerSettings crossing() {
 
 GerstnerSettings many() {
   GerstnerSettings s;
-  s.set1 = {.height_m = 1.2, .wavelength_m = 60.0, .to_deg = 200.0, .spread_deg = 70.0, .octaves = 3, .waves = 16, .reverse = 0.3};
+  s.set1 = {.height_m = 1.2,
+            .wavelength_m = 60.0,
+            .to_deg = 200.0,
+            .spread_deg = 70.0,
+            .octaves = 3,
+            .waves = 16,
+            .reverse = 0.3};
   s.set2 = {.height_m = 0.5, .wavelength_m = 30.0, .to_deg = 280.0, .spread_deg = 20.0, .octaves = 1, .waves = 6};
   s.chop = 0.5;
   return s;
@@ -44,7 +50,8 @@ std::vector<truth::Trochoid> truth_of(const Gerstner& source, double chop, doubl
   for (const GerstnerWave& wave : source.waves()) {
     truth::Trochoid t;
     const Laying& laying = source.layings()[0];
-    const double mx = 2.0 * truth::pi_of_gerstner * wave.mx / laying.side_m, mz = 2.0 * truth::pi_of_gerstner * wave.mz / laying.side_m;
+    const double mx = 2.0 * truth::pi_of_gerstner * wave.mx / laying.side_m,
+                 mz = 2.0 * truth::pi_of_gerstner * wave.mz / laying.side_m;
     t.kx = std::cos(laying.rotation_rad) * mx - std::sin(laying.rotation_rad) * mz;
     t.kz = std::sin(laying.rotation_rad) * mx + std::cos(laying.rotation_rad) * mz;
     t.a = wave.amplitude_m;
@@ -57,7 +64,9 @@ std::vector<truth::Trochoid> truth_of(const Gerstner& source, double chop, doubl
   return list;
 }
 
-glm::dvec2 rotated(glm::dvec2 v, double by) { return {std::cos(by) * v.x - std::sin(by) * v.y, std::sin(by) * v.x + std::cos(by) * v.y}; }
+glm::dvec2 rotated(glm::dvec2 v, double by) {
+  return {std::cos(by) * v.x - std::sin(by) * v.y, std::sin(by) * v.x + std::cos(by) * v.y};
+}
 
 SeaState flat() {
   SeaState sea;
@@ -65,8 +74,9 @@ SeaState flat() {
   return sea;
 }
 
-// Texels, which carry waves higher by what sampling between them takes, against the truth with its waves raised alike: exact to a float's rounding at any time.
-// Controls seen: phase_turns with a minus sign (off by as much as the field is), shift_z left 0 (0.7 of the field).
+// Texels, which carry waves higher by what sampling between them takes, against the truth with its waves raised alike:
+// exact to a float's rounding at any time. Controls seen: phase_turns with a minus sign (off by as much as the field
+// is), shift_z left 0 (0.7 of the field).
 TEST(Gerstner, TexelsAreTheClosedForm) {
   for (const GerstnerSettings& s : {swell(), crossing(), many()})
     for (const double depth : {1e6, 8.0}) {
@@ -89,8 +99,11 @@ TEST(Gerstner, TexelsAreTheClosedForm) {
           const int x = int(random() % n), z = int(random() % n);
           const glm::dvec2 rest = source.side_m() / n * rotated({x, z}, source.layings()[0].rotation_rad);
           const truth::Trochoids want = truth::trochoids(waves, exact_s, rest.x, rest.y);
-          const glm::dvec4 shift(tile.at(WavePlane::shift, x, z)), slope(tile.at(WavePlane::slope, x, z)), v(tile.at(WavePlane::velocity, x, z));
-          const auto count = [&](int which, glm::dvec3 got, glm::dvec3 right) { off[which] += (got - right) * (got - right), whole[which] += right * right; };
+          const glm::dvec4 shift(tile.at(WavePlane::shift, x, z)), slope(tile.at(WavePlane::slope, x, z)),
+              v(tile.at(WavePlane::velocity, x, z));
+          const auto count = [&](int which, glm::dvec3 got, glm::dvec3 right) {
+            off[which] += (got - right) * (got - right), whole[which] += right * right;
+          };
           count(0, glm::dvec3(shift), {want.x, want.y, want.z});
           count(1, {slope.x, slope.y, 0.0}, {want.hx, want.hz, 0.0});
           count(2, {slope.z, slope.w, shift.w}, {want.xx, want.zz, want.xz});
@@ -98,21 +111,25 @@ TEST(Gerstner, TexelsAreTheClosedForm) {
         }
         for (int which = 0; which < 4; ++which) {
           const double all = std::sqrt(whole[which].x + whole[which].y + whole[which].z);
-          for (int c = 0; c < 3; ++c) EXPECT_LE(std::sqrt(off[which][c]), 2e-6 * all) << "field " << which << " component " << c << " at " << time_s << " s, depth " << depth;
+          for (int c = 0; c < 3; ++c)
+            EXPECT_LE(std::sqrt(off[which][c]), 2e-6 * all)
+                << "field " << which << " component " << c << " at " << time_s << " s, depth " << depth;
         }
       }
     }
 }
 
-// Field and query between texels, near and far: the surface stands where the closed form does. What bilinear reading leaves of the shortest waves, eight texels
-// long (of single waves seventeen and more), is most of it. Controls seen: both of the test above.
+// Field and query between texels, near and far: the surface stands where the closed form does. What bilinear reading
+// leaves of the shortest waves, eight texels long (of single waves seventeen and more), is most of it. Controls seen:
+// both of the test above.
 TEST(Gerstner, FieldAndQueryStandWhereTheClosedFormDoes) {
   for (const GerstnerSettings& settings : {swell(), crossing(), many()}) {
     const auto source = std::make_shared<Gerstner>(settings);
     const std::vector<truth::Trochoid> waves = truth_of(*source, settings.chop);
     const WaveField field(flat(), {.resolution = 16, .cascades = 1}, {source});
     WaveTiles tiles(true);
-    const double rms = std::sqrt(source->statistics().height_variance), slopes = std::sqrt(source->statistics().slope_moments.x + source->statistics().slope_moments.y);
+    const double rms = std::sqrt(source->statistics().height_variance),
+                 slopes = std::sqrt(source->statistics().slope_moments.x + source->statistics().slope_moments.y);
     const bool short_waves = source->waves().size() > 2;
     for (const auto& [time_s, far] : {std::pair(0.0, 0.0), std::pair(31.7, 1e5), std::pair(1e7, -3e4)}) {
       field.evaluate(ticks_from_seconds(time_s), tiles);
@@ -126,7 +143,8 @@ TEST(Gerstner, FieldAndQueryStandWhereTheClosedFormDoes) {
         const truth::Trochoids want = truth::trochoids(waves, exact_s, rest.x, rest.y);
         const SeaSample sample = field.sea(tiles, rest, 0.0);
         height += std::pow(sample.displacement.y - want.y, 2) / points;
-        slope += (std::pow(sample.height_gradient.x - want.hx, 2) + std::pow(sample.height_gradient.y - want.hz, 2)) / points;
+        slope += (std::pow(sample.height_gradient.x - want.hx, 2) + std::pow(sample.height_gradient.y - want.hz, 2)) /
+                 points;
         jacobian = std::max(jacobian, std::abs(sample.jacobian() - want.jacobian()));
         const glm::dvec2 place = rest + glm::dvec2(want.x, want.z);  // where the closed form stands as high as want.y
         QueryAnswer answer;
@@ -144,8 +162,8 @@ TEST(Gerstner, FieldAndQueryStandWhereTheClosedFormDoes) {
   }
 }
 
-// What the settings ask for: height, length, direction, octaves, spread and reverse weight, each within the lattice's step. Control seen: amplitudes without the
-// reverse weight's share (8 % too much energy).
+// What the settings ask for: height, length, direction, octaves, spread and reverse weight, each within the lattice's
+// step. Control seen: amplitudes without the reverse weight's share (8 % too much energy).
 TEST(Gerstner, WavesAreAsTheirSettingsSay) {
   const Gerstner source(many());
   ASSERT_EQ(source.waves().size(), 2u * 48u + 6u);
@@ -159,7 +177,8 @@ TEST(Gerstner, WavesAreAsTheirSettingsSay) {
   for (int i = 0; i < 96; ++i) {
     const GerstnerWave& wave = source.waves()[std::size_t(i)];
     const double k = glm::length(wave.asked), length = 2.0 * std::numbers::pi / k;
-    const double to = std::atan2(wave.asked.x, -wave.asked.y) * 180.0 / std::numbers::pi, wanted = i % 2 == 0 ? 200.0 : 20.0;
+    const double to = std::atan2(wave.asked.x, -wave.asked.y) * 180.0 / std::numbers::pi,
+                 wanted = i % 2 == 0 ? 200.0 : 20.0;
     furthest = std::max(furthest, std::abs(std::remainder(to - wanted, 360.0)));
     EXPECT_NEAR(wave.amplitude_m * k, steepness * (i % 2 == 0 ? 1.0 : 0.3), 1e-12);
     least_length = std::min(least_length, length), longest = std::max(longest, length);
@@ -172,15 +191,16 @@ TEST(Gerstner, WavesAreAsTheirSettingsSay) {
   EXPECT_LE(longest, 60.0);
   for (const GerstnerWave& wave : source.waves()) {
     EXPECT_LE(std::max(std::abs(wave.mx), std::abs(wave.mz)), int(Gerstner::most_m));
-    for (const GerstnerWave& other : source.waves()) EXPECT_TRUE(&wave == &other || wave.mx != other.mx || wave.mz != other.mz) << "two waves in one bin";
+    for (const GerstnerWave& other : source.waves())
+      EXPECT_TRUE(&wave == &other || wave.mx != other.mx || wave.mz != other.mz) << "two waves in one bin";
   }
   GerstnerSettings other = many();
   other.seed = 2;
   EXPECT_NE(Gerstner(other).waves()[0].asked, source.waves()[0].asked);
 }
 
-// How far the lattice is from what was asked, as a share of the wave vector: bounds of one wave, of two, and of many. The control is a tile of any
-// side, eight times the longest wave, whose lattice one wave misses by up to 7 %.
+// How far the lattice is from what was asked, as a share of the wave vector: bounds of one wave, of two, and of many.
+// The control is a tile of any side, eight times the longest wave, whose lattice one wave misses by up to 7 %.
 TEST(Gerstner, TheLatticeIsNearWhatWasAsked) {
   double one = 0.0, two = 0.0, several = 0.0, any_side = 0.0;
   const auto off = [](const Gerstner& source) {
@@ -198,7 +218,9 @@ TEST(Gerstner, TheLatticeIsNearWhatWasAsked) {
     const double angle = s.set1.to_deg * std::numbers::pi / 180.0;
     const glm::dvec2 m = 8.0 * glm::dvec2(std::sin(angle), -std::cos(angle));
     any_side = std::max(any_side, glm::length(m - glm::round(m)) / 8.0);
-    s.set2 = {.height_m = 0.1, .wavelength_m = s.set1.wavelength_m * (0.34 + 0.66 * uniform(random)), .to_deg = 360.0 * uniform(random)};
+    s.set2 = {.height_m = 0.1,
+              .wavelength_m = s.set1.wavelength_m * (0.34 + 0.66 * uniform(random)),
+              .to_deg = 360.0 * uniform(random)};
     two = std::max(two, off(Gerstner(s)));
     s.set1.octaves = 2, s.set1.waves = 8, s.set1.spread_deg = 90.0;
     s.set2.height_m = 0.0;
@@ -208,16 +230,19 @@ TEST(Gerstner, TheLatticeIsNearWhatWasAsked) {
   EXPECT_LE(two, 3e-2);
   EXPECT_LE(several, 0.06);
   EXPECT_GT(any_side, 0.06);
-  RecordProperty("off", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(several) + " " + std::to_string(any_side));
+  RecordProperty("off", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(several) + " " +
+                            std::to_string(any_side));
 }
 
-// Waves of reverse weight 1 stand: their nodes stay nodes. The control is the same wave without, which runs through them.
+// Waves of reverse weight 1 stand: their nodes stay nodes. The control is the same wave without, which runs through
+// them.
 TEST(Gerstner, ReversedWavesStand) {
   const auto least_moved = [](double reverse) {
     GerstnerSettings s;
     s.set1.reverse = reverse;
     const Gerstner source(s);
-    const double period = 2.0 * std::numbers::pi / double(truth::trochoid_frequency(2.0 * std::numbers::pi / s.set1.wavelength_m, 9.81L, 1e6L));
+    const double period = 2.0 * std::numbers::pi /
+                          double(truth::trochoid_frequency(2.0 * std::numbers::pi / s.set1.wavelength_m, 9.81L, 1e6L));
     double least = 1e9, most = 0.0;
     std::vector<Tile> tiles;
     for (int t = 0; t < 8; ++t) tiles.emplace_back(source, ticks_from_seconds(t * period / 8.0));
@@ -233,7 +258,8 @@ TEST(Gerstner, ReversedWavesStand) {
   EXPECT_NEAR(least_moved(0.5), 1.0 / 3.0, 0.05) << "(1 - r) / (1 + r)";
 }
 
-// While steepnesses come to 1 or less nothing folds, and beyond that settings are refused; at 1 a single wave has its cusp (truths.md: min J = 1 - chop k A). Control seen: the bound at 1.2.
+// While steepnesses come to 1 or less nothing folds, and beyond that settings are refused; at 1 a single wave has its
+// cusp (truths.md: min J = 1 - chop k A). Control seen: the bound at 1.2.
 TEST(Gerstner, DoNotFoldOver) {
   GerstnerSettings s;
   s.chop = 1.0;
@@ -243,7 +269,8 @@ TEST(Gerstner, DoNotFoldOver) {
     const Gerstner source(s);
     EXPECT_NEAR(source.steepness(), steep, 3e-3);
     double least = 1e9;
-    for (double p = 0.0; p < 300.0; p += 0.05) least = std::min(least, truth::trochoids(truth_of(source, 1.0), 0.0L, 0.0, p).jacobian());
+    for (double p = 0.0; p < 300.0; p += 0.05)
+      least = std::min(least, truth::trochoids(truth_of(source, 1.0), 0.0L, 0.0, p).jacobian());
     EXPECT_NEAR(least, 1.0 - source.steepness(), 1e-5);
   }
   s.set1.height_m = 4.0 * 1.02 / k / std::sqrt(2.0);
@@ -269,7 +296,8 @@ TEST(Gerstner, StayWithinTheirBounds) {
         highest = std::max(highest, std::abs(d.y));
         furthest = std::max(furthest, std::hypot(d.x, d.z));
         const double texel = source.side_m() / n;
-        bent = std::max(bent, std::abs(tile.height(i % n + 1, i / n) + tile.height(i % n - 1, i / n) - 2.0 * d.y) / (texel * texel));
+        bent = std::max(bent, std::abs(tile.height(i % n + 1, i / n) + tile.height(i % n - 1, i / n) - 2.0 * d.y) /
+                                  (texel * texel));
       }
     }
     EXPECT_LE(highest, 1.06 * source.statistics().largest_height_m) << "texels are raised";
@@ -301,7 +329,9 @@ TEST(Gerstner, AreTheSameForAnyNumberOfThreads) {
     arena.execute([&] { tiles.emplace_back(source, ticks_from_seconds(4.2), true); });
   }
   for (std::size_t i = 0; i < tiles[0].texels.size(); ++i)
-    EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(), tiles[0].texels[i].size() * sizeof(glm::vec4)), 0);
+    EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(),
+                          tiles[0].texels[i].size() * sizeof(glm::vec4)),
+              0);
 }
 
 TEST(Gerstner, RefuseWhatIsOutOfRangeByName) {

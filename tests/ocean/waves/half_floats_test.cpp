@@ -42,8 +42,8 @@ class HalfFloats : public ::testing::Test {
   }
 };
 
-// Every half, every place half way to the next, and the floats on both sides of that. Control: cut instead of rounded, as
-// Highway 1.0.3 does for SSE4, half of the middles and those above them fail.
+// Every half, every place half way to the next, and the floats on both sides of that. Control: cut instead of rounded,
+// as Highway 1.0.3 does for SSE4, half of the middles and those above them fail.
 TEST_F(HalfFloats, AreTheNearestAndTiesGoToTheEven) {
   std::vector<float> floats;
   std::vector<std::uint16_t> wanted;
@@ -53,8 +53,8 @@ TEST_F(HalfFloats, AreTheNearestAndTiesGoToTheEven) {
     const float here = float(value_of(half)), between = float(middle);
     ASSERT_EQ(double(between), middle) << "which a float has exactly";
     const std::uint16_t even = half % 2 == 0 ? half : next;
-    for (const auto& [value, to] : {std::pair(here, half), std::pair(std::nextafter(between, 0.0f), half), std::pair(between, even),
-                                    std::pair(std::nextafter(between, 1e6f), next)})
+    for (const auto& [value, to] : {std::pair(here, half), std::pair(std::nextafter(between, 0.0f), half),
+                                    std::pair(between, even), std::pair(std::nextafter(between, 1e6f), next)})
       for (const bool negative : {false, true}) {
         floats.push_back(negative ? -value : value);
         wanted.push_back(negative ? std::uint16_t(to | 0x8000) : to);
@@ -64,12 +64,14 @@ TEST_F(HalfFloats, AreTheNearestAndTiesGoToTheEven) {
     const auto halves = converted(floats);
     int wrong = 0;
     for (std::size_t i = 0; i < floats.size(); ++i)
-      if (halves[i] != wanted[i] && ++wrong <= 3) ADD_FAILURE() << floats[i] << " became " << halves[i] << ", not " << wanted[i];
+      if (halves[i] != wanted[i] && ++wrong <= 3)
+        ADD_FAILURE() << floats[i] << " became " << halves[i] << ", not " << wanted[i];
     EXPECT_EQ(wrong, 0);
   });
 }
 
-// Beyond +-65504 half floats are infinite from where the nearest one would be 65536, and what is no number stays none, on every instruction set. Control seen: what is no number made infinite.
+// Beyond +-65504 half floats are infinite from where the nearest one would be 65536, and what is no number stays none,
+// on every instruction set. Control seen: what is no number made infinite.
 TEST_F(HalfFloats, hard_35_know_infinity_and_what_is_no_number) {
   const float infinity = std::numeric_limits<float>::infinity();
   on_every_instruction_set([&] {
@@ -87,7 +89,8 @@ TEST_F(HalfFloats, WriteAsManyAsWereAskedFor) {
       const std::vector<float> floats(count, 1.5f);
       std::vector<std::uint16_t> halves(count + 20, 0x1234);
       halves_from_floats(floats.data(), halves.data(), count);
-      for (std::size_t i = 0; i < halves.size(); ++i) EXPECT_EQ(halves[i], i < count ? 0x3e00 : 0x1234) << count << ", " << i;
+      for (std::size_t i = 0; i < halves.size(); ++i)
+        EXPECT_EQ(halves[i], i < count ? 0x3e00 : 0x1234) << count << ", " << i;
     }
   });
 }

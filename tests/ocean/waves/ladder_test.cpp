@@ -1,4 +1,5 @@
-// How a footprint fades a cascade out: shared by the wave field and the shaders, which surface_gpu_test.cpp holds together.
+// How a footprint fades a cascade out: shared by the wave field and the shaders, which surface_gpu_test.cpp holds
+// together.
 #include "ocean/waves/ladder.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,8 @@ TEST(Ladder, NoWaveOfACascadeIsLongerThanItsLongest) {
       const double longest = longest_wave(cascades[i]);
       EXPECT_LE(longest, cascades[i].side_m * (1.0 + 1e-12)) << wind_mps << " m/s, cascade " << i;
       if (i > 0) {
-        EXPECT_EQ(band_share(cascades, i, 2.0 * std::numbers::pi / (1.001 * longest)), 0.0) << wind_mps << " m/s, cascade " << i;
+        EXPECT_EQ(band_share(cascades, i, 2.0 * std::numbers::pi / (1.001 * longest)), 0.0)
+            << wind_mps << " m/s, cascade " << i;
       }
     }
   }

@@ -18,9 +18,9 @@ namespace seascape {
 namespace {
 
 auto all_of(const QueryAnswer& a) {
-  return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y, a.normal.z,
-                    a.orbital_velocity_mps.x, a.orbital_velocity_mps.y, a.orbital_velocity_mps.z, a.eulerian_velocity_mps,
-                    a.residual_m, a.contraction, a.iterations, a.converged);
+  return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y,
+                    a.normal.z, a.orbital_velocity_mps.x, a.orbital_velocity_mps.y, a.orbital_velocity_mps.z,
+                    a.eulerian_velocity_mps, a.residual_m, a.contraction, a.iterations, a.converged);
 }
 
 int different(std::span<const QueryAnswer> a, std::span<const QueryAnswer> b) {
@@ -46,19 +46,21 @@ std::vector<glm::dvec2> some_places(std::size_t count) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> near(-300, 300), far(-1e6, 1e6);
   std::vector<glm::dvec2> places;
-  for (std::size_t i = 0; i < count; ++i) places.push_back(i % 3 ? glm::dvec2(near(random), near(random)) : glm::dvec2(far(random), far(random)));
+  for (std::size_t i = 0; i < count; ++i)
+    places.push_back(i % 3 ? glm::dvec2(near(random), near(random)) : glm::dvec2(far(random), far(random)));
   return places;
 }
 
 TEST(QueryBatch, answers_do_not_depend_on_what_stands_beside_them) {
-  // Single calls, batches of every small length, a long one and the same reversed, at footprints on one mip level and between
-  // two. Control: the sum over layers begun with the last layer for batches of more than four points fails.
+  // Single calls, batches of every small length, a long one and the same reversed, at footprints on one mip level and
+  // between two. Control: the sum over layers begun with the last layer for batches of more than four points fails.
   const Sea sea;
   const std::vector<glm::dvec2> places = some_places(5000);
   for (const double footprint : {0.0, 1.7, 40.0}) {
     const QueryOptions options{.footprint_m = footprint};
     std::vector<QueryAnswer> single(places.size()), batch(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) query(*sea.field, sea.tiles, {&places[i], 1}, {&single[i], 1}, options);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      query(*sea.field, sea.tiles, {&places[i], 1}, {&single[i], 1}, options);
     std::size_t first = 0;
     for (std::size_t length = 1; first + length <= places.size(); first += length++)
       query(*sea.field, sea.tiles, {&places[first], length}, {&batch[first], length}, options);
@@ -81,7 +83,8 @@ TEST(QueryBatch, displaces_rest_positions_as_the_field_does_one_by_one) {
     std::vector<glm::vec3> moved(count);
     displace_points(plan_queries(*sea.field, sea.tiles, {}), places.data(), moved.data(), count);
     double off = 0.0;
-    for (std::size_t i = 0; i < count; ++i) off = std::max(off, glm::length(glm::dvec3(moved[i]) - sea.field->displacement(sea.tiles, places[i], 0.0)));
+    for (std::size_t i = 0; i < count; ++i)
+      off = std::max(off, glm::length(glm::dvec3(moved[i]) - sea.field->displacement(sea.tiles, places[i], 0.0)));
     EXPECT_LE(off, 1e-4) << count;
   }
 }
@@ -139,7 +142,8 @@ TEST(QueryBatch, a_start_that_is_no_number_is_not_taken) {
   const Sea sea;
   const std::vector<glm::dvec2> places = some_places(9);
   std::vector<QueryAnswer> before(9), plain(9), answers(9);
-  for (std::size_t i = 0; i < 9; ++i) before[i].displacement.x = i % 2 ? std::nan("") : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 9; ++i)
+    before[i].displacement.x = i % 2 ? std::nan("") : std::numeric_limits<double>::infinity();
   query(*sea.field, sea.tiles, places, plain);
   query(*sea.field, sea.tiles, places, answers, {.previous = before});
   EXPECT_EQ(different(plain, answers), 0);
@@ -172,7 +176,8 @@ TEST(QueryBatch, allocates_nothing) {
   query(*sea.field, sea.tiles, places, answers);
   const test::AllocationCounter counter;
   query(*sea.field, sea.tiles, places, answers);
-  query(*sea.field, sea.tiles, {places.data(), 700}, {answers.data(), 700}, {.footprint_m = 3, .previous = {answers.data(), 700}});
+  query(*sea.field, sea.tiles, {places.data(), 700}, {answers.data(), 700},
+        {.footprint_m = 3, .previous = {answers.data(), 700}});
   for (std::size_t i = 0; i < 100; ++i) query(*sea.field, sea.tiles, {&places[i], 1}, {&answers[i], 1});
   EXPECT_EQ(counter.ours(), 0u);
   EXPECT_EQ(counter.others(), 0u);

@@ -47,8 +47,9 @@ TEST(Query, equals_the_inverse_by_brute_force) {
 }
 
 TEST(Query, normal_is_that_of_the_displaced_surface) {
-  // Against differences of heights at neighbouring places, of waves so long (40 texels) that the tile's own interpolation
-  // does not matter. Control: grad h without the inverse of I + grad D, which the last line bounds from below.
+  // Against differences of heights at neighbouring places, of waves so long (40 texels) that the tile's own
+  // interpolation does not matter. Control: grad h without the inverse of I + grad D, which the last line bounds from
+  // below.
   const WaveQuality quality{.resolution = 256, .cascades = 1};
   const SeaState sea;
   WaveBins bins = make_wave_bins(sea, quality);
@@ -57,7 +58,8 @@ TEST(Query, normal_is_that_of_the_displaced_surface) {
     for (int mx = -128; mx < 128; ++mx) {
       const double m = std::hypot(mx, mz);
       // Six waves of steepness 0.06 or so each.
-      bins.at(0, mx, mz).amplitude = (std::abs(mx) + std::abs(mz) == 6 && mx > 0) ? glm::vec2(float(0.06 / (step * m)), 0) : glm::vec2(0);
+      bins.at(0, mx, mz).amplitude =
+          (std::abs(mx) + std::abs(mz) == 6 && mx > 0) ? glm::vec2(float(0.06 / (step * m)), 0) : glm::vec2(0);
     }
   const WaveField field(sea, quality, bins);
   WaveTiles tiles;
@@ -67,18 +69,21 @@ TEST(Query, normal_is_that_of_the_displaced_surface) {
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 p(random() % 1000, random() % 1000);
     const double e = bins.ladder[0].side_m / 256;
-    const glm::dvec2 places[5] = {p, p + glm::dvec2(e, 0), p - glm::dvec2(e, 0), p + glm::dvec2(0, e), p - glm::dvec2(0, e)};
+    const glm::dvec2 places[5] = {p, p + glm::dvec2(e, 0), p - glm::dvec2(e, 0), p + glm::dvec2(0, e),
+                                  p - glm::dvec2(0, e)};
     QueryAnswer a[5];
     query(field, tiles, places, a, {.most_iterations = 60, .tolerance_m = 1e-6});
     const glm::dvec2 truth((a[1].height_m - a[2].height_m) / (2 * e), (a[3].height_m - a[4].height_m) / (2 * e));
     const glm::dvec2 got = -glm::dvec2(a[0].normal.x, a[0].normal.z) / a[0].normal.y;
     const glm::dvec2 rest = p - glm::dvec2(a[0].displacement.x, a[0].displacement.z);
     const glm::dvec2 plain = field.sea(tiles, rest, 0).height_gradient;
-    error += glm::dot(truth - got, truth - got), size += glm::dot(truth, truth), naive += glm::dot(truth - plain, truth - plain);
+    error += glm::dot(truth - got, truth - got), size += glm::dot(truth, truth),
+        naive += glm::dot(truth - plain, truth - plain);
   }
   EXPECT_LE(std::sqrt(error / size), 0.05);
   EXPECT_GE(std::sqrt(naive / size), 0.1);
-  RecordProperty("relative_error", std::to_string(std::sqrt(error / size)) + " plain " + std::to_string(std::sqrt(naive / size)));
+  RecordProperty("relative_error",
+                 std::to_string(std::sqrt(error / size)) + " plain " + std::to_string(std::sqrt(naive / size)));
 }
 
 TEST(Query, velocity_is_the_change_of_displacement) {
@@ -102,15 +107,16 @@ TEST(Query, velocity_is_the_change_of_displacement) {
   EXPECT_LE(std::sqrt(error / size), 1e-3);
 }
 
-// Some long waves in the first cascade, and nothing else: forty texels and more each, so that the tile's own interpolation
-// hardly matters.
+// Some long waves in the first cascade, and nothing else: forty texels and more each, so that the tile's own
+// interpolation hardly matters.
 WaveBins few_waves(const SeaState& sea, const WaveQuality& quality) {
   WaveBins bins = make_wave_bins(sea, quality);
   const double step = 2 * truth::pi / bins.ladder[0].side_m;
   for (gpu::WaveBin& bin : bins.bins) bin.amplitude = glm::vec2(0);
   std::mt19937 random(12);
   for (const glm::ivec2 m : {glm::ivec2(3, 0), {2, 3}, {4, -1}, {1, 4}, {5, 2}, {-2, 3}}) {
-    const double phase = 2 * truth::pi * double(random()) / 4294967296.0, size = 0.12 / (step * glm::length(glm::dvec2(m)));
+    const double phase = 2 * truth::pi * double(random()) / 4294967296.0,
+                 size = 0.12 / (step * glm::length(glm::dvec2(m)));
     bins.at(0, m.x, m.y).amplitude = glm::vec2(glm::dvec2(size * std::cos(phase), size * std::sin(phase)));
   }
   return bins;
@@ -119,23 +125,25 @@ WaveBins few_waves(const SeaState& sea, const WaveQuality& quality) {
 // The displacement of those waves, by direct sums.
 glm::dvec3 direct(const SeaState& sea, const WaveBins& bins, glm::dvec2 rest, double t) {
   glm::dvec3 sum(0);
-  const double step = 2 * truth::pi / bins.ladder[0].side_m, o = std::cos(bins.ladder[0].rotation_rad), s = std::sin(bins.ladder[0].rotation_rad);
+  const double step = 2 * truth::pi / bins.ladder[0].side_m, o = std::cos(bins.ladder[0].rotation_rad),
+               s = std::sin(bins.ladder[0].rotation_rad);
   for (int mz = -32; mz < 32; ++mz)
     for (int mx = -32; mx < 32; ++mx) {
       const glm::dvec2 a(bins.at(0, mx, mz).amplitude);
       if (a == glm::dvec2(0)) continue;
       const double kx = step * (o * mx - s * mz), kz = step * (s * mx + o * mz), k = std::hypot(kx, kz);
       const double phase = kx * rest.x + kz * rest.y - std::sqrt(sea.gravity_mps2 * k + 7.17e-5 * k * k * k) * t;
-      const double re = a.x * std::cos(phase) - a.y * std::sin(phase), im = a.x * std::sin(phase) + a.y * std::cos(phase);
+      const double re = a.x * std::cos(phase) - a.y * std::sin(phase),
+                   im = a.x * std::sin(phase) + a.y * std::cos(phase);
       sum += glm::dvec3(-sea.chop * kx / k * im, re, -sea.chop * kz / k * im);
     }
   return sum;
 }
 
 TEST(Query, velocities_are_those_of_direct_sums) {
-  // Differences in time of direct sums in double: orbital at a fixed rest position, Eulerian of the height at a fixed place,
-  // whose inverse is found anew for each time. Controls: the orbital velocity's vertical part is not the Eulerian velocity (last line),
-  // and + slope . v instead of - misses by more.
+  // Differences in time of direct sums in double: orbital at a fixed rest position, Eulerian of the height at a fixed
+  // place, whose inverse is found anew for each time. Controls: the orbital velocity's vertical part is not the
+  // Eulerian velocity (last line), and + slope . v instead of - misses by more.
   const WaveQuality quality{.resolution = 256, .cascades = 1};
   const SeaState sea;
   const WaveBins bins = few_waves(sea, quality);
@@ -170,14 +178,15 @@ TEST(Query, velocities_are_those_of_direct_sums) {
   EXPECT_LE(std::sqrt(orbital / orbital_size), 0.002);
   EXPECT_LE(std::sqrt(eulerian / eulerian_size), 0.002);
   EXPECT_GE(std::sqrt(plain / eulerian_size), 0.1);
-  RecordProperty("relative_error", std::to_string(std::sqrt(orbital / orbital_size)) + " " + std::to_string(std::sqrt(eulerian / eulerian_size)) +
-                                       " plain " + std::to_string(std::sqrt(plain / eulerian_size)));
+  RecordProperty("relative_error", std::to_string(std::sqrt(orbital / orbital_size)) + " " +
+                                       std::to_string(std::sqrt(eulerian / eulerian_size)) + " plain " +
+                                       std::to_string(std::sqrt(plain / eulerian_size)));
 }
 
 TEST(Query, each_step_brings_it_nearer) {
-  // Root mean square of heights over Hs after 0 to 6 steps, against an inversion in double by 200 steps: each step divides it
-  // by 3 at least, and the slope at the point found by 1.5 again. Controls: a rest position of q + D(x); a slope of
-  // the other sign; height_m without it fails the last line.
+  // Root mean square of heights over Hs after 0 to 6 steps, against an inversion in double by 200 steps: each step
+  // divides it by 3 at least, and the slope at the point found by 1.5 again. Controls: a rest position of q + D(x); a
+  // slope of the other sign; height_m without it fails the last line.
   SeaState sea;
   sea.wind_speed_mps = 10;
   const WaveField field(sea, {.resolution = 128, .cascades = 3});

@@ -1,4 +1,5 @@
-// No tiling: how alike the drawn sea is to itself 1 to 4 km away, over the infinite plane, beside the continuous spectrum.
+// No tiling: how alike the drawn sea is to itself 1 to 4 km away, over the infinite plane, beside the continuous
+// spectrum.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -27,7 +28,8 @@ std::vector<truth::SpectralTile> tiles_of(const SeaState& sea, const WaveBins& b
     for (int mz = -half + 1; mz < half; ++mz)
       for (int mx = -half + 1; mx < half; ++mx) {
         const glm::dvec2 a(bins.at(c, mx, mz).amplitude), g = gaussian_pair(sea.seed, c, mx, mz);
-        tile.variance[std::size_t((mz + half) * 2 * half + mx + half)] = glm::dot(a, a) * (expected ? 1.0 / glm::dot(g, g) : 0.5);
+        tile.variance[std::size_t((mz + half) * 2 * half + mx + half)] =
+            glm::dot(a, a) * (expected ? 1.0 / glm::dot(g, g) : 0.5);
       }
     tiles.push_back(std::move(tile));
   }
@@ -51,7 +53,8 @@ TEST(Repetition, a_periodic_field_is_the_sum_of_its_waves) {
   std::uniform_real_distribution<double> any(0.0, 1.0);
   std::vector<double> variance(32 * 32);
   for (double& v : variance) v = any(random);
-  const truth::PeriodicField field(16, 128, [&](int mx, int mz) { return variance[std::size_t((mz + 16) * 32 + mx + 16)]; });
+  const truth::PeriodicField field(16, 128,
+                                   [&](int mx, int mz) { return variance[std::size_t((mz + 16) * 32 + mx + 16)]; });
   for (int i = 0; i < 50; ++i) {
     const double u = 3.0 * any(random) - 1.5, v = 3.0 * any(random) - 1.5;
     double sum = 0.0, all = 0.0;
@@ -67,13 +70,17 @@ TEST(Repetition, a_periodic_field_is_the_sum_of_its_waves) {
 
 TEST(Repetition, a_continuous_bell_has_its_closed_form) {
   // A bell of waves around 250 m: R = exp(-s^2 r^2 / 2) cos(k0 . r). Control: the grid's step twice as long.
-  const double kx = 2.0 * truth::pi / 250.0 * std::cos(0.6), kz = 2.0 * truth::pi / 250.0 * std::sin(0.6), s = 0.1 * 2.0 * truth::pi / 250.0;
-  const auto density = [&](double x, double z) { return std::exp(-(std::pow(x - kx, 2) + std::pow(z - kz, 2)) / (2.0 * s * s)); };
+  const double kx = 2.0 * truth::pi / 250.0 * std::cos(0.6), kz = 2.0 * truth::pi / 250.0 * std::sin(0.6),
+               s = 0.1 * 2.0 * truth::pi / 250.0;
+  const auto density = [&](double x, double z) {
+    return std::exp(-(std::pow(x - kx, 2) + std::pow(z - kz, 2)) / (2.0 * s * s));
+  };
   const truth::ContinuousAutocorrelation r(density, 2.0 * truth::pi * s * s, 250.0);
   for (const double length : {0.0, 40.0, 130.0, 500.0, 1000.0, 3900.0})
     for (const double angle : {0.0, 0.6, 2.0, 4.0}) {
       const double x = length * std::cos(angle), z = length * std::sin(angle);
-      EXPECT_NEAR(r.at(x, z), std::exp(-s * s * length * length / 2.0) * std::cos(kx * x + kz * z), 0.01) << length << " " << angle;
+      EXPECT_NEAR(r.at(x, z), std::exp(-s * s * length * length / 2.0) * std::cos(kx * x + kz * z), 0.01)
+          << length << " " << angle;
     }
 }
 
@@ -98,8 +105,9 @@ std::vector<truth::SpectralTile> planted(const std::vector<Planted>& sides) {
 }
 
 TEST(Repetition, the_search_finds_planted_tiles) {
-  // What must be found is the control of the bars below: one tile of 1.5 km, all there is, at its own lattice; one of 1100 m with a
-  // third of the variance, among long ones; two almost alike with one rotation, whose peaks add up, which turned they do not.
+  // What must be found is the control of the bars below: one tile of 1.5 km, all there is, at its own lattice; one of
+  // 1100 m with a third of the variance, among long ones; two almost alike with one rotation, whose peaks add up, which
+  // turned they do not.
   const truth::ContinuousAutocorrelation none([](double, double) { return 0.0; }, 1.0, 200.0);
   const truth::Excess one = truth::largest_excess(planted({{1500.0, 0.3}}), none);
   EXPECT_NEAR(one.value, 1.0, 0.01);
@@ -120,8 +128,9 @@ void expect_no_tiling(const std::string& name, SeaState sea, const std::vector<W
   const auto expect = [&](const std::string& what, const std::vector<truth::SpectralTile>& tiles) {
     const truth::Excess e = truth::largest_excess(tiles, continuous);
     EXPECT_GT(e.value, 0.0) << name << " " << what;  // over so many lags noise alone is above it
-    EXPECT_LE(e.value, most_excess) << name << " " << what << " at " << e.x_m << ", " << e.z_m << " (" << std::hypot(e.x_m, e.z_m)
-                                    << " m): tiles " << e.tiles << ", continuous " << e.continuous;
+    EXPECT_LE(e.value, most_excess) << name << " " << what << " at " << e.x_m << ", " << e.z_m << " ("
+                                    << std::hypot(e.x_m, e.z_m) << " m): tiles " << e.tiles << ", continuous "
+                                    << e.continuous;
     ::testing::Test::RecordProperty((name + " " + what).c_str(), std::to_string(e.value));
   };
   // Resolution changes no wave from 64 samples on, so that a preset is its number of cascades.
@@ -132,7 +141,8 @@ void expect_no_tiling(const std::string& name, SeaState sea, const std::vector<W
   }
   const auto bins = [&](int kept) { return make_wave_bins(sea, {.resolution = 256, .cascades = kept}); };
   for (const int kept : cascades)
-    if (kept == *cascades.begin() || long_run()) expect(std::to_string(kept) + " cascades, expected", tiles_of(sea, bins(kept), true));
+    if (kept == *cascades.begin() || long_run())
+      expect(std::to_string(kept) + " cascades, expected", tiles_of(sea, bins(kept), true));
   const int seeds = long_run() ? 25 : 2;
   for (int i = 0; i < seeds; ++i) {
     sea.seed = std::uint32_t(1 + i);
@@ -141,17 +151,19 @@ void expect_no_tiling(const std::string& name, SeaState sea, const std::vector<W
 }
 
 TEST(Repetition, hard_scenes_do_not_tile_at_any_preset) {
-  // Expected over seeds, and as single seeds draw it. Controls: the longest tile's side 1499 m (0.98 and more); the longest tile with
-  // |m| < 62 alone (0.24 to 0.55).
+  // Expected over seeds, and as single seeds draw it. Controls: the longest tile's side 1499 m (0.98 and more); the
+  // longest tile with |m| < 62 alone (0.24 to 0.55).
   for (const char* scene : {"open_sea", "storm", "calm", "swell"}) {
     std::vector<WaveQuality> qualities;
-    for (const char* preset : {"low", "medium", "high", "ultra"}) qualities.push_back(load_scene(scene, preset).settings.waves);
+    for (const char* preset : {"low", "medium", "high", "ultra"})
+      qualities.push_back(load_scene(scene, preset).settings.waves);
     expect_no_tiling(scene, load_scene(scene, "ultra").settings.sea, qualities);
   }
 }
 
 TEST(Repetition, hard_winds_do_not_tile) {
-  // A wind sea alone, down to 10 m/s. A lighter wind's waves are too short for the longest tile: at 8 m/s the excess is 0.27, at 7 m/s 0.43.
+  // A wind sea alone, down to 10 m/s. A lighter wind's waves are too short for the longest tile: at 8 m/s the excess is
+  // 0.27, at 7 m/s 0.43.
   for (const double wind : {10.0, 15.0, 25.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;

@@ -37,9 +37,10 @@ SeaState gale() {
 }
 
 bool same_waves(const WaveBins& a, const WaveBins& b) {
-  return std::equal(a.bins.begin(), a.bins.end(), b.bins.begin(), b.bins.end(), [](const gpu::WaveBin& x, const gpu::WaveBin& y) {
-    return x.amplitude == y.amplitude && x.turns_high == y.turns_high && x.turns_low == y.turns_low;
-  });
+  return std::equal(a.bins.begin(), a.bins.end(), b.bins.begin(), b.bins.end(),
+                    [](const gpu::WaveBin& x, const gpu::WaveBin& y) {
+                      return x.amplitude == y.amplitude && x.turns_high == y.turns_high && x.turns_low == y.turns_low;
+                    });
 }
 
 double variance(const WaveBins& bins) {
@@ -76,8 +77,8 @@ TEST(SeaBlend, IsTheOldSeaBeforeItAndTheNewSeaAfterIt) {
   }
 }
 
-// Between the two the sea's energy is between theirs at every time, and the bounds that culling trusts hold. Control: amplitudes of
-// two seeds' waves passed over in a straight line lose half of the energy on the way.
+// Between the two the sea's energy is between theirs at every time, and the bounds that culling trusts hold. Control:
+// amplitudes of two seeds' waves passed over in a straight line lose half of the energy on the way.
 TEST(SeaBlend, HasAnEnergyBetweenBothSeas) {
   const Ladder l = ladder(gale());
   for (const bool same_seed : {true, false}) {
@@ -92,7 +93,8 @@ TEST(SeaBlend, HasAnEnergyBetweenBothSeas) {
       const std::int64_t ticks = begin + (end - begin) * i / 20;
       blend.amplitudes(ticks, bins);
       const double now = variance(bins);
-      // Seas of one seed whose directions differ share some waves only: no less than the straight line's half of what they do not share.
+      // Seas of one seed whose directions differ share some waves only: no less than the straight line's half of what
+      // they do not share.
       EXPECT_GE(now, (same_seed ? 0.5 : 0.93) * std::min(a, b)) << i;
       EXPECT_LE(now, 1.07 * std::max(a, b)) << i;
       EXPECT_GE(blend.statistics(ticks).largest_height_m, 5.2 * std::sqrt(now)) << i;
@@ -100,8 +102,8 @@ TEST(SeaBlend, HasAnEnergyBetweenBothSeas) {
   }
 }
 
-// From frame to frame, at 90 a second, no place moves faster in a change of two seconds than in the steady gale. Control: a change that begins in its
-// middle, and one from the new sea's waves of another seed.
+// From frame to frame, at 90 a second, no place moves faster in a change of two seconds than in the steady gale.
+// Control: a change that begins in its middle, and one from the new sea's waves of another seed.
 TEST(SeaBlend, NeverJumps) {
   const Ladder l = ladder(breeze());
   const MadeSea from = made(breeze(), l), to = made(gale(), l);
@@ -128,7 +130,8 @@ TEST(SeaBlend, NeverJumps) {
   const double steady = largest_step(change, 24, 25), changing = largest_step(change, 19.9, 22.1);
   EXPECT_LT(changing, 2.0 * steady);
   RecordProperty("of_the_steady_step", std::to_string(changing / steady));
-  EXPECT_GT(largest_step(SeaBlend(from, to, start + over, start + over + 1, true), 21.9, 22.1), 4 * steady) << "a jump is seen";
+  EXPECT_GT(largest_step(SeaBlend(from, to, start + over, start + over + 1, true), 21.9, 22.1), 4 * steady)
+      << "a jump is seen";
 }
 
 // After a change the field is the one that is made for the new sea. Control: shifts left with the old chop.
@@ -161,8 +164,8 @@ std::optional<MadeSea> wait_for(SeaMaker& maker) {
   return std::nullopt;
 }
 
-// The last of several wishes comes, once, with every wave where the ladder has it; a bad one is refused and nothing changes. Control: a maker that
-// keeps the first.
+// The last of several wishes comes, once, with every wave where the ladder has it; a bad one is refused and nothing
+// changes. Control: a maker that keeps the first.
 TEST(SeaMaker, MakesTheSeaAskedForLast) {
   const Ladder l = ladder(breeze());
   SeaMaker maker(l, quality);
@@ -188,7 +191,8 @@ TEST(SeaMaker, MakesTheSeaAskedForLast) {
 // Control: a depth left out of the comparison.
 TEST(SeaMaker, OnlySeasOfOneDispersionGrowOutOfEachOther) {
   EXPECT_TRUE(grows_out_of(breeze(), gale()));
-  for (auto change : {+[](SeaState& s) { s.depth_m = 20; }, +[](SeaState& s) { s.gravity_mps2 = 3.7; }, +[](SeaState& s) { s.loop_s = 30; }}) {
+  for (auto change : {+[](SeaState& s) { s.depth_m = 20; }, +[](SeaState& s) { s.gravity_mps2 = 3.7; },
+                      +[](SeaState& s) { s.loop_s = 30; }}) {
     SeaState other = gale();
     change(other);
     EXPECT_FALSE(grows_out_of(breeze(), other));

@@ -1,4 +1,5 @@
-// What presets share they draw alike: the same waves at the same places, whatever the resolution and the number of cascades.
+// What presets share they draw alike: the same waves at the same places, whatever the resolution and the number of
+// cascades.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::int64_t ticks = 77 * std::int64_t(gpu::ticks_per_second) + 12345;
 
-std::vector<glm::dvec3> displacements(const SeaState& sea, const WaveQuality& quality, const std::vector<glm::dvec2>& places) {
+std::vector<glm::dvec3> displacements(const SeaState& sea, const WaveQuality& quality,
+                                      const std::vector<glm::dvec2>& places) {
   const WaveField field(sea, quality);
   WaveTiles tiles;
   field.evaluate(ticks, tiles);
@@ -33,8 +35,8 @@ std::vector<glm::dvec2> some_places(int count) {
   return places;
 }
 
-// What two samplings of the same waves differ by: root mean square displacement (m), and by which factor a's waves are higher than
-// b's, in the least squares' sense.
+// What two samplings of the same waves differ by: root mean square displacement (m), and by which factor a's waves are
+// higher than b's, in the least squares' sense.
 struct Difference {
   double displacement_m = 0.0, factor = 0.0;
 };
@@ -66,7 +68,9 @@ TEST(SharedWaves, tiles_do_not_depend_on_how_many_cascades_are_kept) {
             const int size = tile_samples(all.quality(), c) >> level;
             for (int z = 0; z < size; ++z)
               ASSERT_EQ(std::memcmp(of_all.texels(c, plane, level) + z * of_all.stride(c, level),
-                                    of_some.texels(c, plane, level) + z * of_some.stride(c, level), sizeof(glm::vec4) * std::size_t(size)), 0)
+                                    of_some.texels(c, plane, level) + z * of_some.stride(c, level),
+                                    sizeof(glm::vec4) * std::size_t(size)),
+                        0)
                   << resolution << ", " << cascades << " cascades: " << c << ", level " << level;
           }
     }
@@ -74,11 +78,11 @@ TEST(SharedWaves, tiles_do_not_depend_on_how_many_cascades_are_kept) {
 }
 
 TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_significant_height) {
-  // The displacement of the cascades that two presets both keep, sampled at the same places. The waves are as high within a thousandth,
-  // those of all tiles and those after the first, which most presets sample alike. What differs beyond is what straight lines between texels
-  // make of the shortest waves of the tiles after the first (with 128 samples, four a wave, it would be 2 thousandths of Hs: no preset has so
-  // few). Controls: amplitudes drawn from the number of cascades; amplitudes not divided by what bilinear sampling
-  // takes at a resolution.
+  // The displacement of the cascades that two presets both keep, sampled at the same places. The waves are as high
+  // within a thousandth, those of all tiles and those after the first, which most presets sample alike. What differs
+  // beyond is what straight lines between texels make of the shortest waves of the tiles after the first (with 128
+  // samples, four a wave, it would be 2 thousandths of Hs: no preset has so few). Controls: amplitudes drawn from the
+  // number of cascades; amplitudes not divided by what bilinear sampling takes at a resolution.
   const std::vector<glm::dvec2> places = some_places(4000);
   for (const char* scene : {"open_sea", "calm", "storm", "swell"}) {
     std::map<std::pair<int, int>, std::vector<glm::dvec3>> drawn;  // by resolution and cascades
@@ -88,11 +92,13 @@ TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_signif
       return result;
     };
     const SeaState sea = load_scene(scene, "ultra").settings.sea;
-    const double significant = 4.0 * std::sqrt(WaveField(sea, {.resolution = 64, .cascades = 5}).statistics().height_variance);
+    const double significant =
+        4.0 * std::sqrt(WaveField(sea, {.resolution = 64, .cascades = 5}).statistics().height_variance);
     constexpr std::array presets{"low", "medium", "high", "ultra"};
     for (std::size_t i = 0; i < presets.size(); ++i)
       for (std::size_t j = i + 1; j < presets.size(); ++j) {
-        const WaveQuality a = load_scene(scene, presets[i]).settings.waves, b = load_scene(scene, presets[j]).settings.waves;
+        const WaveQuality a = load_scene(scene, presets[i]).settings.waves,
+                          b = load_scene(scene, presets[j]).settings.waves;
         const int shared = std::min(a.cascades, b.cascades);
         const auto after_first = [&](int resolution) {
           std::vector<glm::dvec3> result = of(sea, resolution, shared);
@@ -107,7 +113,8 @@ TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_signif
         EXPECT_LE(d.displacement_m, most * significant) << pair;
         EXPECT_NEAR(d.factor, 1.0, 1e-3) << pair;
         EXPECT_NEAR(short_waves.factor, 1.0, 1e-3) << pair;
-        RecordProperty(pair, std::to_string(d.displacement_m / significant) + " Hs, factor " + std::to_string(short_waves.factor));
+        RecordProperty(
+            pair, std::to_string(d.displacement_m / significant) + " Hs, factor " + std::to_string(short_waves.factor));
       }
   }
 }

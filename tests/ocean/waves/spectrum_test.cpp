@@ -65,14 +65,15 @@ TEST(Spectrum, pierson_moskowitz_is_the_fully_developed_sea) {
         const double w = r * 9.81 / u19, truth = truth::pierson_moskowitz(w, u19, 9.81);
         EXPECT_NEAR(frequency_density(spectrum.wind(), 9.81, w), truth, 1e-6 * truth);
       }
-      const double m0 = truth::integral([&](double w) { return truth::pierson_moskowitz(w, u19, 9.81); }, 0.2 * 9.81 / u19, 60 * 9.81 / u19, 1e-9, 4096);
+      const double m0 = truth::integral([&](double w) { return truth::pierson_moskowitz(w, u19, 9.81); },
+                                        0.2 * 9.81 / u19, 60 * 9.81 / u19, 1e-9, 4096);
       EXPECT_NEAR(variance_of(sea) / m0, 1, 1e-4);
     }
 }
 
 TEST(Spectrum, tma_is_jonswap_limited_by_depth) {
-  // The factor is in [0, 1], continuous, the parabolas' to 1e-6 and the exact one's to 4 %; the sea is JONSWAP times it, and its energy
-  // over wave numbers is that over frequency. Control: wh = w sqrt(h g).
+  // The factor is in [0, 1], continuous, the parabolas' to 1e-6 and the exact one's to 4 %; the sea is JONSWAP times
+  // it, and its energy over wave numbers is that over frequency. Control: wh = w sqrt(h g).
   double before = 0;
   for (double x = 1e-4; x < 20; x *= 1.003) {
     const double h = 4.0, w = x * std::sqrt(9.81 / h), factor = kitaigorodskii_factor(w, 9.81, h);
@@ -95,9 +96,11 @@ TEST(Spectrum, tma_is_jonswap_limited_by_depth) {
     const truth::Jonswap jonswap(20, sea.fetch_m, 9.81);
     // Of the waves longer than those that pass into Elfouhaily's.
     const double k = 2 * truth::pi / 12, w = truth::airy(k, 9.81, depth);
-    const double m0 = truth::integral([&](double v) { return jonswap.at(v) * truth::depth_factor(v, 9.81, depth); }, 0.1, w, 1e-9, 2000);
+    const double m0 = truth::integral([&](double v) { return jonswap.at(v) * truth::depth_factor(v, 9.81, depth); },
+                                      0.1, w, 1e-9, 2000);
     const Spectrum spectrum(sea);
-    const double ours = truth::integral([&](double s) { return std::exp(2 * s) * spectrum.radial(0, std::exp(s)); }, std::log(1e-3), std::log(k), 1e-9, 2000);
+    const double ours = truth::integral([&](double s) { return std::exp(2 * s) * spectrum.radial(0, std::exp(s)); },
+                                        std::log(1e-3), std::log(k), 1e-9, 2000);
     // In shallow water the passage begins at shorter waves still, never at longer.
     EXPECT_NEAR(ours / m0, 1, 1e-4) << depth;
     EXPECT_GT(whole_variance(sea), shallower);
@@ -116,11 +119,13 @@ TEST(Spectrum, finite_depth_keeps_the_energy_over_frequency) {
   shallow.depth_m = 8;
   EXPECT_NEAR(whole_variance(shallow) / whole_variance(deep), 1, 1e-4);
   EXPECT_NEAR(whole_variance(deep) / variance_of(deep), 1, 1e-4);
-  EXPECT_NEAR(longest_peak_wave_m(shallow) / (2 * truth::pi / truth::airy_inverse(2 * truth::pi / 12, 9.81, 8)), 1, 3e-5);
+  EXPECT_NEAR(longest_peak_wave_m(shallow) / (2 * truth::pi / truth::airy_inverse(2 * truth::pi / 12, 9.81, 8)), 1,
+              3e-5);
 }
 
 TEST(Spectrum, elfouhaily_has_its_own_long_waves) {
-  // Control: the share of short waves left at 0 below 12 m loses Cox and Munk's slopes; here, densities against the published.
+  // Control: the share of short waves left at 0 below 12 m loses Cox and Munk's slopes; here, densities against the
+  // published.
   SeaState sea;
   sea.spectrum = WaveSpectrum::elfouhaily;
   const Spectrum spectrum(sea);
@@ -154,13 +159,14 @@ TEST(Spectrum, young_sea_follows_hasselmann_1973) {
   const Spectrum spectrum(sea);
   EXPECT_NEAR(spectrum.wind().peak_rad_s, 22 * g / 15 / std::cbrt(x), 1e-9);
   const double alpha = 0.076 * std::pow(x, -0.22), peak = 22 * g / 15 / std::cbrt(x);
-  const double m0 = truth::integral([&](double w) { return truth::jonswap(w, alpha, peak, 3.3, g); }, 0.1, 200.0, 1e-9, 4096);
+  const double m0 =
+      truth::integral([&](double w) { return truth::jonswap(w, alpha, peak, 3.3, g); }, 0.1, 200.0, 1e-9, 4096);
   EXPECT_NEAR(variance_of(sea) / m0, 1.0, 1e-4);
 }
 
 TEST(Spectrum, hard_5_long_fetch_is_the_fully_developed_sea) {
-  // Hard case 5: at fetches up to 1e9 m the sea is the fully developed one, and no higher. Control: without the cap on alpha it is passed by half its energy; with alpha falling on with fetch the sea of
-  // 1e9 m was half as high (seen).
+  // Hard case 5: at fetches up to 1e9 m the sea is the fully developed one, and no higher. Control: without the cap on
+  // alpha it is passed by half its energy; with alpha falling on with fetch the sea of 1e9 m was half as high (seen).
   // The short waves' part moves it by 0.2 % at most.
   for (const double wind : {3.0, 10.0, 25.0, 60.0}) {
     double before = 0;
@@ -200,7 +206,9 @@ TEST(Spectrum, three_swells_add_up) {
   const Spectrum spectrum(sea);
   const double periods[] = {12, 9, 16}, heights[] = {1, 2, 0.5}, to[] = {80, 320, 200};
   for (int i = 0; i < swell_trains; ++i) {
-    const double energy = truth::integral([&](double s) { return std::exp(s) * frequency_density(spectrum.swell(i), 9.81, std::exp(s)); }, -3, 4, 1e-9, 400);
+    const double energy =
+        truth::integral([&](double s) { return std::exp(s) * frequency_density(spectrum.swell(i), 9.81, std::exp(s)); },
+                        -3, 4, 1e-9, 400);
     EXPECT_NEAR(4 * std::sqrt(energy), heights[i], 1e-4);
     EXPECT_NEAR(spectrum.swell(i).peak_rad_s, 2 * truth::pi / periods[i], 1e-12);
     EXPECT_NEAR(spectrum.swell(i).to_rad, to[i] * truth::pi / 180, 1e-12);
@@ -216,7 +224,9 @@ TEST(Spectrum, plane_integral_is_the_frequency_integral) {
   const double plane = truth::integral(
       [&](double s) {
         const double k = std::exp(s);
-        return k * k * truth::integral([&](double a) { return spectrum(k * glm::dvec2(std::sin(a), -std::cos(a))); }, -truth::pi, truth::pi, 1e-7, 32);
+        return k * k *
+               truth::integral([&](double a) { return spectrum(k * glm::dvec2(std::sin(a), -std::cos(a))); },
+                               -truth::pi, truth::pi, 1e-7, 32);
       },
       std::log(1e-3), std::log(1e3), 1e-6);
   EXPECT_NEAR(plane / whole_variance(sea), 1.0, 1e-3);
@@ -252,15 +262,24 @@ TEST(Spectrum, refuses_what_is_no_sea_by_name) {
   const struct {
     double SeaState::*member;
     const char* key;
-  } rows[] = {{&SeaState::wind_speed_mps, "waves.wind_speed_mps"}, {&SeaState::fetch_m, "waves.fetch_m"},
-              {&SeaState::wind_to_deg, "waves.wind_to_deg"},       {&SeaState::peak_enhancement, "waves.peak_enhancement"},
-              {&SeaState::swell_height_m, "waves.swell_height_m"}, {&SeaState::swell_period_s, "waves.swell_period_s"},
-              {&SeaState::chop, "waves.chop"},                     {&SeaState::gravity_mps2, "waves.gravity_mps2"},
-              {&SeaState::swell_to_deg, "waves.swell_to_deg"},     {&SeaState::small_wave_suppression, "waves.small_wave_suppression"},
-              {&SeaState::swell2_height_m, "waves.swell2_height_m"}, {&SeaState::swell2_period_s, "waves.swell2_period_s"},
-              {&SeaState::swell2_to_deg, "waves.swell2_to_deg"},     {&SeaState::swell3_height_m, "waves.swell3_height_m"},
-              {&SeaState::swell3_period_s, "waves.swell3_period_s"}, {&SeaState::swell3_to_deg, "waves.swell3_to_deg"},
-              {&SeaState::swell_elongation, "waves.swell_elongation"}, {&SeaState::loop_s, "waves.loop_s"},
+  } rows[] = {{&SeaState::wind_speed_mps, "waves.wind_speed_mps"},
+              {&SeaState::fetch_m, "waves.fetch_m"},
+              {&SeaState::wind_to_deg, "waves.wind_to_deg"},
+              {&SeaState::peak_enhancement, "waves.peak_enhancement"},
+              {&SeaState::swell_height_m, "waves.swell_height_m"},
+              {&SeaState::swell_period_s, "waves.swell_period_s"},
+              {&SeaState::chop, "waves.chop"},
+              {&SeaState::gravity_mps2, "waves.gravity_mps2"},
+              {&SeaState::swell_to_deg, "waves.swell_to_deg"},
+              {&SeaState::small_wave_suppression, "waves.small_wave_suppression"},
+              {&SeaState::swell2_height_m, "waves.swell2_height_m"},
+              {&SeaState::swell2_period_s, "waves.swell2_period_s"},
+              {&SeaState::swell2_to_deg, "waves.swell2_to_deg"},
+              {&SeaState::swell3_height_m, "waves.swell3_height_m"},
+              {&SeaState::swell3_period_s, "waves.swell3_period_s"},
+              {&SeaState::swell3_to_deg, "waves.swell3_to_deg"},
+              {&SeaState::swell_elongation, "waves.swell_elongation"},
+              {&SeaState::loop_s, "waves.loop_s"},
               {&SeaState::depth_m, "waves.depth_m"}};
   for (const auto& row : rows)
     for (const double bad : {nan, inf, -inf, -1e7}) {
@@ -288,7 +307,8 @@ TEST(Spectrum, refuses_what_is_no_sea_by_name) {
 }
 
 TEST(Ladder, hard_34_shares_add_to_one_and_vanish_inside_the_tile) {
-  // Hard case 34: the shares of all cascades add to 1 at every wave number, and vanish before a tile ends. Control: a band that rises but does not fall counts the overlaps twice.
+  // Hard case 34: the shares of all cascades add to 1 at every wave number, and vanish before a tile ends. Control: a
+  // band that rises but does not fall counts the overlaps twice.
   for (const double wind : {0.0, 3.0, 6.0, 10.0, 20.0, 40.0}) {
     SeaState sea;
     sea.wind_speed_mps = wind;

@@ -15,9 +15,27 @@ namespace {
 
 bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
-// Means over a seed's places of: heights to the powers 1 to 3 and squared slopes over the displaced surface, which counts a rest
-// place by its Jacobian; then over rest places h^2, (dh/dt)^2, h times the water's velocity, D D and grad h grad h.
-enum Mean { mean_h, mean_h2, mean_h3, mean_s2, rest_h2, rest_w2, rest_u2, hu_x, hu_z, d_xx, d_zz, d_xz, s_xx, s_zz, s_xz, means };
+// Means over a seed's places of: heights to the powers 1 to 3 and squared slopes over the displaced surface, which
+// counts a rest place by its Jacobian; then over rest places h^2, (dh/dt)^2, h times the water's velocity, D D and grad
+// h grad h.
+enum Mean {
+  mean_h,
+  mean_h2,
+  mean_h3,
+  mean_s2,
+  rest_h2,
+  rest_w2,
+  rest_u2,
+  hu_x,
+  hu_z,
+  d_xx,
+  d_zz,
+  d_xz,
+  s_xx,
+  s_zz,
+  s_xz,
+  means
+};
 using Means = std::array<double, means>;
 
 Means of_seed(const SeaState& sea, const WaveQuality& quality) {
@@ -35,14 +53,28 @@ Means of_seed(const SeaState& sea, const WaveQuality& quality) {
     const glm::dvec3 u = field.velocity(tiles, at, filter), d = s.displacement;
     const glm::dvec2 g = s.height_gradient, slope = s.slope();
     const double h = d.y, j = s.jacobian();
-    const Means here{h * j, h * h * j, h * h * h * j, glm::dot(slope, slope) * j, h * h, u.y * u.y, u.x * u.x + u.z * u.z, h * u.x, h * u.z,
-                     d.x * d.x, d.z * d.z, d.x * d.z, g.x * g.x, g.y * g.y, g.x * g.y};
+    const Means here{h * j,
+                     h * h * j,
+                     h * h * h * j,
+                     glm::dot(slope, slope) * j,
+                     h * h,
+                     u.y * u.y,
+                     u.x * u.x + u.z * u.z,
+                     h * u.x,
+                     h * u.z,
+                     d.x * d.x,
+                     d.z * d.z,
+                     d.x * d.z,
+                     g.x * g.x,
+                     g.y * g.y,
+                     g.x * g.y};
     for (int m = 0; m < means; ++m) sum[std::size_t(m)] += here[std::size_t(m)] / places;
   }
   return sum;
 }
 
-// A statistic of the means, and its standard error by the jackknife (Quenouille 1949, Tukey 1958): each seed left out in turn.
+// A statistic of the means, and its standard error by the jackknife (Quenouille 1949, Tukey 1958): each seed left out
+// in turn.
 struct Estimate {
   double value, error;
 };
@@ -65,7 +97,8 @@ Estimate estimate(const std::vector<Means>& seeds, const std::function<double(co
 }
 
 double degrees(double rad) { return rad * 180.0 / truth::pi; }
-// Of the mean vector's length r, the circular deviation (Kuik, van Vledder and Holthuijsen 1988, eq. 13); of the second's, eq. 15.
+// Of the mean vector's length r, the circular deviation (Kuik, van Vledder and Holthuijsen 1988, eq. 13); of the
+// second's, eq. 15.
 double spread1(double r) { return degrees(std::sqrt(2.0 * (1.0 - r))); }
 double spread2(double xx, double zz, double xz) {
   return degrees(std::sqrt(0.5 * (1.0 - std::hypot(xx - zz, 2.0 * xz) / (xx + zz))));
@@ -82,7 +115,8 @@ struct Case {
 };
 
 void expect_theory(const Case& of, int seed_count) {
-  // Of the ladder the theory has to know where the drawn waves end: the share of a wave number falls by a smooth step over ln k.
+  // Of the ladder the theory has to know where the drawn waves end: the share of a wave number falls by a smooth step
+  // over ln k.
   const std::array<double, 2> end = ladder(of.sea)[std::size_t(of.cascades - 1)].k_out;
   const truth::SeaSpectrum spectrum(test::causes_of(of.sea));
   const truth::SeaMoments m = spectrum.moments([&](double k) {
@@ -98,8 +132,8 @@ void expect_theory(const Case& of, int seed_count) {
   const auto expect = [&](const char* what, double theory, const std::function<double(const Means&)>& statistic) {
     const Estimate e = estimate(seeds, statistic);
     const double off = (e.value - theory) / e.error;
-    EXPECT_LE(std::abs(off), 3.0) << of.name << ": " << what << " " << e.value << ", theory " << theory << ", standard error "
-                                  << e.error;
+    EXPECT_LE(std::abs(off), 3.0) << of.name << ": " << what << " " << e.value << ", theory " << theory
+                                  << ", standard error " << e.error;
     ::testing::Test::RecordProperty(what, std::to_string(off) + " standard errors");
   };
   const truth::Heights h = truth::chopped_heights(m, of.sea.chop);
@@ -109,15 +143,16 @@ void expect_theory(const Case& of, int seed_count) {
          [](const Means& s) { return 2.0 * truth::pi * std::sqrt(s[rest_h2] / s[rest_w2]); });
   expect("mean direction", degrees(std::atan2(m.w1.x, -m.w1.z)),
          [](const Means& s) { return degrees(std::atan2(s[hu_x], -s[hu_z])); });
-  expect("spread of the first moment", spread1(std::hypot(m.w1.x, m.w1.z) / std::sqrt(m.m0 * m.u2)), [&](const Means& s) {
-    return spread1(std::hypot(s[hu_x], s[hu_z]) / std::sqrt(s[rest_h2] * s[rest_u2]));
-  });
+  expect("spread of the first moment", spread1(std::hypot(m.w1.x, m.w1.z) / std::sqrt(m.m0 * m.u2)),
+         [&](const Means& s) { return spread1(std::hypot(s[hu_x], s[hu_z]) / std::sqrt(s[rest_h2] * s[rest_u2])); });
   expect("spread of the second moment", spread2(m.k0_wide.xx, m.k0_wide.zz, m.k0_wide.xz),
          [](const Means& s) { return spread2(s[d_xx], s[d_zz], s[d_xz]); });
-  expect("spread of slopes", spread2(m.k2.xx, m.k2.zz, m.k2.xz), [](const Means& s) { return spread2(s[s_xx], s[s_zz], s[s_xz]); });
+  expect("spread of slopes", spread2(m.k2.xx, m.k2.zz, m.k2.xz),
+         [](const Means& s) { return spread2(s[s_xx], s[s_zz], s[s_xz]); });
   expect("slope variance", m.k2.trace(), [](const Means& s) { return s[s_xx] + s[s_zz]; });
   if (of.slopes_of_the_displaced)
-    expect("slope variance of the displaced", truth::chopped_slopes(m, of.sea.chop), [](const Means& s) { return s[mean_s2]; });
+    expect("slope variance of the displaced", truth::chopped_slopes(m, of.sea.chop),
+           [](const Means& s) { return s[mean_s2]; });
   expect("mean level m", h.mean, [](const Means& s) { return s[mean_h]; });
   expect("skewness about the still sea", h.cube / std::pow(h.square, 1.5),
          [](const Means& s) { return s[mean_h3] / std::pow(s[mean_h2], 1.5); });
@@ -127,12 +162,10 @@ void expect_theory(const Case& of, int seed_count) {
 
 int seed_count() { return long_run() ? 200 : 40; }
 
-// 40 seeds (200 with SEASCAPE_LONG). Controls: amplitudes 3 % higher fail Hs and slope variance by 10 standard errors; Donelan's beta 10 %
-// higher the spreads; chop of the other sign the mean level, the skewness and the direction; amplitudes not divided by the bilinear
-// filter's response Hs and slope variance.
-TEST(SeaStatistics, wind_sea) {
-  expect_theory({"wind", {}, 2, true}, seed_count());
-}
+// 40 seeds (200 with SEASCAPE_LONG). Controls: amplitudes 3 % higher fail Hs and slope variance by 10 standard errors;
+// Donelan's beta 10 % higher the spreads; chop of the other sign the mean level, the skewness and the direction;
+// amplitudes not divided by the bilinear filter's response Hs and slope variance.
+TEST(SeaStatistics, wind_sea) { expect_theory({"wind", {}, 2, true}, seed_count()); }
 TEST(SeaStatistics, swell_under_wind) {
   SeaState sea;
   sea.wind_speed_mps = 8;

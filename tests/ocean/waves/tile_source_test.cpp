@@ -1,4 +1,5 @@
-// The sea with wave particles in it: field and query against direct sums over all layings of the tile (tests/support/particle_truth.h).
+// The sea with wave particles in it: field and query against direct sums over all layings of the tile
+// (tests/support/particle_truth.h).
 #include "ocean/waves/tile_source.h"
 
 #include <gtest/gtest.h>
@@ -22,26 +23,32 @@ SeaState flat() {
   return sea;
 }
 
-// The height and its slope along x at a world place, in double: every laying is the tile, `size` times as long and high, moved by its offset.
-double truth_at(const WaveParticles& source, const WaveParticleSettings& s, double time_s, glm::dvec2 place, double (*of)(const std::vector<truth::Bump>&, double, double, double, double)) {
+// The height and its slope along x at a world place, in double: every laying is the tile, `size` times as long and
+// high, moved by its offset.
+double truth_at(const WaveParticles& source, const WaveParticleSettings& s, double time_s, glm::dvec2 place,
+                double (*of)(const std::vector<truth::Bump>&, double, double, double, double)) {
   const std::int64_t ticks = ticks_from_seconds(time_s);
   double sum = 0.0;
   for (const Laying& laying : source.layings()) {
     std::vector<truth::Bump> bumps;
     for (const WaveParticle& p : source.particles()) {
       const auto axis = [&](std::uint32_t start, std::uint64_t turns) {
-        const long double at = std::ldexp(static_cast<long double>(start), -32) + std::ldexp(static_cast<long double>(std::int64_t(turns)), -64) * ticks;
+        const long double at = std::ldexp(static_cast<long double>(start), -32) +
+                               std::ldexp(static_cast<long double>(std::int64_t(turns)), -64) * ticks;
         return double(at - std::floor(at)) * laying.side_m;
       };
-      bumps.push_back({axis(p.x, p.turns_x), axis(p.z, p.turns_z), (p.trough ? -1.0 : 1.0) * source.amplitude_m() * laying.size});
+      bumps.push_back(
+          {axis(p.x, p.turns_x), axis(p.z, p.turns_z), (p.trough ? -1.0 : 1.0) * source.amplitude_m() * laying.size});
     }
-    sum += of(bumps, s.radius_m * laying.size, laying.side_m, place.x + laying.offset * laying.side_m, place.y + laying.offset * laying.side_m);
+    sum += of(bumps, s.radius_m * laying.size, laying.side_m, place.x + laying.offset * laying.side_m,
+              place.y + laying.offset * laying.side_m);
   }
   return sum;
 }
 
-// Of heights, slopes and heights asked of the surface, near and far from the origin. What bilinear reading leaves of bumps 16 texels wide is most of the difference.
-// Controls seen: QueryLayer::plain of every layer (0.6 of the rms), a query's layers without offset (0.8), Spot::size left out of the displacement (0.6).
+// Of heights, slopes and heights asked of the surface, near and far from the origin. What bilinear reading leaves of
+// bumps 16 texels wide is most of the difference. Controls seen: QueryLayer::plain of every layer (0.6 of the rms), a
+// query's layers without offset (0.8), Spot::size left out of the displacement (0.6).
 TEST(TileSource, FieldAndQueryStandWhereTheDirectSumDoes) {
   WaveParticleSettings s;
   s.chop = 0.0;
@@ -49,7 +56,8 @@ TEST(TileSource, FieldAndQueryStandWhereTheDirectSumDoes) {
   const auto source = std::make_shared<WaveParticles>(s);
   const WaveField field(flat(), {.resolution = 16, .cascades = 1}, {source});
   WaveTiles tiles(true);
-  const double rms = std::sqrt(source->statistics().height_variance), slopes = std::sqrt(source->statistics().slope_moments.x * 3.0);
+  const double rms = std::sqrt(source->statistics().height_variance),
+               slopes = std::sqrt(source->statistics().slope_moments.x * 3.0);
   for (const auto& [time_s, far] : {std::pair(0.0, 0.0), std::pair(31.7, 1e5), std::pair(1e6, -3e4)}) {
     field.evaluate(ticks_from_seconds(time_s), tiles);
     std::mt19937 random(5);
@@ -58,7 +66,8 @@ TEST(TileSource, FieldAndQueryStandWhereTheDirectSumDoes) {
     constexpr int points = 300;
     for (int i = 0; i < points; ++i) {
       const glm::dvec2 place(far + uniform(random), 0.5 * far + uniform(random));
-      const double want = truth_at(*source, s, time_s, place, &truth::bumps), want_slope = truth_at(*source, s, time_s, place, &truth::bumps_dx);
+      const double want = truth_at(*source, s, time_s, place, &truth::bumps),
+                   want_slope = truth_at(*source, s, time_s, place, &truth::bumps_dx);
       const SeaSample sample = field.sea(tiles, place, 0.0);
       QueryAnswer answer;
       query(field, tiles, {&place, 1}, {&answer, 1});
@@ -103,7 +112,8 @@ TEST(TileSource, QueriesFindTheDisplacedSurface) {
   EXPECT_GT(moved, 0.03) << "particles must be in it";
 }
 
-// What a footprint no longer resolves of the slopes it counts as roughness: together they stay. Control seen: unresolved() without its moments.
+// What a footprint no longer resolves of the slopes it counts as roughness: together they stay. Control seen:
+// unresolved() without its moments.
 TEST(TileSource, SlopesLostToAFootprintBecomeRoughness) {
   const WaveParticleSettings s;
   const auto source = std::make_shared<WaveParticles>(s);
@@ -119,7 +129,9 @@ TEST(TileSource, SlopesLostToAFootprintBecomeRoughness) {
     for (int i = 0; i < points; ++i) {
       const glm::dvec2 place(0.01 * double(random() % 100000), 0.01 * double(random() % 100000));
       const SeaSample sample = field.sea(tiles, place, footprint);
-      sum += (glm::dot(sample.height_gradient, sample.height_gradient) + sample.slope_moments.x + sample.slope_moments.y) / points;
+      sum +=
+          (glm::dot(sample.height_gradient, sample.height_gradient) + sample.slope_moments.x + sample.slope_moments.y) /
+          points;
     }
     if (footprint == 0.0) first = sum;
     EXPECT_NEAR(sum / first, 1.0, 0.1) << footprint;
@@ -127,8 +139,9 @@ TEST(TileSource, SlopesLostToAFootprintBecomeRoughness) {
   }
 }
 
-// The tile does not repeat as a whole: no place is more like another than 0.43 where layings count alike, as for slopes, and 0.67 for heights; laid at 1, 2/3 and 1/3 of its side, as the effect
-// was first described, all of it is there again two sides on (the control).
+// The tile does not repeat as a whole: no place is more like another than 0.43 where layings count alike, as for
+// slopes, and 0.67 for heights; laid at 1, 2/3 and 1/3 of its side, as the effect was first described, all of it is
+// there again two sides on (the control).
 TEST(TileSource, LayingsDoNotRepeatTogether) {
   const WaveParticleSettings s;
   const WaveParticles source(s);
@@ -153,7 +166,8 @@ TEST(TileSource, LayingsDoNotRepeatTogether) {
           if (i == 0) continue;
           double slopes_alike = 0.0, heights_alike = 0.0;
           for (const double size : sizes) {
-            const double x = truth::nearest(i * side / size, 1.0) * 256.0, z = truth::nearest(j * side / size, 1.0) * 256.0;
+            const double x = truth::nearest(i * side / size, 1.0) * 256.0,
+                         z = truth::nearest(j * side / size, 1.0) * 256.0;
             const double both = alike(x, z);
             slopes_alike += both / double(sizes.size());
             heights_alike += both * size * size / squares;

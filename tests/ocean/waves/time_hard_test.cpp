@@ -22,7 +22,8 @@ TEST(WaveTime, hard_13_time_1e7) {
       for (int mx = -bins_of(c) / 2; mx < bins_of(c) / 2; ++mx) {
         if ((mx == 0 && mz == 0) || mx * mx + mz * mz >= bins_of(c) * bins_of(c) / 4) continue;
         const gpu::WaveBin& b = bins.at(c, mx, mz);
-        const gpu::uint turns = gpu::phase_turns(b.turns_high, b.turns_low, gpu::uint(std::uint64_t(ticks) >> 32), gpu::uint(ticks));
+        const gpu::uint turns =
+            gpu::phase_turns(b.turns_high, b.turns_low, gpu::uint(std::uint64_t(ticks) >> 32), gpu::uint(ticks));
         const long double k = turn / bins.ladder[c].side_m * std::sqrt((long double)(mx * mx + mz * mz));
         const long double w = std::sqrt(9.81L * k + 7.17e-5L * k * k * k);
         const long double error = std::remainder(w * t - turns * turn / 4294967296.0L, turn);
@@ -33,9 +34,9 @@ TEST(WaveTime, hard_13_time_1e7) {
 }
 
 TEST(WaveTime, hard_14_a_loop_repeats_to_the_bit) {
-  // Every bin's phase after a loop is that of tick 0, and after a thousand loops within 1e-6 of a turn; every frequency is moved by
-  // half a turn a loop at most. Loops of whole and of broken ticks, at every resolution. Control: turns rounded down miss by
-  // 2^-32 of a turn after one loop, frequencies left as they are by all of it.
+  // Every bin's phase after a loop is that of tick 0, and after a thousand loops within 1e-6 of a turn; every frequency
+  // is moved by half a turn a loop at most. Loops of whole and of broken ticks, at every resolution. Control: turns
+  // rounded down miss by 2^-32 of a turn after one loop, frequencies left as they are by all of it.
   for (const double loop_s : {20.0, 64.0, 60.0, 33.333, 1000.1, 0.3})
     for (const int resolution : {16, 32, 64, 128, 256, 512}) {
       SeaState sea, endless;
@@ -64,7 +65,8 @@ TEST(WaveTime, hard_14_a_loop_repeats_to_the_bit) {
 }
 
 TEST(WaveTime, hard_14_frame_T_equals_frame_0) {
-  // The sea 48 s later, of a loop of 48 s, is what it was to 1e-6 of its largest displacement, at every resolution. Control: a loop of 47.99 s in the bins for the 48 s that is asked.
+  // The sea 48 s later, of a loop of 48 s, is what it was to 1e-6 of its largest displacement, at every resolution.
+  // Control: a loop of 47.99 s in the bins for the 48 s that is asked.
   for (const int resolution : {16, 32, 64, 128, 256, 512}) {
     SeaState sea;
     sea.loop_s = 48;

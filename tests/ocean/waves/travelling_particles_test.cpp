@@ -13,7 +13,9 @@
 namespace seascape {
 namespace {
 
-TravellingSettings lasting() { return {.radius_m = 0.5, .speed_mps = 2.0, .least_amplitude_m = 0.0, .most_particles = 200000}; }
+TravellingSettings lasting() {
+  return {.radius_m = 0.5, .speed_mps = 2.0, .least_amplitude_m = 0.0, .most_particles = 200000};
+}
 
 // A ring of as many bumps as it has come to: `pieces`, each tripled as often as its width at `distance` needs.
 std::vector<truth::Bump> ring(double radius, double distance, double amplitude, int pieces) {
@@ -52,8 +54,9 @@ TEST(TravellingParticles, AreTheRingThatTheyShouldHaveBecome) {
   }
 }
 
-// The crest falls as 1 / distance, which is not the wave equation's 1 / sqrt(distance); no ring is thinner than half a radius, so that its crest ripples by
-// no more than such a front's 3.5 % (half off the crest). Control seen: pieces split at a whole radius (5.9 and 7.5 %).
+// The crest falls as 1 / distance, which is not the wave equation's 1 / sqrt(distance); no ring is thinner than half a
+// radius, so that its crest ripples by no more than such a front's 3.5 % (half off the crest). Control seen: pieces
+// split at a whole radius (5.9 and 7.5 %).
 TEST(TravellingParticles, RingsFallAsOneOverDistance) {
   TravellingParticles waves(lasting());
   ASSERT_TRUE(waves.add_ring({0.0, 0.0}, 0.0, 1.0, 9));
@@ -73,11 +76,13 @@ TEST(TravellingParticles, RingsFallAsOneOverDistance) {
     EXPECT_LE((most - least) / mean, 0.04) << distance;
     if (first == 0.0) first = mean * distance;
     EXPECT_NEAR(mean * distance / first, 1.0, 0.03) << distance;
-    EXPECT_GT(std::abs(mean * std::sqrt(distance) / (first / std::sqrt(4.0)) - 1.0), distance > 4.0 ? 0.25 : -1.0) << "that would be the wave equation's";
+    EXPECT_GT(std::abs(mean * std::sqrt(distance) / (first / std::sqrt(4.0)) - 1.0), distance > 4.0 ? 0.25 : -1.0)
+        << "that would be the wave equation's";
   }
 }
 
-// The same particles, to the bit, whatever the steps: 30, 60, 72, 90 or 120 a second, or one. Control seen: one generation a step.
+// The same particles, to the bit, whatever the steps: 30, 60, 72, 90 or 120 a second, or one. Control seen: one
+// generation a step.
 TEST(TravellingParticles, DoNotKnowTheFrameRate) {
   std::vector<TravellingParticle> reference;
   for (const double rate : {0.1, 30.0, 60.0, 72.0, 90.0, 120.0}) {
@@ -88,7 +93,9 @@ TEST(TravellingParticles, DoNotKnowTheFrameRate) {
     std::vector<TravellingParticle> now(waves.particles().begin(), waves.particles().end());
     if (reference.empty()) reference = now;
     ASSERT_EQ(now.size(), reference.size()) << rate;
-    const auto by_direction = [](const TravellingParticle& a, const TravellingParticle& b) { return a.direction_rad != b.direction_rad ? a.direction_rad < b.direction_rad : a.born_s < b.born_s; };
+    const auto by_direction = [](const TravellingParticle& a, const TravellingParticle& b) {
+      return a.direction_rad != b.direction_rad ? a.direction_rad < b.direction_rad : a.born_s < b.born_s;
+    };
     std::sort(now.begin(), now.end(), by_direction);
     std::sort(reference.begin(), reference.end(), by_direction);
     for (std::size_t i = 0; i < now.size(); ++i) {
@@ -147,11 +154,13 @@ TEST(TravellingParticles, CountWhatTheyLoseAndStayWithinTheirRoom) {
 }
 
 TEST(TravellingParticles, RefuseWhatIsNoNumber) {
-  for (const auto& [change, name] : {std::pair<void (*)(TravellingSettings&), const char*>{[](TravellingSettings& s) { s.radius_m = 0.0; }, "radius_m"},
-                                     {[](TravellingSettings& s) { s.speed_mps = -1.0; }, "speed_mps"},
-                                     {[](TravellingSettings& s) { s.speed_mps = INFINITY; }, "speed_mps"},
-                                     {[](TravellingSettings& s) { s.least_amplitude_m = std::nan(""); }, "least_amplitude_m"},
-                                     {[](TravellingSettings& s) { s.most_particles = 0; }, "most_particles"}}) {
+  for (const auto& [change, name] :
+       {std::pair<void (*)(TravellingSettings&), const char*>{[](TravellingSettings& s) { s.radius_m = 0.0; },
+                                                              "radius_m"},
+        {[](TravellingSettings& s) { s.speed_mps = -1.0; }, "speed_mps"},
+        {[](TravellingSettings& s) { s.speed_mps = INFINITY; }, "speed_mps"},
+        {[](TravellingSettings& s) { s.least_amplitude_m = std::nan(""); }, "least_amplitude_m"},
+        {[](TravellingSettings& s) { s.most_particles = 0; }, "most_particles"}}) {
     TravellingSettings s = lasting();
     change(s);
     EXPECT_NE(test::error_of([&] { TravellingParticles{s}; }).find(name), std::string::npos);

@@ -1,4 +1,5 @@
-// Hard case 18: an eye inside a crest that has folded over itself is on one side of the water, and the flag says what the query does.
+// Hard case 18: an eye inside a crest that has folded over itself is on one side of the water, and the flag says what
+// the query does.
 #include "ocean/waves/water_side.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,8 @@ struct OneWave {
   }
   // The world place `x` along the wave from its crest and `across`.
   glm::dvec2 place(double x, double across) const {
-    return {x * std::cos(rotation_rad) - across * std::sin(rotation_rad), x * std::sin(rotation_rad) + across * std::cos(rotation_rad)};
+    return {x * std::cos(rotation_rad) - across * std::sin(rotation_rad),
+            x * std::sin(rotation_rad) + across * std::cos(rotation_rad)};
   }
   SeaState sea;
   WaveQuality quality{.resolution = 256, .cascades = 1};
@@ -38,10 +40,11 @@ struct OneWave {
   double side_m = 0.0, rotation_rad = 0.0, k = 0.0, a = 0.0;
 };
 
-// A trochoid with 1.2 to 1.9 of the cusp's steepness, against its own formula: above the crest, in its loop, in the wedge of air under the
-// overhang and in the water beneath; height_m and the flag say the same; where there is one sheet, so does query(). Controls seen: water wherever
-// any sheet is above (35, 243 and 443 points under overhangs wrong, and 325 of the next test), sheets that are turned over counted like others (5,245
-// points, most then uncertain); and, counted here, the height of the query alone.
+// A trochoid with 1.2 to 1.9 of the cusp's steepness, against its own formula: above the crest, in its loop, in the
+// wedge of air under the overhang and in the water beneath; height_m and the flag say the same; where there is one
+// sheet, so does query(). Controls seen: water wherever any sheet is above (35, 243 and 443 points under overhangs
+// wrong, and 325 of the next test), sheets that are turned over counted like others (5,245 points, most then
+// uncertain); and, counted here, the height of the query alone.
 TEST(WaterSideHard, hard_18_in_a_folded_crest_of_one_wave) {
   for (const double fold : {1.2, 1.6, 1.9}) {
     const OneWave wave(fold / 2.0, 2.0);
@@ -56,7 +59,9 @@ TEST(WaterSideHard, hard_18_in_a_folded_crest_of_one_wave) {
       // Tiles join texels straight: what is nearer to a sheet than that is left out, and where one begins.
       bool near = false;
       for (const truth::Sheet& sheet : sheets) near = near || std::abs(sheet.y - y) < over;
-      if (near || sheets.size() != truth::trochoid_sheets(wave.a, b, wave.k, x + over).size() || sheets.size() != truth::trochoid_sheets(wave.a, b, wave.k, x - over).size()) continue;
+      if (near || sheets.size() != truth::trochoid_sheets(wave.a, b, wave.k, x + over).size() ||
+          sheets.size() != truth::trochoid_sheets(wave.a, b, wave.k, x - over).size())
+        continue;
       const glm::dvec2 place = wave.place(x, 40.0 * unit(random));
       const WaterSide side = water_side(*wave.field, wave.tiles, {place.x, y, place.y});
       const bool truly = truth::in_water(sheets, y);
@@ -85,8 +90,10 @@ TEST(WaterSideHard, hard_18_in_a_folded_crest_of_one_wave) {
     EXPECT_EQ(told_apart, 0) << fold;
     EXPECT_GT(by_query, 20) << fold << ": one height a place is not enough";
     EXPECT_GT(std::min({loop, wedge, water, air}), 20) << fold;
-    RecordProperty("fold_" + std::to_string(fold), std::to_string(loop) + " in loops, " + std::to_string(wedge) + " under overhangs, " + std::to_string(water) + " in the water, " +
-                                                       std::to_string(air) + " in the air; " + std::to_string(by_query) + " wrong by the query alone");
+    RecordProperty("fold_" + std::to_string(fold), std::to_string(loop) + " in loops, " + std::to_string(wedge) +
+                                                       " under overhangs, " + std::to_string(water) +
+                                                       " in the water, " + std::to_string(air) + " in the air; " +
+                                                       std::to_string(by_query) + " wrong by the query alone");
   }
 }
 
@@ -99,7 +106,8 @@ struct Crossing {
     const double step = 2.0 * truth::pi / bins.ladder[0].side_m;
     std::mt19937 random(12);
     for (const glm::ivec2 m : {glm::ivec2(3, 0), {2, 3}, {4, -1}, {1, 4}, {5, 2}, {-2, 3}}) {
-      const double phase = 2.0 * truth::pi * double(random()) / 4294967296.0, size = 0.25 / (step * glm::length(glm::dvec2(m)));
+      const double phase = 2.0 * truth::pi * double(random()) / 4294967296.0,
+                   size = 0.25 / (step * glm::length(glm::dvec2(m)));
       bins.at(0, m.x, m.y).amplitude = glm::vec2(glm::dvec2(size * std::cos(phase), size * std::sin(phase)));
     }
     field = std::make_unique<WaveField>(sea, quality, bins);
@@ -127,8 +135,8 @@ struct Crossing {
   WaveTiles tiles;
 };
 
-// Folds of a sea of more directions, and anywhere of it, against a raster of triangles of all rest positions that the place may come from. Control
-// seen: water wherever any sheet is above (325 points wrong).
+// Folds of a sea of more directions, and anywhere of it, against a raster of triangles of all rest positions that the
+// place may come from. Control seen: water wherever any sheet is above (325 points wrong).
 TEST(WaterSideHard, hard_18_in_folds_where_crests_meet) {
   const Crossing sea;
   std::mt19937 random(5);
@@ -139,10 +147,12 @@ TEST(WaterSideHard, hard_18_in_folds_where_crests_meet) {
   const double reach = sea.field->statistics().largest_shift_m;
   int checked = 0, folded = 0, wrong = 0, by_query = 0;
   for (const glm::dvec2& place : places) {
-    const auto sheets = truth::raster_sheets([&](double x, double z) { return sea.stands(x, z); }, place.x, place.y, reach, reach / 250.0);
+    const auto sheets = truth::raster_sheets([&](double x, double z) { return sea.stands(x, z); }, place.x, place.y,
+                                             reach, reach / 250.0);
     for (int n = 0; n < 40; ++n) {
       const double y = sheets.at(std::size_t(n) % sheets.size()).y + 2.0 * unit(random);
-      if (std::any_of(sheets.begin(), sheets.end(), [&](const truth::Sheet& s) { return std::abs(s.y - y) < 0.05; })) continue;
+      if (std::any_of(sheets.begin(), sheets.end(), [&](const truth::Sheet& s) { return std::abs(s.y - y) < 0.05; }))
+        continue;
       const WaterSide side = water_side(*sea.field, sea.tiles, {place.x, y, place.y});
       const bool truly = truth::in_water(sheets, y);
       EXPECT_TRUE(side.certain);
@@ -159,11 +169,13 @@ TEST(WaterSideHard, hard_18_in_folds_where_crests_meet) {
   EXPECT_EQ(wrong, 0);
   EXPECT_GT(by_query, 10);
   EXPECT_GT(folded, 300);
-  RecordProperty("checked", std::to_string(checked) + ", folded " + std::to_string(folded) + ", wrong by the query alone " + std::to_string(by_query));
+  RecordProperty("checked", std::to_string(checked) + ", folded " + std::to_string(folded) +
+                                ", wrong by the query alone " + std::to_string(by_query));
 }
 
-// A gale with chop 2 and all its short waves, which fold on its crests. Where one sheet stands and the query has converged, both say the same.
-// Control seen: squares not grown by what waves shorter than they are may shift, and whether the sheets are a whole not asked.
+// A gale with chop 2 and all its short waves, which fold on its crests. Where one sheet stands and the query has
+// converged, both say the same. Control seen: squares not grown by what waves shorter than they are may shift, and
+// whether the sheets are a whole not asked.
 TEST(WaterSideHard, hard_18_in_a_gale_the_flag_equals_the_query) {
   SeaState state;
   state.wind_speed_mps = 25.0;
@@ -201,11 +213,12 @@ TEST(WaterSideHard, hard_18_in_a_gale_the_flag_equals_the_query) {
   EXPECT_EQ(uncertain, 0);
   EXPECT_GT(plain, 150);
   EXPECT_GT(folded, 80);
-  RecordProperty("gale", std::to_string(folded) + " folded, " + std::to_string(plain) + " plain, " + std::to_string(uncertain) + " uncertain");
+  RecordProperty("gale", std::to_string(folded) + " folded, " + std::to_string(plain) + " plain, " +
+                             std::to_string(uncertain) + " uncertain");
 }
 
-// A thousand frames of an eye that trembles by a micrometre in a fold, and of one that stands at the surface to the bit: no flicker. Control, in the
-// test: an eye that trembles by 2 m changes sides.
+// A thousand frames of an eye that trembles by a micrometre in a fold, and of one that stands at the surface to the
+// bit: no flicker. Control, in the test: an eye that trembles by 2 m changes sides.
 TEST(WaterSideHard, hard_17_and_18_an_eye_keeps_its_side) {
   const Crossing sea;
   std::mt19937 random(6);
@@ -218,7 +231,8 @@ TEST(WaterSideHard, hard_17_and_18_an_eye_keeps_its_side) {
       for (int n = 0; n < 80; ++n) {
         const glm::dvec3 off = 1e-6 * glm::dvec3(unit(random), unit(random), unit(random));
         flips += water_side(*sea.field, sea.tiles, glm::dvec3(place.x, y, place.y) + off).in_water != first.in_water;
-        moved += water_side(*sea.field, sea.tiles, glm::dvec3(place.x, y, place.y) + 2e6 * off).in_water != first.in_water;
+        moved +=
+            water_side(*sea.field, sea.tiles, glm::dvec3(place.x, y, place.y) + 2e6 * off).in_water != first.in_water;
       }
     }
     const WaterSide at = water_side(*sea.field, sea.tiles, {place.x, about.height_m, place.y});
@@ -232,8 +246,10 @@ TEST(WaterSideHard, hard_17_and_18_an_eye_keeps_its_side) {
   EXPECT_GT(moved, 10) << "the control: an eye that trembles by 2 m";
 }
 
-// Two eyes 64 mm apart on a rolled head whose middle lies at the water's surface, 2,000 times in a gale: each eye's side is what its own query says (where that converges and there is one sheet), and in a quarter of them
-// and more one eye is in the water and the other is not. (No picture has a waterline yet: this is what it will be drawn from.) Control, in the test: the middle's side for both eyes is wrong as often.
+// Two eyes 64 mm apart on a rolled head whose middle lies at the water's surface, 2,000 times in a gale: each eye's
+// side is what its own query says (where that converges and there is one sheet), and in a quarter of them and more one
+// eye is in the water and the other is not. (No picture has a waterline yet: this is what it will be drawn from.)
+// Control, in the test: the middle's side for both eyes is wrong as often.
 TEST(WaterSideHard, hard_38_an_eye_in_the_water_and_one_in_the_air) {
   SeaState state;
   state.wind_speed_mps = 18.0;
@@ -248,7 +264,8 @@ TEST(WaterSideHard, hard_38_an_eye_in_the_water_and_one_in_the_air) {
     QueryAnswer middle;
     query(field, tiles, {&place, 1}, {&middle, 1}, {.most_iterations = 30, .tolerance_m = 1e-5});
     const double roll = truth::pi * unit(random), yaw = truth::pi * unit(random);
-    const glm::dvec3 off = 0.032 * glm::dvec3(std::cos(roll) * std::cos(yaw), std::sin(roll), std::cos(roll) * std::sin(yaw));
+    const glm::dvec3 off =
+        0.032 * glm::dvec3(std::cos(roll) * std::cos(yaw), std::sin(roll), std::cos(roll) * std::sin(yaw));
     bool in[2] = {};
     for (int eye = 0; eye < 2; ++eye) {
       const glm::dvec3 at = glm::dvec3(place.x, middle.height_m, place.y) + (eye == 0 ? off : -off);

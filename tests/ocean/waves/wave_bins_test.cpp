@@ -97,14 +97,15 @@ double sum_of_cells(const SeaState& sea, const WaveBins& bins) {
 }
 
 TEST(WaveBins, cells_hold_the_spectrums_integral) {
-  // Summed, against the integral over the drawn bands: no noise, so even a swell of two waves a tile is right to 1 %. Control: the
-  // spectrum at the bins' centres misses that swell, of 30 s, by 16 %.
+  // Summed, against the integral over the drawn bands: no noise, so even a swell of two waves a tile is right to 1 %.
+  // Control: the spectrum at the bins' centres misses that swell, of 30 s, by 16 %.
   for (const double period : {0.0, 6.0, 12.0, 20.0, 30.0}) {
     SeaState sea;
     sea.wind_speed_mps = period > 0 ? 0 : 25;
     sea.swell_height_m = period > 0 ? 2 : 0;
     if (period > 0) sea.swell_period_s = period;
-    const double ratio = sum_of_cells(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 4})) / drawn_variance(sea, 4);
+    const double ratio =
+        sum_of_cells(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 4})) / drawn_variance(sea, 4);
     EXPECT_NEAR(ratio, 1, 0.01) << period;
     RecordProperty("ratio_" + std::to_string(int(period)), std::to_string(ratio));
   }
@@ -121,15 +122,17 @@ TEST(WaveBins, cells_hold_every_spectrum_spreading_and_depth) {
         sea.depth_m = depth;
         sea.swell_elongation = 0.5;
         sea.swell_height_m = 0.5, sea.swell2_height_m = 0.7, sea.swell3_height_m = 0.2;
-        const double ratio = sum_of_cells(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 5})) / drawn_variance(sea, 5);
+        const double ratio =
+            sum_of_cells(sea, make_wave_bins(sea, {.resolution = 256, .cascades = 5})) / drawn_variance(sea, 5);
         EXPECT_NEAR(ratio, 1, 0.01) << spectrum << " " << spreading << " " << depth;
       }
 }
 
 TEST(WaveBins, a_cell_is_the_spectrums_integral_over_it) {
-  // Single bins, near the peak and far out, against the exact spectrum's integral over the cell by adaptive quadrature: 0.5 % and
-  // 3.5e-4 of the largest (where a narrow swell has all but ended its table's straight lines are off by that). Controls: directions
-  // turned by the cascade's rotation the wrong way; the table's rows of angles read one row on.
+  // Single bins, near the peak and far out, against the exact spectrum's integral over the cell by adaptive quadrature:
+  // 0.5 % and 3.5e-4 of the largest (where a narrow swell has all but ended its table's straight lines are off by
+  // that). Controls: directions turned by the cascade's rotation the wrong way; the table's rows of angles read one row
+  // on.
   SeaState sea;
   sea.swell_height_m = 1;
   sea.swell_elongation = 0.3;
@@ -137,7 +140,8 @@ TEST(WaveBins, a_cell_is_the_spectrums_integral_over_it) {
   const WaveBins bins = make_wave_bins(sea, {.resolution = 256, .cascades = 5});
   double largest = 0;
   for (int c = 0; c < 5; ++c)
-    for (const glm::ivec2 place : {glm::ivec2(2, 1), {-3, 5}, {7, -8}, {0, -12}, {12, 6}, {-20, 3}, {15, -15}, {24, 2}, {5, -29}}) {
+    for (const glm::ivec2 place :
+         {glm::ivec2(2, 1), {-3, 5}, {7, -8}, {0, -12}, {12, 6}, {-20, 3}, {15, -15}, {24, 2}, {5, -29}}) {
       const glm::ivec2 m = (c == 0 ? 3 : 1) * place;  // the first has four times as many
       const double step = 2 * truth::pi / bins.ladder[c].side_m, tolerance = 3e-11 / (step * step);
       const auto column = [&](double x) {
@@ -198,11 +202,16 @@ TEST(WaveBins, hard_8_and_9_origin_and_edge_rows_are_zero) {
 }
 
 TEST(WaveBins, hard_1_and_4_no_wind_or_no_fetch_is_flat) {
-  // Without wind, or without fetch, every bin of every spectrum has an amplitude of exactly 0 (hard cases 1 and 4). Control: a wind floored at 0.5 m/s leaves waves.
-  for (const auto& [wind, fetch, spectrum] :
-       {std::tuple{0.0, 300e3, WaveSpectrum::jonswap}, {10.0, 0.0, WaveSpectrum::jonswap}, {0.0, 0.0, WaveSpectrum::tma},
-        {0.0, 300e3, WaveSpectrum::pierson_moskowitz}, {10.0, 0.0, WaveSpectrum::pierson_moskowitz},
-        {0.0, 300e3, WaveSpectrum::elfouhaily}, {10.0, 0.0, WaveSpectrum::elfouhaily}, {10.0, 0.0, WaveSpectrum::tma}}) {
+  // Without wind, or without fetch, every bin of every spectrum has an amplitude of exactly 0 (hard cases 1 and 4).
+  // Control: a wind floored at 0.5 m/s leaves waves.
+  for (const auto& [wind, fetch, spectrum] : {std::tuple{0.0, 300e3, WaveSpectrum::jonswap},
+                                              {10.0, 0.0, WaveSpectrum::jonswap},
+                                              {0.0, 0.0, WaveSpectrum::tma},
+                                              {0.0, 300e3, WaveSpectrum::pierson_moskowitz},
+                                              {10.0, 0.0, WaveSpectrum::pierson_moskowitz},
+                                              {0.0, 300e3, WaveSpectrum::elfouhaily},
+                                              {10.0, 0.0, WaveSpectrum::elfouhaily},
+                                              {10.0, 0.0, WaveSpectrum::tma}}) {
     SeaState sea;
     sea.spectrum = spectrum;
     sea.wind_speed_mps = wind;
@@ -250,7 +259,8 @@ TEST(WaveBins, hard_6_dry_land_is_flat) {
         sea.depth_m = depth;
         sea.swell_height_m = 2;
         const WaveBins bins = make_wave_bins(sea, {.resolution = resolution});
-        for (const gpu::WaveBin& b : bins.bins) ASSERT_TRUE(b.amplitude == glm::vec2(0) && b.turns_high == 0 && b.turns_low == 0);
+        for (const gpu::WaveBin& b : bins.bins)
+          ASSERT_TRUE(b.amplitude == glm::vec2(0) && b.turns_high == 0 && b.turns_low == 0);
         const SeaStatistics s = sea_statistics(sea, bins);
         EXPECT_EQ(s.height_variance, 0);
         EXPECT_EQ(s.tail_slope_moments, glm::dvec3(0));
@@ -273,8 +283,10 @@ TEST(WaveBins, hard_2_every_sea_is_finite) {
           sea.swell_elongation = 1;
           const WaveBins bins = make_wave_bins(sea, {.resolution = 64});
           const SeaStatistics s = sea_statistics(sea, bins);
-          for (const gpu::WaveBin& b : bins.bins) ASSERT_TRUE(std::isfinite(b.amplitude.x) && std::isfinite(b.amplitude.y));
-          ASSERT_TRUE(std::isfinite(s.height_variance) && std::isfinite(s.tail_slope_moments.x + s.tail_slope_moments.y + s.tail_slope_moments.z))
+          for (const gpu::WaveBin& b : bins.bins)
+            ASSERT_TRUE(std::isfinite(b.amplitude.x) && std::isfinite(b.amplitude.y));
+          ASSERT_TRUE(std::isfinite(s.height_variance) &&
+                      std::isfinite(s.tail_slope_moments.x + s.tail_slope_moments.y + s.tail_slope_moments.z))
               << spectrum << " " << wind << " " << depth << " " << gravity;
         }
 }

@@ -1,5 +1,5 @@
-// The sea's tiles in the images that the surface samples against those of the wave field, texel for texel, and against the sum
-// of their own waves: from the compute shaders, and uploaded (whose exact bits wave_upload_gpu_test.cpp has).
+// The sea's tiles in the images that the surface samples against those of the wave field, texel for texel, and against
+// the sum of their own waves: from the compute shaders, and uploaded (whose exact bits wave_upload_gpu_test.cpp has).
 #include "ocean/waves/wave_compute.h"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ struct Worst {
   std::string where = "nowhere";
 };
 
-// The largest difference of any texel of any cascade, level and channel. `scaled`: the CPU's values times this (a control).
+// The largest difference of any texel of any cascade, level and channel. `scaled`: the CPU's values times this (a
+// control).
 Worst compare(DrawnTiles& gpu, const WaveField& field, std::int64_t ticks, float scaled = 1.0f) {
   WaveTiles cpu;
   field.evaluate(ticks, cpu);
@@ -57,20 +58,22 @@ Worst compare(DrawnTiles& gpu, const WaveField& field, std::int64_t ticks, float
               const double want = scaled * wanted(x, z)[c];
               // dDx/dz shares a transform with Dz, which is up to 1 / k larger, and has its rounding.
               const double shared = image == 2 && c == 3 ? 4.0 : 1.0;
-              const double error = std::abs(double(got[std::size_t(z * size + x)][c]) - want) / (shared * (scale[c] + std::abs(want)));
+              const double error =
+                  std::abs(double(got[std::size_t(z * size + x)][c]) - want) / (shared * (scale[c] + std::abs(want)));
               if (error <= worst.error) continue;
               worst.error = error;
               worst.where = "cascade " + std::to_string(cascade) + ", image " + std::to_string(image) + ", level " +
-                            std::to_string(level) + ", x " + std::to_string(x) + ", z " + std::to_string(z) + ", channel " + std::to_string(c);
+                            std::to_string(level) + ", x " + std::to_string(x) + ", z " + std::to_string(z) +
+                            ", channel " + std::to_string(c);
             }
       }
     }
   return worst;
 }
 
-// Single floats sum a band of 4096 waves in another order than the CPU does; a half float keeps 11 bits (1 in 2048), which
-// drivers may cut rather than round, and a mip level is rounded again from levels that were. The control: 1 in 10,000
-// (single) and 1 in 100 (half) is seen.
+// Single floats sum a band of 4096 waves in another order than the CPU does; a half float keeps 11 bits (1 in 2048),
+// which drivers may cut rather than round, and a mip level is rounded again from levels that were. The control: 1 in
+// 10,000 (single) and 1 in 100 (half) is seen.
 constexpr double single_tolerance = 1e-5, half_tolerance = 2e-3;
 
 TEST_P(WaveTilesOnGpu, EqualTheWaveFieldAtEveryResolution) {
@@ -153,8 +156,8 @@ TEST_P(WaveTilesOnGpu, EqualTheWaveFieldInEveryScene) {
   }
 }
 
-// The drawn significant height is the sum of its own waves to 1 %, over 24 times, since opposed waves beat. The control: the
-// same tiles taken 2 % higher do not pass.
+// The drawn significant height is the sum of its own waves to 1 %, over 24 times, since opposed waves beat. The
+// control: the same tiles taken 2 % higher do not pass.
 TEST_P(WaveTilesOnGpu, HeightIsTheSumOfItsWaves) {
   for (const bool half : {false, true}) {
     DrawnTiles gpu(GetParam(), windy(), {.resolution = 64, .cascades = 4, .half_storage = half});
@@ -178,7 +181,8 @@ TEST_P(WaveTilesOnGpu, HeightIsTheSumOfItsWaves) {
     for (int c = 0; c < 4; ++c)
       for (int mz = -bins_of(c) / 2; mz < bins_of(c) / 2; ++mz)
         for (int mx = -bins_of(c) / 2; mx < bins_of(c) / 2; ++mx) {
-          const glm::dvec2 a = truth::raised(mx, mz, gpu.set(c).samples) * glm::dvec2(gpu.bins().at(c, mx, mz).amplitude);
+          const glm::dvec2 a =
+              truth::raised(mx, mz, gpu.set(c).samples) * glm::dvec2(gpu.bins().at(c, mx, mz).amplitude);
           carried += 0.5 * glm::dot(a, a);
         }
     const double ratio = std::sqrt(variance / carried);
@@ -189,7 +193,8 @@ TEST_P(WaveTilesOnGpu, HeightIsTheSumOfItsWaves) {
 
 // An equal time computes nothing; another does.
 TEST_P(WaveTilesOnGpu, TheSameTimeIsNotComputedTwice) {
-  DrawnTiles tiles(GetParam(), windy(), {.resolution = 32, .cascades = 1}, WaveImages::Filled::copied);  // by a pass that can be counted
+  DrawnTiles tiles(GetParam(), windy(), {.resolution = 32, .cascades = 1},
+                   WaveImages::Filled::copied);  // by a pass that can be counted
   std::vector<bool> worked;
   for (const std::int64_t ticks : {5, 5, 6, 6, 5}) {
     tiles.frame().begin();
@@ -201,8 +206,8 @@ TEST_P(WaveTilesOnGpu, TheSameTimeIsNotComputedTwice) {
   EXPECT_EQ(worked, (std::vector<bool>{true, false, true, false, true}));
 }
 
-// Workgroups of transforms fit the device, eight side by side where there is room. Control: without the limit of shared memory the least
-// device that Vulkan allows was given 128 invocations (seen).
+// Workgroups of transforms fit the device, eight side by side where there is room. Control: without the limit of shared
+// memory the least device that Vulkan allows was given 128 invocations (seen).
 TEST(TransformGroup, FitsTheDevice) {
   const auto group = [](std::uint32_t radix, std::uint32_t invocations, std::uint32_t shared_bytes) {
     DeviceFacts facts;

@@ -1,4 +1,5 @@
-// Wave particles against direct sums in double (tests/support/particle_truth.h), d'Alembert, and what their settings say.
+// Wave particles against direct sums in double (tests/support/particle_truth.h), d'Alembert, and what their settings
+// say.
 #include "ocean/waves/wave_particles.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,8 @@ std::vector<truth::Bump> truth_of(const WaveParticles& source, std::int64_t tick
   std::vector<truth::Bump> list;
   for (const WaveParticle& p : source.particles()) {
     const auto axis = [&](std::uint32_t start, std::uint64_t turns) {
-      const long double turned = std::ldexp(static_cast<long double>(std::int64_t(turns)), -64) * static_cast<long double>(ticks);
+      const long double turned =
+          std::ldexp(static_cast<long double>(std::int64_t(turns)), -64) * static_cast<long double>(ticks);
       const long double at = std::ldexp(static_cast<long double>(start), -32) + turned;
       return double(at - std::floor(at)) * n;
     };
@@ -49,7 +51,8 @@ Errors errors(const WaveParticles& source, const WaveParticleSettings& s, double
   const std::vector<truth::Bump> bumps = truth_of(source, ticks);
   const double r = s.radius_m / s.tile_m * n, texel = s.tile_m / n;
   double mean = 0.0;
-  for (const truth::Bump& b : bumps) mean += b.a * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * r * r / (double(n) * n);
+  for (const truth::Bump& b : bumps)
+    mean += b.a * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * r * r / (double(n) * n);
   Errors e;
   double square = 0.0, slope_square = 0.0;
   std::mt19937 random(3);
@@ -72,9 +75,10 @@ WaveParticleSettings many() {
   return s;
 }
 
-// Heights within float of the direct sum at any time, slopes within what differences over a texel leave where a particle's rim bends; with many
-// particles, summed on half the grid, within 1.3 % and 7 %. Controls seen: w0 a thousandth off (6e-4),
-// a strip that leaves out the particles of the one before (0.43), the second of the splines' parts left out (0.47).
+// Heights within float of the direct sum at any time, slopes within what differences over a texel leave where a
+// particle's rim bends; with many particles, summed on half the grid, within 1.3 % and 7 %. Controls seen: w0 a
+// thousandth off (6e-4), a strip that leaves out the particles of the one before (0.43), the second of the splines'
+// parts left out (0.47).
 TEST(WaveParticles, AreTheDirectSumAtAnyTime) {
   const WaveParticleSettings few;
   for (const double time_s : {0.0, 12.3, -1e3, 1e7}) {
@@ -86,7 +90,9 @@ TEST(WaveParticles, AreTheDirectSumAtAnyTime) {
     EXPECT_LE(m.height, 0.013) << time_s;
     EXPECT_LE(m.slope, 0.07) << time_s;
     EXPECT_GT(m.height, 1e-3) << "or these were not summed on half the grid";
-    RecordProperty("errors_" + std::to_string(int(time_s)), std::to_string(e.height) + " " + std::to_string(e.slope) + "; many " + std::to_string(m.height) + " " + std::to_string(m.slope));
+    RecordProperty("errors_" + std::to_string(int(time_s)), std::to_string(e.height) + " " + std::to_string(e.slope) +
+                                                                "; many " + std::to_string(m.height) + " " +
+                                                                std::to_string(m.slope));
   }
 }
 
@@ -117,14 +123,16 @@ WaveParticles front(const WaveParticleSettings& s, double spacing_texels, double
   return WaveParticles(s, list, 0.01);
 }
 
-// truths.md: a ripple of 3.5 % half a radius off the crest at spacing r / 2 and of 24 % at r, and so in the tile. A control is the other spacing.
+// truths.md: a ripple of 3.5 % half a radius off the crest at spacing r / 2 and of 24 % at r, and so in the tile. A
+// control is the other spacing.
 TEST(WaveParticles, AFrontRipplesAsItsSpacingSays) {
   EXPECT_NEAR(truth::ripple(1.0, 0.5, 0.5), 0.035, 5e-4);
   EXPECT_NEAR(truth::ripple(1.0, 1.0, 0.5), 0.24, 5e-3);
   const WaveParticleSettings s;  // a radius of 8 texels
   for (const auto& [spacing, most] : {std::pair(4.0, 0.035), std::pair(8.0, 0.24)}) {
     const Tile tile(front(s, spacing, 0.1), 0);
-    const double mean_of_tile = 0.01 * (n / spacing) * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * 64.0 / (double(n) * n);
+    const double mean_of_tile =
+        0.01 * (n / spacing) * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * 64.0 / (double(n) * n);
     double least = 1e9, highest = 0.0, mean = 0.0;
     for (int z = 0; z < n; ++z) {
       const double h = tile.height(64 + 4, z) + mean_of_tile;
@@ -136,8 +144,9 @@ TEST(WaveParticles, AFrontRipplesAsItsSpacingSays) {
   }
 }
 
-// d'Alembert: the front of any later time is the first one moved by c t, a year on too (its speed is held to 2^-64 turns a tick, 2e-4 texels in a year); and it is
-// within 4 % of a smooth front's height at spacing r / 2. Control seen: the ticks' upper 32 bits left out; a front spaced by r is seen here.
+// d'Alembert: the front of any later time is the first one moved by c t, a year on too (its speed is held to 2^-64
+// turns a tick, 2e-4 texels in a year); and it is within 4 % of a smooth front's height at spacing r / 2. Control seen:
+// the ticks' upper 32 bits left out; a front spaced by r is seen here.
 TEST(WaveParticles, AFrontRunsOnUnchanged) {
   const WaveParticleSettings s;
   const WaveParticles source = front(s, 4.0, 1.0 / 50.0);  // 64 texels in 12.5 seconds
@@ -162,7 +171,8 @@ TEST(WaveParticles, AFrontRunsOnUnchanged) {
       for (int i = 0; i < 640; ++i) list.push_back({0.0, 0.4 * i, 0.01 * 0.4});
       return list;
     }();
-    const double mean = 0.01 * (n / spacing) * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * 64.0 / (double(n) * n);
+    const double mean =
+        0.01 * (n / spacing) * std::numbers::pi * (0.5 - 2.0 / std::pow(std::numbers::pi, 2)) * 64.0 / (double(n) * n);
     double worst = 0.0;
     const double top = truth::bumps(dense, 8.0, n, 0.0, 0.0);
     for (int z = 0; z < n; ++z)
@@ -178,8 +188,8 @@ TEST(WaveParticles, AFrontRunsOnUnchanged) {
   }
 }
 
-// Nothing is lost at the tile's border: the mean stays, and starts moved by whole texels give the tile moved, to the bit.
-// Control seen: wrap_row without its sum (0.003 of the mean, 0.03 of the tile moved).
+// Nothing is lost at the tile's border: the mean stays, and starts moved by whole texels give the tile moved, to the
+// bit. Control seen: wrap_row without its sum (0.003 of the mean, 0.03 of the tile moved).
 TEST(WaveParticles, WrapWithoutASeam) {
   for (const WaveParticleSettings& s : {WaveParticleSettings{}, many()}) {
     const WaveParticles source(s);
@@ -195,13 +205,14 @@ TEST(WaveParticles, WrapWithoutASeam) {
     const Tile tile(source, ticks_of(7.7)), other(WaveParticles(s, moved, source.amplitude_m()), ticks_of(7.7));
     // The order of a texel's sum follows the strips, so that its last bits may differ.
     double worst = 0.0;
-    for (int i = 0; i < n * n; ++i) worst = std::max(worst, std::abs(tile.height(i % n, i / n) - other.height(i % n + 100, i / n + 202)));
+    for (int i = 0; i < n * n; ++i)
+      worst = std::max(worst, std::abs(tile.height(i % n, i / n) - other.height(i % n + 100, i / n + 202)));
     EXPECT_LE(worst, 1e-5 * rms);
   }
 }
 
-// One for each 1 / count of a turn, crests and troughs alike; places without preference. Control: steps of 2 to 5 degrees, as the effect was first
-// described, leave 800 directions up to 9 degrees' worth uneven.
+// One for each 1 / count of a turn, crests and troughs alike; places without preference. Control: steps of 2 to 5
+// degrees, as the effect was first described, leave 800 directions up to 9 degrees' worth uneven.
 TEST(WaveParticles, RunInEvenDirections) {
   for (const int count : {1, 16, 800, 100000}) {
     WaveParticleSettings s;
@@ -223,15 +234,17 @@ TEST(WaveParticles, RunInEvenDirections) {
     if (count >= 800) {
       EXPECT_LE(glm::length(places - 0.5), 3.0 * 0.41 / std::sqrt(count));
     }
-    const auto troughs = std::count_if(source.particles().begin(), source.particles().end(), [](const WaveParticle& p) { return p.trough; });
+    const auto troughs = std::count_if(source.particles().begin(), source.particles().end(),
+                                       [](const WaveParticle& p) { return p.trough; });
     EXPECT_EQ(troughs, count / 2);
   }
   // A deep-water wave two radii long.
-  EXPECT_NEAR(WaveParticles(WaveParticleSettings{}).speed_mps(), std::sqrt(9.81 * 0.5 / (2.0 * std::numbers::pi)), 1e-12);
+  EXPECT_NEAR(WaveParticles(WaveParticleSettings{}).speed_mps(), std::sqrt(9.81 * 0.5 / (2.0 * std::numbers::pi)),
+              1e-12);
 }
 
-// Heights' and slopes' variance over time are what the settings ask for and the statistics say, and no crest passes the bounds that culling takes.
-// Control seen: amplitude_of without the smaller sizes' squares.
+// Heights' and slopes' variance over time are what the settings ask for and the statistics say, and no crest passes the
+// bounds that culling takes. Control seen: amplitude_of without the smaller sizes' squares.
 TEST(WaveParticles, StandAsHighAsTheirSettingsSay) {
   for (const int count : {200, 800, 10000}) {
     WaveParticleSettings s;
@@ -269,10 +282,13 @@ TEST(WaveParticles, MoveAsFastAsTheyChange) {
   for (const WaveParticleSettings& s : {WaveParticleSettings{}, many()}) {
     const WaveParticles source(s);
     constexpr double step = 1.0 / 512.0;
-    const Tile now(source, ticks_of(9.0), true), before(source, ticks_of(9.0 - step)), after(source, ticks_of(9.0 + step));
+    const Tile now(source, ticks_of(9.0), true), before(source, ticks_of(9.0 - step)),
+        after(source, ticks_of(9.0 + step));
     glm::dvec3 wrong(0.0), right(0.0);
     for (int i = 0; i < n * n; ++i) {
-      const glm::dvec3 rate = glm::dvec3(after.at(WavePlane::shift, i % n, i / n) - before.at(WavePlane::shift, i % n, i / n)) / (2.0 * step);
+      const glm::dvec3 rate =
+          glm::dvec3(after.at(WavePlane::shift, i % n, i / n) - before.at(WavePlane::shift, i % n, i / n)) /
+          (2.0 * step);
       const glm::dvec3 error = glm::dvec3(now.at(WavePlane::velocity, i % n, i / n)) - rate;
       wrong += error * error;
       right += rate * rate;
@@ -281,11 +297,14 @@ TEST(WaveParticles, MoveAsFastAsTheyChange) {
     // With velocity the other planes are the same, to the bit.
     const Tile without(source, ticks_of(9.0));
     for (int plane = 0; plane < 3; ++plane)
-      EXPECT_EQ(std::memcmp(now.texels[std::size_t(plane)].data(), without.texels[std::size_t(plane)].data(), n * n * sizeof(glm::vec4)), 0);
+      EXPECT_EQ(std::memcmp(now.texels[std::size_t(plane)].data(), without.texels[std::size_t(plane)].data(),
+                            n * n * sizeof(glm::vec4)),
+                0);
   }
 }
 
-// The planes are what the height says, and each level is the mean of the one before. Control seen: a strip's mips in the place of the next one's.
+// The planes are what the height says, and each level is the mean of the one before. Control seen: a strip's mips in
+// the place of the next one's.
 TEST(WaveParticles, PlanesAgreeWithEachOther) {
   const WaveParticleSettings s;
   const WaveParticles source(s);
@@ -293,7 +312,8 @@ TEST(WaveParticles, PlanesAgreeWithEachOther) {
   const double towards = s.chop * 2.0 * s.radius_m / std::numbers::pi;
   for (int i = 0; i < n * n; i += 7) {
     const int x = i % n, z = i / n;
-    const glm::dvec4 shift(tile.at(WavePlane::shift, x, z)), slope(tile.at(WavePlane::slope, x, z)), moments(tile.at(WavePlane::moments, x, z));
+    const glm::dvec4 shift(tile.at(WavePlane::shift, x, z)), slope(tile.at(WavePlane::slope, x, z)),
+        moments(tile.at(WavePlane::moments, x, z));
     EXPECT_NEAR(shift.x, towards * slope.x, 1e-7);
     EXPECT_NEAR(shift.z, towards * slope.y, 1e-7);
     EXPECT_NEAR(moments.x, slope.x * slope.x, 1e-7);
@@ -305,7 +325,9 @@ TEST(WaveParticles, PlanesAgreeWithEachOther) {
       for (int i = 0; i < (n >> level) * (n >> level); i += 3) {
         const int x = i % (n >> level), z = i / (n >> level);
         const auto p = WavePlane(plane);
-        const glm::vec4 mean = 0.25f * (tile.at(p, 2 * x, 2 * z, level - 1) + tile.at(p, 2 * x + 1, 2 * z, level - 1) + tile.at(p, 2 * x, 2 * z + 1, level - 1) + tile.at(p, 2 * x + 1, 2 * z + 1, level - 1));
+        const glm::vec4 mean =
+            0.25f * (tile.at(p, 2 * x, 2 * z, level - 1) + tile.at(p, 2 * x + 1, 2 * z, level - 1) +
+                     tile.at(p, 2 * x, 2 * z + 1, level - 1) + tile.at(p, 2 * x + 1, 2 * z + 1, level - 1));
         ASSERT_LE(glm::length(mean - tile.at(p, x, z, level)), 1e-6f * (1.0f + glm::length(mean))) << level;
       }
 }
@@ -320,7 +342,9 @@ TEST(WaveParticles, AreTheSameForAnyNumberOfThreads) {
       arena.execute([&] { tiles.emplace_back(source, ticks_of(4.2), true); });
     }
     for (std::size_t i = 0; i < tiles[0].texels.size(); ++i)
-      EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(), tiles[0].texels[i].size() * sizeof(glm::vec4)), 0);
+      EXPECT_EQ(std::memcmp(tiles[0].texels[i].data(), tiles[1].texels[i].data(),
+                            tiles[0].texels[i].size() * sizeof(glm::vec4)),
+                0);
     const Tile later(source, ticks_of(4.2) + 1000, true);
     EXPECT_NE(std::memcmp(later.texels[0].data(), tiles[0].texels[0].data(), n * n * sizeof(glm::vec4)), 0);
   }
@@ -340,7 +364,9 @@ TEST(WaveParticles, LoopWhereTheSeaLoops) {
   EXPECT_GT(same(free), 0.5);
   // No particle's speed is off by more than half a tile a loop and axis.
   for (std::size_t i = 0; i < free.particles().size(); ++i) {
-    const auto off = [](std::uint64_t a, std::uint64_t b) { return std::abs(double(std::int64_t(a - b))) * 0x1p-64 * gpu::ticks_per_second * 90.0; };
+    const auto off = [](std::uint64_t a, std::uint64_t b) {
+      return std::abs(double(std::int64_t(a - b))) * 0x1p-64 * gpu::ticks_per_second * 90.0;
+    };
     EXPECT_LE(off(looping.particles()[i].turns_x, free.particles()[i].turns_x), 0.5 + 1e-6);
     EXPECT_LE(off(looping.particles()[i].turns_z, free.particles()[i].turns_z), 0.5 + 1e-6);
   }

@@ -19,7 +19,8 @@ SeaState windy() {
   return sea;
 }
 
-// All fields of one cascade by direct sums in double, its waves raised for a tile of `samples` texels, or as they are for 0: h = sum of Re(a exp(i(k.x - w t))), D = chop Re(i k/|k| a exp(...)).
+// All fields of one cascade by direct sums in double, its waves raised for a tile of `samples` texels, or as they are
+// for 0: h = sum of Re(a exp(i(k.x - w t))), D = chop Re(i k/|k| a exp(...)).
 struct Fields {
   double h = 0, dx = 0, dz = 0, hx = 0, hz = 0, xx = 0, zz = 0, xz = 0, vx = 0, vy = 0, vz = 0;
 };
@@ -36,9 +37,11 @@ Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, 
       const double kx = step * (o * mx - s * mz), kz = step * (s * mx + o * mz), k = std::hypot(kx, kz);
       const double w = truth::airy(k, sea.gravity_mps2, sea.depth_m, 7.17e-5), phase = kx * x + kz * z - w * t;
       const glm::dvec2 a = (samples > 0 ? truth::raised(mx, mz, samples) : 1.0) * glm::dvec2(b.amplitude);
-      const double re = a.x * std::cos(phase) - a.y * std::sin(phase), im = a.x * std::sin(phase) + a.y * std::cos(phase);
+      const double re = a.x * std::cos(phase) - a.y * std::sin(phase),
+                   im = a.x * std::sin(phase) + a.y * std::cos(phase);
       f.h += re;
-      const double chop = sea.chop * std::min(1.0 / std::tanh(k * sea.depth_m), 8.0);  // orbits are coth(k h) as wide as high
+      const double chop =
+          sea.chop * std::min(1.0 / std::tanh(k * sea.depth_m), 8.0);  // orbits are coth(k h) as wide as high
       f.dx -= chop * kx / k * im;
       f.dz -= chop * kz / k * im;
       f.hx -= kx * im;
@@ -80,8 +83,10 @@ TEST(WaveTiles, equal_direct_sums) {
         const glm::dvec2 place = texel_place(field.bins().ladder[cascade], samples, x, z);
         const Fields f = direct(sea, field.bins(), cascade, place.x, place.y, t, samples);
         const std::size_t at = std::size_t(z) * tiles.stride(cascade, 0) + x;
-        const glm::vec4 a = tiles.texels(cascade, WavePlane::shift, 0)[at], b = tiles.texels(cascade, WavePlane::slope, 0)[at],
-                        m = tiles.texels(cascade, WavePlane::moments, 0)[at], v = tiles.texels(cascade, WavePlane::velocity, 0)[at];
+        const glm::vec4 a = tiles.texels(cascade, WavePlane::shift, 0)[at],
+                        b = tiles.texels(cascade, WavePlane::slope, 0)[at],
+                        m = tiles.texels(cascade, WavePlane::moments, 0)[at],
+                        v = tiles.texels(cascade, WavePlane::velocity, 0)[at];
         const double truth[11] = {f.dx, f.h, f.dz, f.xz, f.hx, f.hz, f.xx, f.zz, f.vx, f.vy, f.vz};
         const float got[11] = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, v.x, v.y, v.z};
         for (int j = 0; j < 11; ++j) error[j] += std::pow(truth[j] - double(got[j]), 2), size[j] += truth[j] * truth[j];
@@ -105,7 +110,8 @@ TEST(WaveTiles, one_trochoid_has_jacobian_1_minus_chop_ka) {
     const WaveQuality quality{.resolution = 256, .cascades = 1};
     WaveBins bins = make_wave_bins(sea, quality);
     const double k = 2 * truth::pi * 3 / bins.ladder[0].side_m, amplitude = 0.2 / k;
-    bins.at(0, 3, 0).amplitude = glm::vec2(float(amplitude / truth::raised(3, 0, 512)), 0);  // as high as that at texels
+    bins.at(0, 3, 0).amplitude =
+        glm::vec2(float(amplitude / truth::raised(3, 0, 512)), 0);  // as high as that at texels
     const WaveField field(sea, quality, bins);
     WaveTiles tiles;
     field.evaluate(0, tiles);
@@ -124,14 +130,16 @@ TEST(WaveTiles, one_trochoid_has_jacobian_1_minus_chop_ka) {
 }
 
 TEST(WaveTiles, waves_travel_along_their_wave_vector) {
-  // A quarter period later the crest stands a quarter wave further along +k. Control: phase of the other sign sends it back.
+  // A quarter period later the crest stands a quarter wave further along +k. Control: phase of the other sign sends it
+  // back.
   SeaState sea;
   sea.wind_speed_mps = 0;
   const WaveQuality quality{.resolution = 128, .cascades = 1};
   WaveBins bins = make_wave_bins(sea, quality);
   bins.at(0, 4, -2).amplitude = glm::vec2(1, 0);
   const WaveField field(sea, quality, bins);
-  const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side, period = 2 * truth::pi / truth::airy(k, 9.81, 1e5, 7.17e-5);
+  const double side = bins.ladder[0].side_m, k = 2 * truth::pi * std::sqrt(20.0) / side,
+               period = 2 * truth::pi / truth::airy(k, 9.81, 1e5, 7.17e-5);
   WaveTiles tiles(true);
   field.evaluate(ticks_from_seconds(period / 4), tiles);
   const glm::dvec2 along = rotate_xz(glm::dvec2(4, -2) / std::sqrt(20.0), bins.ladder[0].rotation_rad);
@@ -165,8 +173,9 @@ TEST(WaveTiles, mip_levels_are_averages) {
 }
 
 TEST(WaveTiles, hard_8_mean_height_is_zero_and_variance_the_bins) {
-  // Hard case 8; drawn Hs, at places anywhere between texels, equals the sum of its own bins to 1 %, here over 24 times since
-  // opposed waves beat. Controls: spectra halved once more give half the height; waves as high at texels as they are miss by 2.4 % (seen).
+  // Hard case 8; drawn Hs, at places anywhere between texels, equals the sum of its own bins to 1 %, here over 24 times
+  // since opposed waves beat. Controls: spectra halved once more give half the height; waves as high at texels as they
+  // are miss by 2.4 % (seen).
   const WaveField field(windy(), {.resolution = 128, .cascades = 4});
   WaveTiles tiles;
   double square = 0;
@@ -182,7 +191,8 @@ TEST(WaveTiles, hard_8_mean_height_is_zero_and_variance_the_bins) {
         for (int x = 0; x < samples; ++x) sum += tiles.texels(c, WavePlane::shift, 0)[z * tiles.stride(c, 0) + x].y;
       EXPECT_LE(std::abs(sum / (samples * samples)), 1e-6);
     }
-    for (int i = 0; i < places; ++i) square += std::pow(field.displacement(tiles, {uniform(random), uniform(random)}, 0).y, 2);
+    for (int i = 0; i < places; ++i)
+      square += std::pow(field.displacement(tiles, {uniform(random), uniform(random)}, 0).y, 2);
   }
   EXPECT_NEAR(std::sqrt(square / (times * places) / field.statistics().height_variance), 1, 0.01);
 }
@@ -201,16 +211,18 @@ TEST(WaveTiles, hard_10_bits_do_not_depend_on_threads_or_history) {
   for (int c = 0; c < 3; ++c)
     for (int level = 0; level < one.levels(c); ++level)
       for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity}) {
-        const std::size_t bytes = sizeof(glm::vec4) * std::size_t(one.stride(c, level)) * std::size_t(one.samples(c) >> level);
-        ASSERT_EQ(std::memcmp(one.texels(c, plane, level), many.texels(c, plane, level), bytes), 0) << c << " " << level;
+        const std::size_t bytes =
+            sizeof(glm::vec4) * std::size_t(one.stride(c, level)) * std::size_t(one.samples(c) >> level);
+        ASSERT_EQ(std::memcmp(one.texels(c, plane, level), many.texels(c, plane, level), bytes), 0)
+            << c << " " << level;
       }
 }
 
 TEST(WaveTiles, samples_between_texels_and_across_footprints) {
-  // Anywhere between texels a sample of no footprint is the sea within 3 % of its deviation (straight lines between texels, four and
-  // eight to the shortest wave; root mean square); far above every tile only moments are left, and resolved plus
-  // unresolved slope variance is the same at every footprint (5 %). Control: without the half texel places miss by 0.4 of the deviation; waves
-  // not raised by 6 % (seen); without moments the variance by 9 % and more.
+  // Anywhere between texels a sample of no footprint is the sea within 3 % of its deviation (straight lines between
+  // texels, four and eight to the shortest wave; root mean square); far above every tile only moments are left, and
+  // resolved plus unresolved slope variance is the same at every footprint (5 %). Control: without the half texel
+  // places miss by 0.4 of the deviation; waves not raised by 6 % (seen); without moments the variance by 9 % and more.
   const WaveField field(windy(), {.resolution = 256, .cascades = 3});
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(10), tiles);

@@ -40,14 +40,16 @@ std::size_t wrong_numbers(DrawnTiles& drawn, const WaveTiles& field, std::string
         if (got.size() != std::size_t(size) * std::size_t(size)) return where = "a level of another size", 1;
         for (int z = 0; z < size; ++z)
           for (int x = 0; x < size; ++x) {
-            const glm::vec4& want = field.texels(cascade, WavePlane(image), level)[z * field.stride(cascade, level) + x];
+            const glm::vec4& want =
+                field.texels(cascade, WavePlane(image), level)[z * field.stride(cascade, level) + x];
             const glm::vec4& have = got[std::size_t(z * size + x)];
             for (int c = 0; c < 4; ++c, ++numbers) {
               const bool same = drawn.images().half_storage() ? double(have[c]) == to_half(want[c])
                                                               : std::memcmp(&have[c], &want[c], sizeof(float)) == 0;
               if (!same && wrong++ == 0)
-                where = "image " + std::to_string(image) + ", cascade " + std::to_string(cascade) + ", level " + std::to_string(level) +
-                        ", x " + std::to_string(x) + ", z " + std::to_string(z) + ", channel " + std::to_string(c);
+                where = "image " + std::to_string(image) + ", cascade " + std::to_string(cascade) + ", level " +
+                        std::to_string(level) + ", x " + std::to_string(x) + ", z " + std::to_string(z) + ", channel " +
+                        std::to_string(c);
             }
           }
       }
@@ -71,11 +73,12 @@ void expect_exact(const WaveQuality& quality, Filled filled) {
   EXPECT_GT(wrong_numbers(drawn, tiles, where), 0u);
 }
 
-// Controls: rows taken as long as the level is wide, derivatives copied from the moments, and one level's copy left out each
-// fail here; of tiles written in place, the last row of a piece of halves left out.
+// Controls: rows taken as long as the level is wide, derivatives copied from the moments, and one level's copy left out
+// each fail here; of tiles written in place, the last row of a piece of halves left out.
 TEST_F(UploadedTiles, HoldTheFieldsBits) {
   for (const Filled filled : both)
-    for (const int resolution : {16, 32, 64, 128, 256, 512}) expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2}, filled);
+    for (const int resolution : {16, 32, 64, 128, 256, 512})
+      expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2}, filled);
 }
 
 TEST_F(UploadedTiles, HoldTheFieldsBitsForAnyNumberOfCascades) {
@@ -90,8 +93,8 @@ TEST_F(UploadedTiles, HoldTheFieldsNumbersRoundedToHalves) {
       expect_exact({.resolution = resolution, .cascades = resolution <= 128 ? 5 : 2, .half_storage = true}, filled);
 }
 
-// The processor writes the next frame's tiles while the GPU still copies this one's: each frame keeps what it had. Control:
-// one staging buffer, or one set of images, for all frames in flight is seen here (by most of the pairs).
+// The processor writes the next frame's tiles while the GPU still copies this one's: each frame keeps what it had.
+// Control: one staging buffer, or one set of images, for all frames in flight is seen here (by most of the pairs).
 void expect_frames_apart(Filled filled) {
   const WaveQuality quality{.resolution = 256, .cascades = 5};
   DrawnTiles drawn(WavePlace::cpu, windy(), quality, filled);
@@ -99,7 +102,8 @@ void expect_frames_apart(Filled filled) {
   WaveTiles tiles;
   const VkDeviceSize bytes = 256u * 256u * 16u;
   constexpr VkDeviceSize times = 60;  // long enough for the processor to have written the next frame's before the last
-  Buffer kept(test::device(), "kept", times * bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+  Buffer kept(test::device(), "kept", times * bytes,
+              VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   VkBufferImageCopy last{};
   last.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 3, 1};
   last.imageExtent = {256, 256, 1};
@@ -121,7 +125,8 @@ void expect_frames_apart(Filled filled) {
     const auto got = read_buffer(test::device(), kept);
     int wrong = 0;
     for (int z = 0; z < 256; ++z)
-      wrong += std::memcmp(&got[(times - 1) * bytes + std::size_t(z) * 256 * 16], tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(4, 0), 256 * 16) != 0;
+      wrong += std::memcmp(&got[(times - 1) * bytes + std::size_t(z) * 256 * 16],
+                           tiles.texels(4, WavePlane::moments, 0) + z * tiles.stride(4, 0), 256 * 16) != 0;
     EXPECT_EQ(wrong, 0) << "rows of pair " << pair;
   }
 }
@@ -177,24 +182,28 @@ TEST_F(UploadedTiles, BuildNothingOfTheOtherWay) {
   EXPECT_FALSE(computed.images().sets()[1].displacement.spec().usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
 }
 
-// Frames of every scene drawn in both ways. Of a pixel's largest difference in linear light; the control: a hundredth of a
-// second later is outside.
+// Frames of every scene drawn in both ways. Of a pixel's largest difference in linear light; the control: a hundredth
+// of a second later is outside.
 TEST_F(UploadedTiles, DrawThePictureThatComputedOnesDraw) {
   constexpr double mean = 4e-4, p99 = 8e-3;  // half floats: a driver may cut where we round
   for (const char* scene : {"open_sea", "calm", "storm", "swell"})
     for (const char* preset : {"medium", "high"}) {
       const auto shot = [&](const char* place) {
-        return test::SeaShot({.scene = scene, .preset = preset, .width = 160, .height = 90, .set = {{"waves.where", place}}});
+        return test::SeaShot(
+            {.scene = scene, .preset = preset, .width = 160, .height = 90, .set = {{"waves.where", place}}});
       };
       auto cpu = shot("cpu"), gpu = shot("gpu");
       const Pose head = cpu.scene().start;
-      const Image8 uploaded = cpu.picture(head, 60.0), computed = gpu.picture(head, 60.0), later = cpu.picture(head, 60.01);
+      const Image8 uploaded = cpu.picture(head, 60.0), computed = gpu.picture(head, 60.0),
+                   later = cpu.picture(head, 60.01);
       const auto same = test::difference(uploaded, computed), other = test::difference(later, computed);
       EXPECT_LE(same.mean, mean) << scene << " " << preset;
       EXPECT_LE(same.p99, p99) << scene << " " << preset;
-      EXPECT_TRUE(other.mean > mean && other.p99 > p99) << scene << " " << preset << ": " << other.mean << ", " << other.p99;
-      RecordProperty(std::string(scene) + "_" + preset, std::to_string(same.mean) + ", " + std::to_string(same.p99) + "; later " +
-                                                            std::to_string(other.mean) + ", " + std::to_string(other.p99));
+      EXPECT_TRUE(other.mean > mean && other.p99 > p99)
+          << scene << " " << preset << ": " << other.mean << ", " << other.p99;
+      RecordProperty(std::string(scene) + "_" + preset, std::to_string(same.mean) + ", " + std::to_string(same.p99) +
+                                                            "; later " + std::to_string(other.mean) + ", " +
+                                                            std::to_string(other.p99));
     }
 }
 

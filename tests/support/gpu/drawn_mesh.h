@@ -1,5 +1,5 @@
-// The mesh of a frame as the vertex shader put it out, on the processor: where its surface stands at a place, and which of its points
-// each pixel shows.
+// The mesh of a frame as the vertex shader put it out, on the processor: where its surface stands at a place, and which
+// of its points each pixel shows.
 #pragma once
 #include <optional>
 #include <vector>
@@ -17,20 +17,22 @@ struct SurfacePoint {
 
 class DrawnMesh {
  public:
-  // Of the frame drawn last, for this viewpoint; the shot has options.probe. Throws where the probe holds fewer patches than were drawn.
+  // Of the frame drawn last, for this viewpoint; the shot has options.probe. Throws where the probe holds fewer patches
+  // than were drawn.
   DrawnMesh(SeaShot& shot, const Viewpoint& viewpoint);
 
   // The surface at a rest position, straight between vertices; none where no patch lies.
   std::optional<glm::dvec3> at(const glm::dvec2& rest) const;
 
-  // How far a point is from the surface, of what of it has its rest within `reach_m` of a place, along x and z; infinite where none has.
+  // How far a point is from the surface, of what of it has its rest within `reach_m` of a place, along x and z;
+  // infinite where none has.
   double distance(const glm::dvec3& point, const glm::dvec2& rest, double reach_m) const;
 
-  // What each pixel's centre shows of it, rows from the top, through the viewpoint's first eye; none where it shows sky.
-  // Triangles that reach behind the eye are left out.
+  // What each pixel's centre shows of it, rows from the top, through the viewpoint's first eye; none where it shows
+  // sky. Triangles that reach behind the eye are left out.
   struct Shown {
     SurfacePoint point;
-    double depth = 0.0;  // along the axis of sight, metres
+    double depth = 0.0;     // along the axis of sight, metres
     std::size_t patch = 0;  // of the selection
     bool any = false;
   };

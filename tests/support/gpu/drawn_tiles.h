@@ -26,19 +26,24 @@ inline SeaState windy() {
 class DrawnTiles {
  public:
   // `from_cpu`: how the processor's tiles come into the images.
-  DrawnTiles(WavePlace place, const SeaState& sea, const WaveQuality& quality, WaveImages::Filled from_cpu = WaveImages::Filled::written)
+  DrawnTiles(WavePlace place, const SeaState& sea, const WaveQuality& quality,
+             WaveImages::Filled from_cpu = WaveImages::Filled::written)
       : bins_(make_wave_bins(sea, quality)),
         statistics_(sea_statistics(sea, bins_)),
         frame_(device(), 4096),
         images_(device(), sea, quality, bins_, statistics_, 1.0,
                 place == WavePlace::gpu ? WaveImages::Filled::stored : from_cpu) {
-    if (place == WavePlace::gpu) compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, bins_, images_);
-    else upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
+    if (place == WavePlace::gpu)
+      compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, bins_, images_);
+    else
+      upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
   }
   // In a frame that has begun.
   void update(std::int64_t ticks) {
-    if (compute_) compute_->update(frame_, ticks);
-    else upload_->update(frame_, ticks);
+    if (compute_)
+      compute_->update(frame_, ticks);
+    else
+      upload_->update(frame_, ticks);
   }
   // A frame of its own, finished.
   void compute(std::int64_t ticks) {
@@ -81,7 +86,9 @@ class DrawnTiles {
 };
 
 // For tests that run in both ways.
-inline std::string place_name(const ::testing::TestParamInfo<WavePlace>& info) { return info.param == WavePlace::gpu ? "gpu" : "cpu"; }
+inline std::string place_name(const ::testing::TestParamInfo<WavePlace>& info) {
+  return info.param == WavePlace::gpu ? "gpu" : "cpu";
+}
 inline const char* place_value(WavePlace place) { return place == WavePlace::gpu ? "gpu" : "cpu"; }
 
 }  // namespace seascape::test

@@ -45,7 +45,8 @@ Shared& shared() {
 class DeviceEnd final : public ::testing::Environment {
  public:
   void SetUp() override {
-    // Hazards between submissions too, from frame to frame; an option of the layer that has no flag in Vulkan's own structs.
+    // Hazards between submissions too, from frame to frame; an option of the layer that has no flag in Vulkan's own
+    // structs.
     setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT", 0);
     spdlog::default_logger()->sinks().push_back(shared().sink);
     spdlog::set_level(spdlog::level::warn);
@@ -54,8 +55,8 @@ class DeviceEnd final : public ::testing::Environment {
     if (shared().device) {
       shared().device->wait_idle();
       EXPECT_TRUE(shared().device->objects().empty())
-          << shared().device->objects().size() << " objects are alive at the device's end, the first: "
-          << shared().device->objects().front().name;
+          << shared().device->objects().size()
+          << " objects are alive at the device's end, the first: " << shared().device->objects().front().name;
       shared().device.reset();
     }
     for (const std::string& message : take_validation_messages()) ADD_FAILURE() << message;

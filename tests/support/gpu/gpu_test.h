@@ -10,17 +10,18 @@
 
 namespace seascape::test {
 
-// The process's device, with validation and synchronization validation, made at the first call; and the shaders beside the
-// executable. Making a device takes a third of a second, so tests share it.
+// The process's device, with validation and synchronization validation, made at the first call; and the shaders beside
+// the executable. Making a device takes a third of a second, so tests share it.
 Device& device();
 ShaderLibrary& shaders();
 
-// Messages of the validation layer that any device of this process has given since the last call, oldest first. They are
-// taken from the log, so that those of a second device, and of a device's end, count as well.
+// Messages of the validation layer that any device of this process has given since the last call, oldest first. They
+// are taken from the log, so that those of a second device, and of a device's end, count as well.
 std::vector<std::string> take_validation_messages();
 
 // After every test the device is idle and the validation layer has said nothing. A test that plants a fault takes its
-// messages away by take_validation_messages(). The control: engine/validation_gpu_test.cpp plants an error and a hazard.
+// messages away by take_validation_messages(). The control: engine/validation_gpu_test.cpp plants an error and a
+// hazard.
 class GpuTest : public ::testing::Test {
  protected:
   void SetUp() override;

@@ -23,7 +23,8 @@ std::size_t pixels(const Image8& p) { return std::size_t(p.width) * std::size_t(
 double pixel_difference(const Image8& a, const Image8& b, std::size_t i) {
   double most = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
-    most = std::max(most, std::abs(linear(a.pixels[i * std::size_t(a.channels) + c]) - linear(b.pixels[i * std::size_t(b.channels) + c])));
+    most = std::max(most, std::abs(linear(a.pixels[i * std::size_t(a.channels) + c]) -
+                                   linear(b.pixels[i * std::size_t(b.channels) + c])));
   return most;
 }
 

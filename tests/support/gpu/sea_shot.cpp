@@ -20,7 +20,8 @@ SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), 
   if (!options.inputs.empty()) scene.inputs = options.inputs;
   for (const auto& [key, value] : options.set) set_from_text(scene.settings, key, value, "test");
   experience_ = std::make_unique<Experience>(
-      device, shaders(), scene, ExperienceOptions{options.width, options.height, options.views, options.per_eye, options.probe});
+      device, shaders(), scene,
+      ExperienceOptions{options.width, options.height, options.views, options.per_eye, options.probe});
 }
 
 Viewpoint SeaShot::viewpoint(const Pose& head) const {

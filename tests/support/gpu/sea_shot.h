@@ -20,7 +20,7 @@ struct ShotOptions {
   bool per_eye = false, probe = false;
   std::vector<std::pair<std::string, std::string>> set;  // as by --set
   std::optional<std::vector<std::string>> effects = {};  // instead of the scene's
-  std::vector<InputSpec> inputs = {};  // instead of the scene's, where there are any
+  std::vector<InputSpec> inputs = {};                    // instead of the scene's, where there are any
 };
 
 // A pose from metres and degrees.

@@ -1,8 +1,8 @@
 #include "tests/support/gpu/spirv_text.h"
 
+#include <spirv-tools/libspirv.h>
 #include <map>
 #include <set>
-#include <spirv-tools/libspirv.h>
 #include <spirv/unified1/spirv.hpp>
 
 namespace seascape::test {
@@ -19,8 +19,8 @@ spv_result_t take(void* list, const spv_parsed_instruction_t* parsed) {
   Instruction i{parsed->opcode, parsed->result_id, {}};
   for (std::uint16_t n = 0; n < parsed->num_operands; ++n) {
     const spv_parsed_operand_t& operand = parsed->operands[n];
-    const bool id = operand.type == SPV_OPERAND_TYPE_ID || operand.type == SPV_OPERAND_TYPE_TYPE_ID || operand.type == SPV_OPERAND_TYPE_MEMORY_SEMANTICS_ID ||
-                    operand.type == SPV_OPERAND_TYPE_SCOPE_ID;
+    const bool id = operand.type == SPV_OPERAND_TYPE_ID || operand.type == SPV_OPERAND_TYPE_TYPE_ID ||
+                    operand.type == SPV_OPERAND_TYPE_MEMORY_SEMANTICS_ID || operand.type == SPV_OPERAND_TYPE_SCOPE_ID;
     if (operand.type == SPV_OPERAND_TYPE_RESULT_ID) continue;
     for (std::uint16_t w = 0; w < operand.num_words; ++w) i.words.emplace_back(id, parsed->words[operand.offset + w]);
   }
@@ -52,7 +52,8 @@ class Names {
   }
   std::string text(const Instruction& i, std::size_t from) {
     std::string result = "Op" + std::to_string(i.opcode);
-    for (std::size_t n = from; n < i.words.size(); ++n) result += " " + (i.words[n].first ? of(i.words[n].second) : std::to_string(i.words[n].second));
+    for (std::size_t n = from; n < i.words.size(); ++n)
+      result += " " + (i.words[n].first ? of(i.words[n].second) : std::to_string(i.words[n].second));
     return result;
   }
 
@@ -90,7 +91,8 @@ std::string spirv_text(const std::vector<std::uint32_t>& words) {
     }
   }
   for (const std::string& name : declared) text += name + "\n";
-  for (const Instruction& i : bodies) text += (i.result != 0 ? names.of(i.result) + " = " : "") + names.text(i, 0) + "\n";
+  for (const Instruction& i : bodies)
+    text += (i.result != 0 ? names.of(i.result) + " = " : "") + names.text(i, 0) + "\n";
   return text;
 }
 

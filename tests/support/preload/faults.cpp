@@ -1,11 +1,11 @@
-// Loaded before the program's libraries (LD_PRELOAD), makes its machine fail where the environment says: a device without memory, a device that is lost, a process killed while it writes. The program
-// itself knows nothing of it.
-//   SEASCAPE_FAIL_FROM=n       the n-th object or allocation asked of the device, and all after it, get VK_ERROR_OUT_OF_DEVICE_MEMORY
-//   SEASCAPE_FAIL_ONCE=n       the n-th alone
-//   SEASCAPE_LOSE_AT=n         the n-th submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST
-//   SEASCAPE_KILL_AT_WRITE=n   SIGKILL in the middle of the n-th write into a file of a temporary name
-//   SEASCAPE_KILL_AT_RENAME=n  SIGKILL just before the n-th such file gets its own name
-//   SEASCAPE_COUNTS=FILE       written at the end: how many objects, submissions, writes and renames there were
+// Loaded before the program's libraries (LD_PRELOAD), makes its machine fail where the environment says: a device
+// without memory, a device that is lost, a process killed while it writes. The program itself knows nothing of it.
+//   SEASCAPE_FAIL_FROM=n       the n-th object or allocation asked of the device, and all after it, get
+//   VK_ERROR_OUT_OF_DEVICE_MEMORY SEASCAPE_FAIL_ONCE=n       the n-th alone SEASCAPE_LOSE_AT=n         the n-th
+//   submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST SEASCAPE_KILL_AT_WRITE=n   SIGKILL in the middle
+//   of the n-th write into a file of a temporary name SEASCAPE_KILL_AT_RENAME=n  SIGKILL just before the n-th such file
+//   gets its own name SEASCAPE_COUNTS=FILE       written at the end: how many objects, submissions, writes and renames
+//   there were
 #include <dlfcn.h>
 #include <signal.h>
 #include <unistd.h>
@@ -25,7 +25,8 @@ long number(const char* name) {
   return text ? std::atol(text) : 0;
 }
 
-const long fail_from = number("SEASCAPE_FAIL_FROM"), fail_once = number("SEASCAPE_FAIL_ONCE"), lose_at = number("SEASCAPE_LOSE_AT"), kill_at_write = number("SEASCAPE_KILL_AT_WRITE"),
+const long fail_from = number("SEASCAPE_FAIL_FROM"), fail_once = number("SEASCAPE_FAIL_ONCE"),
+           lose_at = number("SEASCAPE_LOSE_AT"), kill_at_write = number("SEASCAPE_KILL_AT_WRITE"),
            kill_at_rename = number("SEASCAPE_KILL_AT_RENAME");
 std::atomic<long> objects{0}, submissions{0}, writes{0}, renames{0};
 std::atomic<bool> lost{false};
@@ -70,14 +71,15 @@ struct AtEnd {
 
 }  // namespace
 
-#define FROM_DEVICE(name, parameters, arguments)                                              \
-  extern "C" __attribute__((visibility("default"))) VkResult name parameters {                \
-    if (no_memory()) return VK_ERROR_OUT_OF_DEVICE_MEMORY;                                    \
-    static const auto real = next<PFN_##name>(#name);                                         \
-    return real arguments;                                                                    \
+#define FROM_DEVICE(name, parameters, arguments)                               \
+  extern "C" __attribute__((visibility("default"))) VkResult name parameters { \
+    if (no_memory()) return VK_ERROR_OUT_OF_DEVICE_MEMORY;                     \
+    static const auto real = next<PFN_##name>(#name);                          \
+    return real arguments;                                                     \
   }
-#define CREATED(name, Info, Handle) \
-  FROM_DEVICE(name, (VkDevice device, const Info* info, const VkAllocationCallbacks* callbacks, Handle* handle), (device, info, callbacks, handle))
+#define CREATED(name, Info, Handle)                                                                              \
+  FROM_DEVICE(name, (VkDevice device, const Info* info, const VkAllocationCallbacks* callbacks, Handle* handle), \
+              (device, info, callbacks, handle))
 
 CREATED(vkAllocateMemory, VkMemoryAllocateInfo, VkDeviceMemory)
 CREATED(vkCreateBuffer, VkBufferCreateInfo, VkBuffer)
@@ -93,26 +95,36 @@ CREATED(vkCreateFence, VkFenceCreateInfo, VkFence)
 CREATED(vkCreateQueryPool, VkQueryPoolCreateInfo, VkQueryPool)
 CREATED(vkCreateRenderPass, VkRenderPassCreateInfo, VkRenderPass)
 CREATED(vkCreateFramebuffer, VkFramebufferCreateInfo, VkFramebuffer)
-FROM_DEVICE(vkAllocateDescriptorSets, (VkDevice device, const VkDescriptorSetAllocateInfo* info, VkDescriptorSet* sets), (device, info, sets))
-FROM_DEVICE(vkAllocateCommandBuffers, (VkDevice device, const VkCommandBufferAllocateInfo* info, VkCommandBuffer* buffers), (device, info, buffers))
-FROM_DEVICE(vkMapMemory, (VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data), (device, memory, offset, size, flags, data))
+FROM_DEVICE(vkAllocateDescriptorSets, (VkDevice device, const VkDescriptorSetAllocateInfo* info, VkDescriptorSet* sets),
+            (device, info, sets))
+FROM_DEVICE(vkAllocateCommandBuffers,
+            (VkDevice device, const VkCommandBufferAllocateInfo* info, VkCommandBuffer* buffers),
+            (device, info, buffers))
+FROM_DEVICE(vkMapMemory,
+            (VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags,
+             void** data),
+            (device, memory, offset, size, flags, data))
 FROM_DEVICE(vkCreateComputePipelines,
-            (VkDevice device, VkPipelineCache cache, uint32_t count, const VkComputePipelineCreateInfo* infos, const VkAllocationCallbacks* callbacks, VkPipeline* pipelines),
+            (VkDevice device, VkPipelineCache cache, uint32_t count, const VkComputePipelineCreateInfo* infos,
+             const VkAllocationCallbacks* callbacks, VkPipeline* pipelines),
             (device, cache, count, infos, callbacks, pipelines))
 FROM_DEVICE(vkCreateGraphicsPipelines,
-            (VkDevice device, VkPipelineCache cache, uint32_t count, const VkGraphicsPipelineCreateInfo* infos, const VkAllocationCallbacks* callbacks, VkPipeline* pipelines),
+            (VkDevice device, VkPipelineCache cache, uint32_t count, const VkGraphicsPipelineCreateInfo* infos,
+             const VkAllocationCallbacks* callbacks, VkPipeline* pipelines),
             (device, cache, count, infos, callbacks, pipelines))
 
 extern "C" {
 
-__attribute__((visibility("default"))) VkResult vkQueueSubmit(VkQueue queue, uint32_t count, const VkSubmitInfo* submits, VkFence fence) {
+__attribute__((visibility("default"))) VkResult vkQueueSubmit(VkQueue queue, uint32_t count,
+                                                              const VkSubmitInfo* submits, VkFence fence) {
   if (++submissions == lose_at) lost = true;
   if (lost) return VK_ERROR_DEVICE_LOST;
   static const auto real = next<PFN_vkQueueSubmit>("vkQueueSubmit");
   return real(queue, count, submits, fence);
 }
 
-__attribute__((visibility("default"))) VkResult vkWaitForFences(VkDevice device, uint32_t count, const VkFence* fences, VkBool32 all, uint64_t timeout) {
+__attribute__((visibility("default"))) VkResult vkWaitForFences(VkDevice device, uint32_t count, const VkFence* fences,
+                                                                VkBool32 all, uint64_t timeout) {
   if (lost) return VK_ERROR_DEVICE_LOST;
   static const auto real = next<PFN_vkWaitForFences>("vkWaitForFences");
   return real(device, count, fences, all, timeout);
@@ -131,8 +143,12 @@ __attribute__((visibility("default"))) VkResult vkDeviceWaitIdle(VkDevice device
   return lost ? VK_ERROR_DEVICE_LOST : result;
 }
 
-__attribute__((visibility("default"))) std::FILE* fopen(const char* name, const char* mode) { return open("fopen", name, mode); }
-__attribute__((visibility("default"))) std::FILE* fopen64(const char* name, const char* mode) { return open("fopen64", name, mode); }
+__attribute__((visibility("default"))) std::FILE* fopen(const char* name, const char* mode) {
+  return open("fopen", name, mode);
+}
+__attribute__((visibility("default"))) std::FILE* fopen64(const char* name, const char* mode) {
+  return open("fopen64", name, mode);
+}
 
 __attribute__((visibility("default"))) int fclose(std::FILE* file) {
   {
