@@ -4,8 +4,8 @@
 
 #include "app/scene.h"
 #include "app/sky.h"
-#include "ocean/local/drawn_spray.h"
 #include "ocean/ocean.h"
+#include "ocean/surface/drawn_spray.h"
 
 namespace seascape {
 

@@ -4,7 +4,7 @@
 
 #include "app/tile_sources.h"
 #include "ocean/effects.h"
-#include "ocean/local/shore_lines.h"
+#include "ocean/places/shore_lines.h"
 
 namespace seascape {
 

@@ -1,8 +1,8 @@
 // What a scene says of the sea's places, as the effects it calls for ask for it.
 #pragma once
 #include "app/scene.h"
-#include "ocean/local/foam_sea.h"
-#include "ocean/local/place_sea.h"
+#include "ocean/foam/foam_sea.h"
+#include "ocean/sea/place_sea.h"
 
 namespace seascape {
 

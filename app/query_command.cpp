@@ -13,7 +13,7 @@
 #include "app/tile_sources.h"
 #include "engine/files.h"
 #include "ocean/effects.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {

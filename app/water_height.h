@@ -1,7 +1,7 @@
 // How high the water stands at the camera, for riding it and for staying above it. Pure.
 #pragma once
-#include "ocean/local/place_sea.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/place_sea.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_tiles.h"
 

@@ -3,7 +3,7 @@
 string(CONCAT VULKAN_SOURCES_REGEX "^("
   "engine/(barrier|device|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
   "platform/.*|"
-  "ocean/ocean|ocean/local/drawn_(clip|dynamic_waves|foam|place|shore|spray|windows)|ocean/surface/surface|ocean/waves/(drawn_source|wave_(compute|images|upload))|"
+  "ocean/ocean|ocean/drawn/.*|ocean/surface/(drawn_spray|surface)|"
   "app/lab/(drawn_curves|frame_curve|lab_command)|"
   "app/(capture|doctor|effect_costs|experience|explore|explore_window|frame|panel|plan|program|replay|sky)"
   ")\\.cpp$")

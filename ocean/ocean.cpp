@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/lod/water_below.h"
+#include "ocean/mesh/water_below.h"
 #include "ocean/surface/water_optics.h"
 #include "shaders/shared/skirt.h"
 

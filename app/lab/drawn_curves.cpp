@@ -15,8 +15,8 @@
 #include "app/lab/wave_sum.h"
 #include "app/quality.h"
 #include "engine/text.h"
-#include "ocean/waves/wave_compute.h"
-#include "ocean/waves/wave_upload.h"
+#include "ocean/drawn/wave_compute.h"
+#include "ocean/drawn/wave_upload.h"
 
 namespace seascape {
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "app/lab/lab.h"
-#include "ocean/local/dynamic_waves.h"
-#include "ocean/local/lod_field.h"
+#include "ocean/places/dynamic_waves.h"
+#include "ocean/places/lod_field.h"
 #include "ocean/waves/spectrum.h"
 #include "shaders/shared/fresnel.h"
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "ocean/lod/patch_mesh.h"
-#include "ocean/lod/quadtree.h"
-#include "ocean/lod/water_below.h"
-#include "ocean/waves/query.h"
+#include "ocean/mesh/patch_mesh.h"
+#include "ocean/mesh/quadtree.h"
+#include "ocean/mesh/water_below.h"
+#include "ocean/sea/query.h"
 #include "shaders/shared/patch_vertex.h"
 
 namespace seascape {

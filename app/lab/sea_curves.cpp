@@ -10,8 +10,8 @@
 
 #include "app/lab/lab.h"
 #include "app/quality.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/half_floats.h"
-#include "ocean/waves/query.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/wave_tiles.h"
 

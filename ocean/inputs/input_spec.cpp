@@ -44,7 +44,7 @@ struct Checker {
              "give it \"to\": \"" + std::string(traits(to).name) + "\"");
   }
 
-  // Gerstner waves run along curves, and patterns of waves do not join as numbers do (ocean/local/shore_lines.h).
+  // Gerstner waves run along curves, and patterns of waves do not join as numbers do (ocean/places/shore_lines.h).
   void curve() const {
     const SplineInput* spline = std::get_if<SplineInput>(&spec.shape);
     if (spline == nullptr) refuse("kind: Gerstner waves run along splines alone", "give \"kind\": \"spline\"");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "ocean/lod/patch_mesh.h"
+#include "ocean/mesh/patch_mesh.h"
 #include "shaders/shared/frame_data.h"
 
 namespace seascape {

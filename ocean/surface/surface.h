@@ -1,12 +1,12 @@
 // Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
 #pragma once
 #include "engine/frame.h"
-#include "ocean/local/drawn_dynamic_waves.h"
-#include "ocean/local/drawn_foam.h"
-#include "ocean/local/drawn_place.h"
-#include "ocean/lod/quadtree.h"
-#include "ocean/waves/drawn_source.h"
-#include "ocean/waves/wave_images.h"
+#include "ocean/drawn/drawn_dynamic_waves.h"
+#include "ocean/drawn/drawn_foam.h"
+#include "ocean/drawn/drawn_place.h"
+#include "ocean/drawn/drawn_source.h"
+#include "ocean/drawn/wave_images.h"
+#include "ocean/mesh/quadtree.h"
 
 namespace seascape {
 

@@ -15,7 +15,7 @@ struct GerstnerSet {
   int octaves = 0;             // 0: one wave; else wavelengths down to wavelength_m / 2^octaves
   int waves = 8;               // an octave
   double reverse = 0.0;        // of each wave's amplitude, what comes the other way: 1 gives waves that stand
-  bool shore = false;  // it runs along the scene's curves alone (ocean/local/shore_lines.h), to_deg counted from
+  bool shore = false;  // it runs along the scene's curves alone (ocean/places/shore_lines.h), to_deg counted from
                        // straight towards the shore
 };
 

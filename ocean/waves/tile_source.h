@@ -52,7 +52,7 @@ class TileSource {
   // side, the last has one. The result depends on the source and the ticks alone. No allocation.
   virtual void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
                         std::span<float> workspace) const = 0;
-  // Laid along the curves of a place (ocean/local/shore_lines.h), x along them and -z towards the shore, and nowhere
+  // Laid along the curves of a place (ocean/places/shore_lines.h), x along them and -z towards the shore, and nowhere
   // else. Then there is one laying, not turned.
   virtual bool along_curves() const { return false; }
   // Of the processor's memory that it keeps for as long as it lives, where that is more than a few settings.

@@ -1,4 +1,4 @@
-// What dynamic waves add to sea_slopes(). Part of lib/sea.glsl; the C++ twin is ocean/local/dynamic_surface.cpp.
+// What dynamic waves add to sea_slopes(). Part of lib/sea.glsl; the C++ twin is ocean/places/dynamic_surface.cpp.
 
 // What a pixel's footprint takes of a level is roughness, as much as its window has on average.
 void add_dynamic_slope(inout SeaSlopes s, int i, vec2 rest, float distance, float blur) {

@@ -1,4 +1,4 @@
-// What dynamic waves add to sea_displacement(). Part of lib/sea.glsl; the C++ twin is ocean/local/dynamic_surface.cpp.
+// What dynamic waves add to sea_displacement(). Part of lib/sea.glsl; the C++ twin is ocean/places/dynamic_surface.cpp.
 
 // How much of a level there is at a distance from the viewer for a footprint in metres, which fades it from four to
 // eight of its texels: half and all of its shortest wave.

@@ -1,6 +1,6 @@
 // Water that is carried along takes its waves with it. A pattern that went on for ever would be drawn out to nothing:
 // there are two, each carried for the time of a phase about the place where it belongs, and the one fades in as the
-// other goes (Max and Becker 1996). Part of lib/sea.glsl; the C++ twin is ocean/local/place_sea.cpp.
+// other goes (Max and Becker 1996). Part of lib/sea.glsl; the C++ twin is ocean/sea/place_sea.cpp.
 
 vec2 flow_velocity;  // of the water here, m/s
 

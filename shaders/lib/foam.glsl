@@ -1,5 +1,5 @@
 // Foam on the water: what breaks now, what has stayed, and the lace that it breaks up into. Part of lib/sea_light.glsl;
-// the C++ twin of what it reads is ocean/local/foam.h.
+// the C++ twin of what it reads is ocean/foam/foam.h.
 
 layout(constant_id = 21) const bool foam_kept = false;  // it is simulated around the viewer
 layout(binding = 34) uniform texture2DArray foam_windows;

@@ -1,5 +1,5 @@
 // Data that belong to places, as lod_read() has them; each field a texture array of windows. Part of lib/sea.glsl; the
-// C++ twin is ocean/local/lod_field.h.
+// C++ twin is ocean/places/lod_field.h.
 
 LodRead place_read(vec2 place, float footprint) {
   return lod_read(frame.sea.place.windows.reach, frame.sea.place.windows.slices,

@@ -50,7 +50,7 @@ layout(binding = 27) uniform texture2DArray sea_level_windows;  // the still wat
 layout(constant_id = 16) const bool sea_flow = false;
 layout(binding = 29) uniform texture2DArray sea_flow_windows;  // the water's velocity along x and z, m/s
 layout(constant_id = 15) const bool sea_bed = false;
-layout(binding = 15) uniform texture2DArray sea_bed_windows;  // BedTexel::bed (ocean/local/bed_field.h),
+layout(binding = 15) uniform texture2DArray sea_bed_windows;  // BedTexel::bed (ocean/places/bed_field.h),
 layout(binding = 28) uniform texture2DArray sea_bed_waves;    // and its other two, two layers a slice
 layout(constant_id = 17) const bool water_clip = false;
 

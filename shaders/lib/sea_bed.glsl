@@ -1,7 +1,7 @@
 // What the bed makes of the water above it: where there is land, and how much each cascade's waves come to and from
-// where their patterns are taken. Part of lib/sea.glsl; the C++ twins are ocean/local/shallows.cpp and place_sea.cpp.
+// where their patterns are taken. Part of lib/sea.glsl; the C++ twins are ocean/places/shallows.cpp and place_sea.cpp.
 
-vec4 sea_bed_here;   // BedTexel (ocean/local/bed_field.h): the bed's height, the shifts of the longest three cascades
+vec4 sea_bed_here;   // BedTexel (ocean/places/bed_field.h): the bed's height, the shifts of the longest three cascades
 vec4 sea_bed_share;  // of cascades 0 to 3
 vec4 sea_bed_more;   // of the fifth; of other sources; of the run-up; of all shorter waves
 vec4 sea_bed_x, sea_bed_z;  // what sea_bed_here changes by along x and z, a metre
@@ -59,8 +59,8 @@ vec2 sea_bed_shift(CascadeData c, int number) {
   return tile_vector(c, shift * sea_bed_along(number));
 }
 
-// Derivatives as they are drawn: a pattern's phase is bent by what its shift changes by (ocean/local/refraction.h), its
-// shear left out.
+// Derivatives as they are drawn: a pattern's phase is bent by what its shift changes by (ocean/places/refraction.h),
+// its shear left out.
 vec4 sea_bed_derivatives(vec4 d, int number) {
   const vec2 along = sea_bed_along(number);
   const vec2 bend = number == 0   ? vec2(sea_bed_x.y, sea_bed_z.y)

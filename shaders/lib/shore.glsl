@@ -1,10 +1,10 @@
 // Gerstner waves along curves: their tile, laid so that x runs along a curve and -z across it towards the shore. Part
-// of lib/sea.glsl; the C++ twins are ocean/local/shore_lines.cpp, which says where a place lies, and shore_sea.cpp.
+// of lib/sea.glsl; the C++ twins are ocean/places/shore_lines.cpp, which says where a place lies, and shore_sea.cpp.
 
 layout(binding = 44) uniform texture2DArray shore_displacement;  // as those of gerstner, along the tile's axes
 layout(binding = 45) uniform texture2DArray shore_derivatives;
 layout(binding = 46) uniform texture2DArray shore_moments;
-layout(binding = 47) uniform texture2DArray shore_line_windows;  // ShoreTexel (ocean/local/drawn_shore.h)
+layout(binding = 47) uniform texture2DArray shore_line_windows;  // ShoreTexel (ocean/drawn/drawn_shore.h)
 layout(binding = 48) uniform texture2DArray shore_way_windows;
 
 float shore_share;    // of the waves at the place that was read last; 0: nothing else is known

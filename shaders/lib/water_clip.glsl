@@ -1,5 +1,5 @@
 // Where water is taken away: flat inputs from windows, and volumes exactly, whatever there are of them. Part of
-// lib/sea.glsl; the C++ twins are ocean/local/place_sea.cpp and ocean/inputs/clip_volumes.cpp.
+// lib/sea.glsl; the C++ twins are ocean/sea/place_sea.cpp and ocean/inputs/clip_volumes.cpp.
 #include "shared/clip_volume.h"
 
 // What there is of both: 1 flat inputs, 2 volumes, 4 hulls among them.

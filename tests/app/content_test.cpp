@@ -5,7 +5,7 @@
 #include "app/place_inputs.h"
 #include "app/scene.h"
 #include "app/tile_sources.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/sanitized.h"
 

@@ -13,7 +13,7 @@
 #include "engine/error.h"
 #include "engine/files.h"
 #include "engine/text.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/temporary_folder.h"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/local/dynamic_surface.h"
+#include "ocean/places/dynamic_surface.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {

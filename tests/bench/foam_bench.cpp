@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "ocean/local/foam_pattern.h"
-#include "ocean/local/foam_sea.h"
+#include "ocean/foam/foam_pattern.h"
+#include "ocean/foam/foam_sea.h"
 
 namespace seascape {
 namespace {

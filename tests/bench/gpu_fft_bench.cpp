@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "ocean/waves/wave_compute.h"
+#include "ocean/drawn/wave_compute.h"
 #include "tests/bench/gpu.h"
 #include "tests/support/gpu/gpu_transform.h"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ocean/inputs/inputs.h"
-#include "ocean/local/lod_windows.h"
+#include "ocean/places/lod_windows.h"
 
 namespace seascape {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/camera_path.h"
 #include "app/quality.h"
-#include "ocean/lod/quadtree.h"
-#include "ocean/lod/water_below.h"
+#include "ocean/mesh/quadtree.h"
+#include "ocean/mesh/water_below.h"
 
 namespace seascape {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/quality.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {

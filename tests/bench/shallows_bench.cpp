@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "ocean/inputs/inputs.h"
-#include "ocean/local/refraction.h"
+#include "ocean/places/refraction.h"
 
 namespace seascape {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "ocean/local/spray.h"
+#include "ocean/foam/spray.h"
 
 namespace seascape {
 namespace {

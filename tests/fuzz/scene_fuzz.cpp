@@ -5,7 +5,7 @@
 #include "app/scene_inputs.h"
 #include "ocean/effects.h"
 #include "ocean/inputs/inputs.h"
-#include "ocean/local/shore_lines.h"
+#include "ocean/places/shore_lines.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace seascape;

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <random>
 
-#include "ocean/lod/patch_mesh.h"
+#include "ocean/mesh/patch_mesh.h"
 #include "tests/support/gpu/drawn_mesh.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"

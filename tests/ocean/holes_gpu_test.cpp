@@ -1,7 +1,7 @@
 // No hole in the sea: from every place, beneath the horizon, there is water in every pixel.
 #include <algorithm>
 
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <map>
 
-#include "tests/ocean/lod/lod_support.h"
+#include "tests/ocean/mesh/lod_support.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/gpu/drawn_mesh.h"
 #include "tests/support/gpu/gpu_test.h"

@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <optional>
 
-#include "ocean/local/dynamic_sea.h"
-#include "ocean/local/foam_sea.h"
-#include "ocean/local/spray.h"
-#include "ocean/waves/query.h"
-#include "ocean/waves/sea_change.h"
+#include "ocean/foam/foam_sea.h"
+#include "ocean/foam/spray.h"
+#include "ocean/places/dynamic_sea.h"
+#include "ocean/sea/query.h"
+#include "ocean/sea/sea_change.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/sanitized.h"

@@ -8,7 +8,7 @@
 #include "app/camera_path.h"
 #include "app/place_inputs.h"
 #include "app/tile_sources.h"
-#include "ocean/lod/patch_mesh.h"
+#include "ocean/mesh/patch_mesh.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/sea_shot.h"

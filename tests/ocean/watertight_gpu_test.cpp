@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"

@@ -322,7 +322,7 @@ TEXT
     (cd "$source_root" && find tests -name '*_test.cpp' -o -path 'tests/mutants/*' -type f) | (cd "$source_root" && xargs -d '\n' cp --parents -t "$tree")
     "$tree/tests/mutants/run" --check > "$work/out" || { cat "$work/out" >&2; fail "control: the copy"; }
     sed -i 's/tanh_of(k \* depth_m))/tanh_of(depth_m * k))/' "$tree/ocean/waves/dispersion.cpp"
-    sed -i 's/^TEST(SeaBlend, IsTheOldSea/TEST(SeaBlend, WasTheOldSea/' "$tree/tests/ocean/waves/sea_change_test.cpp"
+    sed -i 's/^TEST(SeaBlend, IsTheOldSea/TEST(SeaBlend, WasTheOldSea/' "$tree/tests/ocean/sea/sea_change_test.cpp"
     "$tree/tests/mutants/run" --check > "$work/out" && fail "control: stale faults"
     [ "$(grep -c fault: "$work/out")" -eq 2 ] || { cat "$work/out" >&2; fail "control: which faults are stale"; }
     ;;

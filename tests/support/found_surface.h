@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "ocean/local/place_sea.h"
+#include "ocean/sea/place_sea.h"
 
 namespace seascape::test {
 

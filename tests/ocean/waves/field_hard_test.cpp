@@ -4,7 +4,7 @@
 #include <random>
 
 #include "engine/error.h"
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/truth.h"
 

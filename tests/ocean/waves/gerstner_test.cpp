@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/gerstner_truth.h"
 #include "tests/support/source_tile.h"

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "ocean/sea/query.h"
 #include "ocean/waves/fft.h"
-#include "ocean/waves/query.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 

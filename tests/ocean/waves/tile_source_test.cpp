@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "ocean/waves/query.h"
+#include "ocean/sea/query.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/particle_truth.h"

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "ocean/sea/query.h"
+#include "ocean/sea/sea_change.h"
+#include "ocean/sea/water_side.h"
 #include "ocean/waves/baked.h"
 #include "ocean/waves/dispersion.h"
 #include "ocean/waves/elfouhaily.h"
 #include "ocean/waves/gerstner.h"
-#include "ocean/waves/query.h"
-#include "ocean/waves/sea_change.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/travelling_particles.h"
-#include "ocean/waves/water_side.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "shaders/shared/phase.h"

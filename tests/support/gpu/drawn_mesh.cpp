@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ocean/lod/patch_mesh.h"
+#include "ocean/mesh/patch_mesh.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/horizon_truth.h"
 

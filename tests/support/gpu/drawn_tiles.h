@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "ocean/waves/wave_compute.h"
+#include "ocean/drawn/wave_compute.h"
+#include "ocean/drawn/wave_upload.h"
 #include "ocean/waves/wave_place.h"
-#include "ocean/waves/wave_upload.h"
 #include "tests/support/gpu/gpu_test.h"
 
 namespace seascape::test {

@@ -1,0 +1,124 @@
+#include "ocean/drawn/drawn_foam.h"
+
+#include <spdlog/spdlog.h>
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "ocean/foam/foam_pattern.h"
+#include "ocean/waves/half_floats.h"
+
+namespace seascape {
+
+namespace {
+constexpr auto lace_side = std::uint32_t(gpu::foam_lace_texels);
+
+ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels, VkFormat format) {
+  ImageSpec spec;
+  spec.width = spec.height = side;
+  spec.layers = layers;
+  spec.levels = levels;
+  spec.format = format;
+  spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  return spec;
+}
+}  // namespace
+
+DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality,
+                     TileSources others, std::shared_ptr<const ShoreLines> shore)
+    : sea_(spec, sea, quality, std::move(others), std::move(shore)), settings_(spec.settings.windows) {
+  const EffectScope scope(device, "foam");
+  const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
+  windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));
+  lace_ = Image(device, "foam, lace",
+                sampled(lace_side, 1, std::uint32_t(std::bit_width(lace_side)), VK_FORMAT_R8G8B8A8_UNORM));
+  for (Buffer& staging : staging_)
+    staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                     HostAccess::write);
+  fill_lace(device);
+  set_wind(sea);
+}
+
+void DrawnFoam::set_wind(const SeaState& sea) {
+  const double to = glm::radians(sea.wind_to_deg), drawn_out = glm::smoothstep(9.0, 28.0, sea.wind_speed_mps);
+  wind_ = {std::sin(to), -std::cos(to), 1.0 - 1.0 / (1.0 + 1.5 * drawn_out), 1.0 - 1.0 / (1.0 + 5.0 * drawn_out)};
+}
+
+void DrawnFoam::fill_lace(Device& device) {
+  const std::vector<std::uint8_t> lace = foam_pattern(int(lace_side));
+  const Buffer staging(device, "foam, lace staging", lace.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+  std::memcpy(staging.mapped<std::byte>(), lace.data(), lace.size());
+  std::vector<VkBufferImageCopy> levels;
+  std::size_t offset = 0;
+  for (std::uint32_t level = 0; level < lace_.spec().levels; ++level) {
+    VkBufferImageCopy& region = levels.emplace_back();
+    region.bufferOffset = offset;
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+    region.imageExtent = {lace_side >> level, lace_side >> level, 1};
+    offset += std::size_t(4) * (lace_side >> level) * (lace_side >> level);
+  }
+  device.run_now([&](VkCommandBuffer commands) {
+    BarrierBatch barriers;
+    barriers.add(lace_, Access::transfer_write, true);
+    barriers.record(commands);
+    vkCmdCopyBufferToImage(commands, staging.get(), lace_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                           std::uint32_t(levels.size()), levels.data());
+  });
+}
+
+void DrawnFoam::update(Frame& frame, double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {
+  const std::uint32_t changed = sea_.update(time_s, viewer, wakes);
+  if (const auto fault = sea_.take_fault()) spdlog::warn("{}", *fault);
+  const Foam& foam = sea_.foam();
+  const LodField<float>& field = foam.field();
+  const std::uint32_t all = (1u << settings_.slices) - 1u, copied = begun_ ? changed & (foam.foamy() | drawn_) : all;
+  begun_ = true;
+  if (copied == 0) return;
+  const Buffer& staging = staging_[std::size_t(frame.slot())];
+  const auto side = std::uint32_t(settings_.resolution);
+  const std::size_t texels = std::size_t(side) * side;
+  regions_.clear();
+  for (int i = 0; i < settings_.slices; ++i) {
+    if ((copied >> i & 1u) == 0) continue;
+    VkBufferImageCopy region{};
+    region.bufferOffset = std::size_t(i) * texels * 2;
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(field.layer(i)), 1};
+    region.imageExtent = {side, side, 1};
+    regions_.push_back(region);
+  }
+  tbb::parallel_for(std::size_t(0), regions_.size(), [&](std::size_t n) {
+    const int layer = int(regions_[n].imageSubresource.baseArrayLayer),
+              slice = (layer - field.layer(0) + settings_.slices) % settings_.slices;
+    halves_from_floats(field.texels(slice),
+                       reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + regions_[n].bufferOffset),
+                       texels);
+  });
+  // After a change of the octave other layers hold what slices held: `drawn_` then is all.
+  drawn_ = changed == all ? foam.foamy() : (drawn_ & ~copied) | (foam.foamy() & copied);
+  frame.pass("foam", {use(staging, Access::transfer_read), use(windows_, Access::transfer_write)},
+             [&](Commands& c) { c.copy(staging, windows_, regions_); });
+}
+
+void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
+  const LodField<float>& field = sea_.foam().field();
+  data.windows = lod_windows(settings_, field.placement(), grid_origin_m);
+  const glm::dvec2 along(wind_);
+  const auto drawn_out = [&](double taken) { return grid_origin_m - taken * glm::dot(grid_origin_m, along) * along; };
+  const glm::dvec2 lace = drawn_out(wind_.z), wide = drawn_out(wind_.w), first = lace / double(gpu::foam_side_m);
+  const double c = double(gpu::foam_turn_cos), s = double(gpu::foam_turn_sin);
+  const glm::dvec2 second =
+      glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m);
+  const glm::dvec2 third = glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m);
+  data.origin = glm::vec4(glm::vec2(glm::fract(first)), glm::vec2(glm::fract(second)));
+  data.look = glm::vec4(glm::vec2(glm::fract(third)), sea_.fresh(), 0.0f);
+  data.wind = wind_;
+}
+
+void DrawnFoam::add_uses(Uses& uses, Access access) const {
+  uses.add(use(windows_, access));
+  uses.add(use(lace_, access));
+}
+
+}  // namespace seascape

@@ -1,0 +1,233 @@
+#include "ocean/drawn/drawn_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ocean/places/flow_phase.h"
+
+namespace seascape {
+
+namespace {
+
+// Heights of lakes in mountains need whole floats, where the device samples those.
+VkFormat format_of(InputTarget kind, bool whole) {
+  switch (kind) {
+    case InputTarget::level:
+      return whole ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT;
+    case InputTarget::clip:
+      return VK_FORMAT_R16_SFLOAT;
+    case InputTarget::albedo:
+      return VK_FORMAT_R16G16B16A16_SFLOAT;
+    default:
+      return VK_FORMAT_R16G16_SFLOAT;
+  }
+}
+
+std::uint32_t all_slices(const PlaceSettings& settings) { return (1u << settings.windows.slices) - 1u; }
+
+// A row of a slice's texels.
+template <class T>
+std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) {
+  return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)};
+}
+
+}  // namespace
+
+DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows,
+                       double depth_m)
+    : settings_(inputs.settings), depth_m_(depth_m), shallows_{std::move(shallows), nullptr} {
+  validate(settings_);
+  const bool whole = device.facts().float32_linear;
+  for (const InputTarget kind :
+       {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::albedo, InputTarget::shadow}) {
+    std::vector<Drawn::Part> parts;
+    int laid = 0;
+    if (auto stays = inputs.of(kind)) parts.push_back({std::move(stays), nullptr}), laid |= gpu::laid_stays;
+    if (auto follows = PlaceInputs::of(inputs.following, kind))
+      parts.push_back({std::move(follows), nullptr}), laid |= gpu::laid_follows;
+    if (parts.empty()) continue;
+    const std::string name(traits(kind).name);
+    const EffectScope scope(device, name);
+    const int layers = int(parts.size());
+    drawn_.push_back(
+        {kind, laid, std::move(parts), DrawnWindows(device, name, settings_.windows, format_of(kind, whole), layers)});
+  }
+  if (shallows_) {
+    const EffectScope scope(device, traits(InputTarget::sea_depth).name);
+    // Shifts of hundreds of metres are too much for halves: where the device has nothing else they are left out
+    // (update()).
+    bed_ = std::make_unique<Bed>(
+        Bed{nullptr,
+            DrawnWindows(device, "sea_depth", settings_.windows,
+                         whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
+            DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr,
+            BedTurns(settings_.windows.slices)});
+  }
+  if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
+  if (inputs.shore) {
+    const EffectScope scope(device, traits(InputTarget::gerstner).name);
+    shore_ = std::make_unique<DrawnShore>(device, inputs.shore, shallows_.from, settings_);
+  }
+}
+
+void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
+  if (!std::isfinite(viewer.x + viewer.y + viewer.z)) return;
+  // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
+  placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
+  for (Drawn& drawn : drawn_) {
+    std::uint32_t changed = 0;
+    for (Drawn::Part& part : drawn.parts) {
+      if (part.field)
+        changed |= part.field->follow(placement_, time_s);
+      else
+        part.field = std::make_unique<PlaceField<glm::vec4>>(place_values(part.inputs, settings_), settings_,
+                                                             placement_, time_s),
+        changed = all_slices(settings_);
+    }
+    if (changed == 0) continue;
+    const auto field = [&drawn](int layer) -> const PlaceField<glm::vec4>& {
+      return *drawn.parts[std::size_t(layer)].field;
+    };
+    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(field(0), changed);
+    const int channels = drawn.windows.channels();
+    drawn.windows.copy(
+        frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); },
+        [&](int slice, int layer, int z, std::span<float> texels) {
+          std::size_t at = 0;
+          for (const glm::vec4& texel : row_of(field(layer).field(), slice, z, settings_.windows.resolution))
+            for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
+        });
+  }
+  time_s_ = time_s;
+  if (bed_) update(frame, *bed_, time_s);
+  if (shore_) shore_->update(frame, placement_, time_s);
+}
+
+MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& others) const {
+  if (!bed_) return nullptr;
+  return [inputs, others, settings = settings_, placement = placement_, time_s = time_s_](const SeaState& sea,
+                                                                                          const WaveBins& bins) {
+    auto made = std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, others, inputs), nullptr});
+    made->field = std::make_unique<PlaceField<BedTexel>>(bed_values({made->shallows, nullptr}, sea.depth_m), settings,
+                                                         placement, time_s);
+    return made;
+  };
+}
+
+void DrawnPlace::begin_change(MadePlace made) {
+  shallows_.to = std::move(made.shallows);
+  shallows_.share = 0.0;
+  bed_->next = std::move(made.field);
+}
+
+void DrawnPlace::change(double share) {
+  shallows_.share = share;
+  bed_->turns.stale();
+  if (share < 1.0) return;
+  shallows_ = {std::move(shallows_.to), nullptr};
+  bed_->field = std::move(bed_->next);
+}
+
+void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
+  std::uint32_t changed = all_slices(settings_);
+  if (bed.field)
+    changed = bed.field->follow(placement_, time_s);
+  else
+    bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_,
+                                                       placement_, time_s);
+  if (bed.next) changed |= bed.next->follow(placement_, time_s);
+  if (bed.turns.any()) changed = bed.turns.take(changed);
+  if (changed == 0) return;
+  const float share = float(shallows_.share);
+  const LodField<BedTexel>& field = bed.field->field();
+  const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& part) {
+    windows.copy(
+        frame, pass, changed, [&](int slice) { return field.layer(slice); },
+        [&](int slice, int layer, int z, std::span<float> texels) {
+          const auto now = row_of(field, slice, z, settings_.windows.resolution);
+          for (std::size_t i = 0; i < now.size(); ++i) {
+            glm::vec4 value = part(now[i], layer);
+            if (bed.next)
+              value = glm::mix(value, part(row_of(bed.next->field(), slice, z, settings_.windows.resolution)[i], layer),
+                               share);
+            for (std::size_t c = 0; c < 4; ++c) texels[4 * i + c] = value[int(c)];
+          }
+        });
+  };
+  const float shifted = bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f;
+  copy(bed.heights, "sea_depth",
+       [&](const BedTexel& texel, int) { return texel.bed * glm::vec4(1.0f, shifted, shifted, shifted); });
+  copy(bed.waves, "sea_depth waves",
+       [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
+}
+
+void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const {
+  data.windows = lod_windows(settings_.windows, placement_, grid_origin_m);
+  const glm::vec4 current = place_outside(settings_, InputTarget::flow);
+  data.outside = glm::vec4(float(settings_.level_m), settings_.clip_by_default ? 1.0f : 0.0f, current.x, current.y);
+  const FlowPhase phase = flow_phase(time_s, settings_.flow_period_s);
+  if (shallows_) {
+    constexpr double noise_m = gpu::ground_pattern_m;
+    data.outside_bed =
+        glm::vec4(float(-depth_m_), glm::vec2(grid_origin_m - noise_m * glm::floor(grid_origin_m / noise_m)), 0.0f);
+    const double of_ground[] = {shallows_.run_up_m(), settings_.growth_m, settings_.sand};
+    for (int i = 0; i < Refraction::bent_cascades; ++i)
+      data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
+  }
+  const glm::dvec2 whole = glm::floor(grid_origin_m);
+  data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);
+  data.clip_from = glm::vec4(glm::vec2(grid_origin_m - whole), 0.0f, 0.0f);
+  data.flow =
+      glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
+}
+
+void DrawnPlace::add_uses(Uses& uses, Access access) const {
+  for (const Drawn& drawn : drawn_) uses.add(use(drawn.windows.image(), access));
+  if (clip_) clip_->add_uses(uses, access);
+  if (shore_) shore_->add_uses(uses, access);
+  if (!bed_) return;
+  uses.add(use(bed_->heights.image(), access));
+  uses.add(use(bed_->waves.image(), access));
+}
+
+const DrawnPlace::Drawn* DrawnPlace::drawn(InputTarget kind) const {
+  const auto found = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& d) { return d.kind == kind; });
+  return found == drawn_.end() ? nullptr : &*found;
+}
+const Image* DrawnPlace::image(InputTarget kind) const {
+  if (kind == InputTarget::sea_depth) return bed_ ? &bed_->heights.image() : nullptr;
+  const Drawn* found = drawn(kind);
+  return found == nullptr ? nullptr : &found->windows.image();
+}
+int DrawnPlace::laid(InputTarget kind) const {
+  const Drawn* found = drawn(kind);
+  return found == nullptr ? 0 : found->laid;
+}
+const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
+  const Drawn* found = drawn(kind);
+  return found == nullptr ? nullptr : found->parts.front().field.get();
+}
+
+bool DrawnPlace::clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const {
+  if (!clips()) return false;
+  const bool flat = drawn(InputTarget::clip) != nullptr ? mask_.clipped(least_m, most_m) : settings_.clip_by_default;
+  return clip_ ? clip_->volumes().clipped(least_m, most_m, height_m, flat) : flat;
+}
+
+double DrawnPlace::level_m() const {
+  const PlaceField<glm::vec4>* level = field(InputTarget::level);
+  return level == nullptr ? 0.0 : std::max(std::abs(level->least()), std::abs(level->most()));
+}
+
+double DrawnPlace::land_m(double within_m) const {
+  if (!bed_ || !bed_->field) return 0.0;
+  for (int i = 0; i < settings_.windows.slices; ++i)
+    if (within_m < (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i))
+      return std::max(bed_->field->most(i), 0.0);
+  return land_m();
+}
+
+double DrawnPlace::land_m() const { return bed_ && bed_->field ? std::max(bed_->field->most(), 0.0) : 0.0; }
+
+}  // namespace seascape

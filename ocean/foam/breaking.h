@@ -1,0 +1,95 @@
+// Where the waves break: the share of each texel whose surface is squeezed to less than a threshold, of waves on the
+// processor.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ocean/foam/foam.h"
+#include "ocean/places/flow_phase.h"
+#include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+// How much of the sea breaks is known from photographs, W = 3.84e-6 U^3.41 of a wind U (Monahan and O'Muircheartaigh
+// 1980); where it does, from how the surface is squeezed: the threshold is that below which a Gaussian of the
+// divergence's variance has as much as keeps up W. Of winds from 5 to 23 m/s that is a Jacobian of some 0.7, and it is
+// held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
+//
+// The four longest cascades are taken at any quality (waves of 0.3 m and more), so that foam is the same at all.
+//
+// Of a texel the mean Jacobian is known, and how much the divergence varies within it, from what its footprint takes of
+// the waves: the share of it below the threshold is that of a Gaussian (Dupuy and Bruneton 2012). The variance is the
+// sea's mean for the footprint.
+class Breaking {
+ public:
+  // `others`: what moves the water beside its waves; `life_s`: in which foam goes. `with_velocity`: its tiles tell how
+  // fast the water moves.
+  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s,
+           bool with_velocity = false);
+  // As WaveField::take, with the wind.
+  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
+
+  // Whether these waves ever break to speak of.
+  bool ever() const;
+  // Waves and threshold as they are at a time; nothing where they are of that already.
+  void evaluate(std::int64_t ticks);
+  // The same, for texels of a slice i of texel_m 2^i (lod_texel_m).
+  void at(std::int64_t ticks, double texel_m, int slices);
+  // Of the whole sea, by the same Gaussian, as of evaluate().
+  double mean_share() const { return below(1.0, variance_, threshold_); }
+  double threshold() const { return threshold_; }
+  // Of the height of all waves that cover the sea (m^2).
+  double height_variance() const { return field_.statistics().height_variance + others_height_variance_; }
+
+  // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave
+  // `kept` of them.
+  struct Water {
+    glm::dvec3 shift_gradient{0.0};  // to add: dDx/dx, dDz/dz, dDx/dz
+    double variance = 0.0;           // of the divergence, to add
+    double sea_variance =
+        0.0;  // of the whole sea's divergence, to add: of waves that are as much a part of it here as any
+    glm::vec2 flow_mps{0.0f};
+    double kept = 1.0;
+  };
+  // Of texel i of a row.
+  double share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const;
+  // The same of the waves alone, of all texels: adds per_s times it.
+  void add(const FoamRow& row, float per_s, std::span<float> gains) const;
+  glm::dvec3 displacement(glm::dvec2 rest_m, double footprint_m) const {
+    return field_.displacement(tiles_, rest_m, footprint_m);
+  }
+
+  const WaveField& field() const { return field_; }
+  const WaveTiles& tiles() const { return tiles_; }
+
+ private:
+  // A level of a place's tile, as a slice's texels read it.
+  struct Reading {
+    int tile, level, size, stride;
+    float share;
+    glm::dvec2 along_x, along_z;  // from rest positions to its texels
+    double offset, longest_m, shortest_m;
+  };
+  struct Slice {
+    std::vector<Reading> readings;
+    double variance = 0.0;
+  };
+  static glm::vec3 gradient(const WaveTiles& tiles, const Reading& reading, glm::dvec2 rest_m);
+  void add_gradient(const Slice& slice, glm::dvec2 rest_m, glm::vec3& sum) const;
+  double threshold_of(double sea_variance) const;
+  double below(double jacobian, double variance, double threshold) const;
+  WaveField field_;
+  WaveTiles tiles_;
+  std::vector<Slice> slices_;
+  std::optional<std::int64_t> ticks_;  // that the tiles are of
+  double wind_mps_, life_s_;
+  double slope_variance_ = 0.0, others_variance_ = 0.0;  // no less than the divergence's
+  double others_height_variance_ = 0.0;
+  double lowest_ = -9.0;                     // where a normal number is below in as many cases as breaks
+  double variance_ = 0.0, threshold_ = 0.6;  // of the whole sea's divergence, as of evaluate()
+};
+
+}  // namespace seascape

@@ -1,0 +1,214 @@
+#include "ocean/foam/foam_sea.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "ocean/places/place_fields.h"
+
+namespace seascape {
+
+namespace {
+// Coverages that settle long before are stepped by less often.
+constexpr double settling_step_s = 0.25;
+// Of other water's texels: 3 ms and less.
+constexpr int rows_an_update = 24;
+
+glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double time_s) {
+  const glm::vec4 outside = place_outside(spec.place, InputTarget::flow);
+  return spec.flow ? glm::vec2(spec.flow->value(place, texel_m, time_s, outside)) : glm::vec2(outside);
+}
+}  // namespace
+
+bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
+  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) ||
+         (spec.inputs && !spec.inputs->empty()) ||
+         (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
+}
+
+FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others,
+                 std::shared_ptr<const ShoreLines> shore)
+    : spec_(spec), breaking_(sea, quality, std::move(others), spec.settings.life_s), foam_(spec.settings) {
+  flows_ = spec.flow != nullptr;
+  if (flows_)
+    foam_.set_flow(
+        [this](glm::dvec2 place, double texel) {
+          return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz);
+        },
+        spec.flow->still());
+  shift_m_ = 2.0 * breaking_.field().statistics().largest_shift_m;
+  if (shore && !shore->empty() && breaking_.field().has_curved())
+    shore_.emplace(std::move(shore), spec.settings.windows, breaking_.field());
+}
+
+void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
+  breaking_.take(bins, chop, statistics, wind_mps);
+  shift_m_ = 2.0 * statistics.largest_shift_m;
+}
+
+void FoamSea::set_water(Water water) {
+  water_ = std::move(water);
+  anew_ = still_water_ ? 0 : -1;
+  if (shore_ && !still_water_) shore_->forget();
+}
+
+// What a sea's whitecaps cover on average where they come and go alike, and with them the windows' new edges.
+float FoamSea::mean_cover() const {
+  const double gain = spec_.settings.breaking * foam_breaking_per_s * breaking_.mean_share();
+  return float(gain / (gain + 1.0 / spec_.settings.life_s));
+}
+
+void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const {
+  const FoamSettings& s = spec_.settings;
+  const LodPlacement& placement = foam_.field().placement();
+  const float breaking = float(s.breaking * foam_breaking_per_s);
+  const bool waves = s.simulated && breaking > 0.0f && breaking_.ever();  // or else what breaks is drawn while it does
+  thread_local std::vector<FoamShore::Moved> along;
+  bool shore_waves = false;
+  if (shore_) {
+    along.resize(per_s.size());
+    FoamShore::Flow flow;
+    if (flows_) flow = [this, slice = row.slice](LodIndex w) { return foam_.flow_mps(slice, w); };
+    shore_waves = shore_->row(row, breaking_.field(), breaking_.tiles(), flow,
+                              flow_phase(time_s, spec_.place.flow_period_s), along);
+  }
+  if (waves && !flows_ && !wakes && !still_water_ && !shore_waves) {
+    breaking_.add(row, breaking, per_s);
+  } else if ((waves || wakes) && breaking > 0.0f) {
+    const FlowPhase phase = flow_phase(time_s, spec_.place.flow_period_s);
+    const double reach = wakes ? double(wakes->windows(placement.viewer).reach.y) : 0.0;
+    for (std::size_t i = 0; i < per_s.size(); ++i) {
+      const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
+      const LodIndex w(glm::floor(rest / row.texel_m));
+      Breaking::Water water;
+      if (flows_) water.flow_mps = foam_.flow_mps(row.slice, w);
+      if (!waves)
+        water.kept = 0.0;
+      else if (still_water_)
+        water.kept = double(still_water_->texel(row.slice, w).y);
+      if (wakes && double(gpu::lod_distance(glm::vec2(rest - placement.viewer))) < reach)
+        water.shift_gradient = wakes->sea(rest, row.texel_m).shift_gradient;
+      if (waves && shore_waves) {
+        water.shift_gradient += along[i].shift_gradient;
+        water.variance = along[i].variance;
+        water.sea_variance = along[i].whole_variance;
+      }
+      if (!(water.kept > 0.0) && water.shift_gradient == glm::dvec3(0.0)) continue;
+      per_s[i] += breaking * float(breaking_.share(row, i, water, phase));
+    }
+  }
+  if (still_water_)
+    for (std::size_t i = 0; i < per_s.size(); ++i) {
+      const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
+      const glm::vec3 still = still_water_->texel(row.slice, LodIndex(glm::floor(rest / row.texel_m)));
+      double broken = double(still.z), above = 0.0;
+      if (shore_waves && along[i].height_variance > 0.0) {
+        const double of_sea = double(still.y) * double(still.y) * breaking_.height_variance();
+        broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
+        above = along[i].displacement.y;
+      }
+      const bool shore = s.shore_per_s > 0.0 && double(still.x)<2.0 * s.shore_m, surf = breaking> 0.0f && broken > 0.01;
+      if (!(still.x > 0.0f) || !(shore || surf)) continue;
+      // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
+      const double most = 0.39 * double(still.x),
+                   up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y + above, -most, most);
+      if (shore) per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + up) / s.shore_m, 0.0, 1.0));
+      // In a surf zone the crests break.
+      if (surf) per_s[i] += breaking * float(broken) * float(std::clamp(2.0 * up / most, 0.0, 1.0));
+    }
+  if (!spec_.inputs || spec_.inputs->empty()) return;
+  const InputBounds bounds = spec_.inputs->bounds();
+  const double around = shift_m_ + (shore_ ? shore_->largest_shift_m() : 0.0) + row.texel_m;
+  if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
+  for (std::size_t i = 0; i < per_s.size(); ++i) {
+    const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
+    if (!bounds.holds(rest, around)) continue;
+    glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
+    if (shore_waves) d += along[i].displacement;
+    per_s[i] += spec_.inputs->value(rest + glm::dvec2(d.x, d.z), row.texel_m, time_s, glm::vec4(0.0f), rest).x;
+  }
+}
+
+std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* wakes) {
+  const bool from_inputs = spec_.inputs && !spec_.inputs->empty();
+  const bool any_source =
+      (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs ||
+      (still_water_ && (spec_.settings.shore_per_s > 0.0 || spec_.settings.breaking > 0.0));
+  if (!any_source) return foam_.step(dt, nullptr);
+  const LodField<float>& field = foam_.field();
+  breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
+  fresh_ = spec_.settings.simulated ? mean_cover() : 0.0f;
+  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, wakes); };
+  return foam_.step(dt, std::cref(gain));  // by reference: nothing is allocated
+}
+
+std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {
+  const FoamSettings& s = spec_.settings;
+  if (!(std::abs(time_s * s.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
+      !std::isfinite(viewer.y))
+    return 0;
+  const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
+  const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
+  // At once, so that what is drawn from where follows from the viewer alone.
+  const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
+  std::uint32_t changed = foam_.follow(placement, fresh_);
+  if (shore_) shore_->follow(placement, water_);
+  if (water_) {
+    const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
+      const StillWater w = water_(at, texel);
+      return glm::vec3(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f,
+                       w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f,
+                       w.surf >= 0.0 ? float(std::min(w.surf, 1.0)) : 0.0f);
+    };
+    if (still_water_) {
+      still_water_->follow(placement, water);
+      // Other water than before comes in over a second: rows of texels as they are stored, so that none is missed while
+      // the windows move.
+      const std::int64_t side = still_water_->side();
+      for (int n = 0; n < rows_an_update && anew_ >= 0; ++n) {
+        const int slice = int(anew_ / side);
+        const LodIndex first = still_water_->first(slice);
+        const std::int64_t row = first.y + ((anew_ % side - first.y) % side + side) % side;
+        for (std::int64_t x = 0; x < side; ++x) {
+          const LodIndex w(first.x + x, row);
+          still_water_->texel(slice, w) = water(still_water_->middle(slice, w), still_water_->texel_m(slice), {});
+          if (shore_) shore_->take(slice, w, water_);
+        }
+        if (++anew_ == side * still_water_->slices()) anew_ = -1;
+      }
+    } else {
+      still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
+      for (int i = 0; i < still_water_->slices(); ++i)
+        still_water_->each(i, [&](LodIndex w) {
+          still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {});
+        });
+    }
+  }
+  if (anew) {
+    begun_ = true;
+    changed |= (1u << s.windows.slices) - 1u;
+    foam_.fill(0.0f);
+    // Long steps first, then those of the rate.
+    const double all = s.settle_s, fine = std::min(all, 1.0);
+    const int coarse_steps = int(std::ceil((all - fine) / settling_step_s)),
+              fine_steps = int(std::ceil(fine * s.rate_hz));
+    const double end = double(now) / s.rate_hz, begin = end - double(fine_steps) / s.rate_hz;
+    tick_ = now;
+    for (int i = coarse_steps - 1; i >= 0; --i) {
+      (void)advance(begin - i * settling_step_s, settling_step_s, nullptr);
+      if (i == coarse_steps - 1) foam_.fill(fresh_);
+    }
+    for (int i = fine_steps - 1; i >= 0; --i) (void)advance(end - i / s.rate_hz, 1.0 / s.rate_hz, nullptr);
+    return changed;
+  }
+  const std::int64_t due = now - tick_, steps = std::min<std::int64_t>(due, most_steps);
+  for (std::int64_t left = steps; left > 0; --left) {
+    const std::int64_t ticks = (now - tick_ + left - 1) / left;
+    tick_ += ticks;
+    changed |= advance(double(tick_) / s.rate_hz, double(ticks) / s.rate_hz, wakes);
+  }
+  return changed;
+}
+
+}  // namespace seascape

@@ -1,0 +1,85 @@
+// The foam of a scene: fed by breaking waves, wakes, shores and inputs, carried by currents, driven by the sea's time
+// and its viewer.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ocean/foam/breaking.h"
+#include "ocean/foam/foam.h"
+#include "ocean/foam/foam_shore.h"
+#include "ocean/inputs/inputs.h"
+#include "ocean/places/dynamic_surface.h"
+#include "ocean/places/place_settings.h"
+
+namespace seascape {
+
+// What a scene says of foam.
+struct FoamSpec {
+  FoamSettings settings;
+  std::shared_ptr<const Inputs> inputs, flow;  // null: none
+  PlaceSettings place;                         // the flow where no input is
+};
+// Whether foam has to be simulated: as the settings ask, or for inputs, shores or wakes.
+bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes);
+
+// Steps fall on whole multiples of 1 / rate of the sea's time, and all but wakes is a function of time and place:
+// however a span is cut into frames, foam is the same to the bit around a viewer who stands (but where a frame is
+// longer than most_steps of them, which is then divided among as many longer ones). Time that runs backwards or jumps
+// by more than longest_s begins anew, from the mean of the sea's whitecaps settle_s before: a moment looks alike
+// wherever the frames began, to exp(-settle_s / life_s) of what was there. Not promised: the same foam to the bit after
+// different ways of the viewer (what comes into a window has the next coarser one's), and of wakes at different frame
+// rates.
+//
+// Waves along curves break by the same laws as the others: where all together squeeze the surface to less than a
+// threshold, and in a surf zone by the share of their own energy that breaks there.
+//
+// What breaks is the water at its rest position, where foam is kept, so that foam goes to and fro with the waves.
+// Shores take the water's height above the bed beneath its rest position: the edge of the foam runs up and down with
+// the waves.
+class FoamSea {
+ public:
+  static constexpr double longest_s = 5.0;
+  static constexpr int most_steps = 12;
+  // `others`: what moves the water beside its waves; `shore`: along which that of them runs that runs along curves,
+  // null where none does. Throws as validate() does.
+  FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others = {},
+          std::shared_ptr<const ShoreLines> shore = nullptr);
+  FoamSea(const FoamSea&) = delete;
+  FoamSea& operator=(const FoamSea&) = delete;
+  // As Breaking::take.
+  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
+  // Asked once for each texel that comes into a window, for its side in m; a depth that is no number is that of the
+  // open sea.
+  using Water = StillWaterAt;
+  // Water that takes another's place comes in over a second or two of updates.
+  void set_water(Water water);
+
+  // The foam as it is at a time of the sea, in s, around a viewer (m); `wakes`: dynamic waves, null for none. Gives the
+  // slices that have changed (Foam::step), whose texels may still all be 0. A time or a place that is no number changes
+  // nothing.
+  std::uint32_t update(double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes = nullptr);
+  const Foam& foam() const { return foam_; }
+  // What covers the water beyond the windows: the sea's mean.
+  float fresh() const { return fresh_; }
+  std::optional<std::string> take_fault() { return foam_.take_fault(); }
+
+ private:
+  std::uint32_t advance(double time_s, double dt, const DynamicSurface* wakes);
+  void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
+  float mean_cover() const;
+  FoamSpec spec_;
+  Breaking breaking_;
+  Foam foam_;
+  Water water_;
+  std::optional<LodField<glm::vec3>> still_water_;  // StillWater, of the sea's own waves
+  std::optional<FoamShore> shore_;                  // none where no waves run along curves
+  float fresh_ = 0.0f;
+  double shift_m_ = 0.0;
+  std::int64_t tick_ = 0, anew_ = -1;  // the row of still_water_ to take anew next; -1: none
+  bool begun_ = false, flows_ = false;
+};
+
+}  // namespace seascape

@@ -1,0 +1,219 @@
+#include "ocean/places/wave_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ocean/places/band_transform.h"
+#include "ocean/waves/dispersion.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double smooth(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+double fades_in(double texels_a_wave) { return smooth(std::log(texels_a_wave / 8.0) / std::log(1.5)); }
+
+double after(double value, int n) { return value - n * std::floor(value / n); }
+
+}  // namespace
+
+double wave_share(double texels_a_wave, bool coarsest, int samples) {
+  const double rest =
+      coarsest ? smooth(std::log(texels_a_wave * 6.0 / samples) / std::log(1.5)) : fades_in(0.5 * texels_a_wave);
+  return fades_in(texels_a_wave) * (1.0 - rest);
+}
+
+WaveLevel::WaveLevel(int samples)
+    : n_(samples),
+      band_(samples / 4),
+      to_texels_(make_fft_plan(samples, samples / 4)),
+      to_waves_(make_fft_plan(samples, samples)) {
+  const std::size_t waves = std::size_t(band_) * std::size_t(band_), texels = std::size_t(n_) * std::size_t(n_ + 16);
+  for (auto* list : {&modes_, &turn_, &half_turn_, &head_, &rise_}) list->resize(waves);
+  for (auto* list : {&share_, &frequency_}) list->resize(waves);
+  for (auto* list : {&spectrum_re_, &spectrum_im_}) list->resize(waves);
+  for (auto* list : {&re_, &im_}) list->resize(texels);
+  workspace_.resize(std::max(inverse_fft_floats(to_texels_), forward_band_floats(to_waves_, band_)));
+}
+
+void WaveLevel::shape(double texel_m, bool coarsest, double gravity, double depth) {
+  texel_m_ = texel_m;
+  depth_m_ = depth;
+  table_dt_ = -1.0;
+  const double side = texel_m * n_;
+  for (int j = 0; j < band_; ++j)
+    for (int i = 0; i < band_; ++i) {
+      const std::size_t at = std::size_t(j) * std::size_t(band_) + std::size_t(i);
+      const double m = std::hypot(double(i - band_ / 2), double(j - band_ / 2));
+      // The first of each axis has no opposite; it is out of reach anyway.
+      share_[at] = m > 0.0 && i > 0 && j > 0 ? wave_share(n_ / m, coarsest, n_) : 0.0;
+      frequency_[at] = airy_frequency(2.0 * pi * m / side, gravity, depth);
+      if (!(share_[at] > 0.0)) modes_[at] = 0.0;
+    }
+  longest_speed_ = airy_group_speed(2.0 * pi / (coarsest ? 0.25 * side : 24.0 * texel_m), gravity, depth);
+}
+
+void WaveLevel::clear() {
+  std::fill(modes_.begin(), modes_.end(), 0.0);
+  still_ = true;
+}
+
+void WaveLevel::turn_table(double dt, double damping) {
+  if (dt == table_dt_ && damping == table_damping_) return;
+  table_dt_ = dt, table_damping_ = damping;
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    turn_[i] = std::polar(1.0, -std::remainder(frequency_[i] * dt, 2.0 * pi));
+    half_turn_[i] = std::polar(std::exp(-0.25 * damping * dt), -std::remainder(0.5 * frequency_[i] * dt, 2.0 * pi));
+  }
+}
+
+// The Fourier coefficients of a Gaussian, exact: no texel cuts it short.
+void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool& heads, bool& rises) {
+  const glm::dvec2 at = s.place_m / texel_m_ - 0.5;  // in texels
+  double inside = 1.0;
+  for (int axis = 0; axis < 2; ++axis)
+    inside *= smooth(std::min(at[axis] - double(first[axis]), double(first[axis]) + n_ - 1 - at[axis]) / (n_ / 8));
+  const double area = inside * s.length_m * s.length_m / (pi * texel_m_ * texel_m_ * n_ * n_), head = area * s.head_m,
+               rise = area * s.rise_mps * dt;
+  if (!(std::abs(head) + std::abs(rise) > 0.0)) return;
+  std::vector<std::complex<double>> along_x(std::size_t(band_), 0.0), along_z(std::size_t(band_), 0.0);
+  const double x = after(at.x, n_), z = after(at.y, n_);
+  for (int i = 0; i < band_; ++i) {
+    const double m = i - band_ / 2, part = std::exp(-std::pow(m * s.length_m / (texel_m_ * n_), 2));
+    along_x[std::size_t(i)] = std::polar(part, -2.0 * pi * m * x / n_);
+    along_z[std::size_t(i)] = std::polar(part, -2.0 * pi * m * z / n_);
+  }
+  for (auto* list : {&head_, &rise_}) {
+    const double strength = list == &head_ ? head : rise;
+    bool& any = list == &head_ ? heads : rises;
+    if (strength == 0.0) continue;
+    if (!any) std::fill(list->begin(), list->end(), 0.0);
+    any = true;
+    for (int j = 0; j < band_; ++j) {
+      const std::complex<double> row = strength * along_z[std::size_t(j)];
+      std::complex<double>* to = list->data() + std::ptrdiff_t(j) * band_;
+      for (int i = 0; i < band_; ++i) {
+        // Written out: the library's product looks for infinities, at several times the cost.
+        const std::complex<double> c = along_x[std::size_t(i)];
+        to[i] += std::complex<double>(row.real() * c.real() - row.imag() * c.imag(),
+                                      row.real() * c.imag() + row.imag() * c.real());
+      }
+    }
+  }
+}
+
+// As a source of that shape: its waves are those of the texels' Fourier sum.
+void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool& heads) {
+  const std::size_t n = std::size_t(n_), stride = n + 16;
+  const auto inside = [&](std::int64_t w, std::int64_t begin) {
+    return float(smooth(std::min(double(w - begin), double(begin + n_ - 1 - w)) / (n_ / 8)));
+  };
+  for (std::int64_t z = first.y; z < first.y + n_; ++z) {
+    const std::size_t row = std::size_t(z & (n_ - 1));
+    const float across = inside(z, first.y);
+    for (std::int64_t x = first.x; x < first.x + n_; ++x) {
+      const std::size_t column = std::size_t(x & (n_ - 1));
+      re_[row * stride + column] = across * inside(x, first.x) * head_m[row * n + column];
+      im_[row * stride + column] = 0.0f;
+    }
+  }
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
+  if (!heads) std::fill(head_.begin(), head_.end(), 0.0);
+  heads = true;
+  const double scale = 1.0 / (double(n_) * n_);
+  for (std::size_t i = 0; i < head_.size(); ++i)
+    head_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+}
+
+void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources,
+                     std::span<const float> head_m) {
+  bool heads = false, rises = false;
+  for (WaveSource s : sources) {
+    s.place_m -= s.velocity_mps * (0.5 * dt);
+    add_source(s, dt, first, heads, rises);
+  }
+  if (!head_m.empty()) add_pressure(first, head_m, heads);
+  if (heads || rises) still_ = false;
+  if (still_) return;
+  turn_table(dt, damping);
+  const double loss = std::exp(-0.5 * damping * dt);
+  const auto times = [](std::complex<double> a, std::complex<double> b) {
+    return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real());
+  };
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (!(share_[i] > 0.0)) continue;
+    const std::complex<double> head = heads ? share_[i] * head_[i] : 0.0;
+    modes_[i] = loss * (times(turn_[i], modes_[i] + head) - head);
+    if (rises) modes_[i] += share_[i] * times(half_turn_[i], rise_[i]);
+  }
+}
+
+void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> along_z, const float* open) {
+  if (still_) return;
+  const std::size_t n = std::size_t(n_), stride = n + 16;
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
+  inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), re_.data(), im_.data(), int(stride), workspace_);
+  // What is taken away is what goes back: of the rest no transform rounds anything.
+  for (std::size_t z = 0; z < n; ++z) {
+    float *re = re_.data() + z * stride, *im = im_.data() + z * stride;
+    for (std::size_t x = 0; x < n; ++x) {
+      const float lost = along_x[x] * along_z[z] * (open ? open[z * n + x] : 1.0f) - 1.0f;
+      re[x] *= lost, im[x] *= lost;
+    }
+  }
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
+  const double scale = 1.0 / (double(n_) * n_);
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+}
+
+void WaveLevel::add(std::span<const float> height, std::span<const float> quarter) {
+  still_ = false;
+  forward_band(to_waves_, band_, height.data(), quarter.data(), n_, spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
+  const double scale = 1.0 / (double(n_) * n_);
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+}
+
+void WaveLevel::shift_by(glm::dvec2 by) {
+  for (int j = 0; j < band_; ++j)
+    for (int i = 0; i < band_; ++i)
+      modes_[std::size_t(j) * std::size_t(band_) + std::size_t(i)] *=
+          std::polar(1.0, 2.0 * pi * ((i - band_ / 2) * by.x + (j - band_ / 2) * by.y) / n_);
+}
+
+void WaveLevel::surface(std::span<float> height, std::span<float> quarter) const {
+  if (still_) {
+    std::fill(height.begin(), height.end(), 0.0f);
+    std::fill(quarter.begin(), quarter.end(), 0.0f);
+    return;
+  }
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
+  inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), height.data(), quarter.data(), n_, workspace_);
+}
+
+double WaveLevel::energy_m2() const {
+  double sum = 0.0;
+  for (const std::complex<double>& a : modes_) sum += a.real() * a.real() + a.imag() * a.imag();
+  return sum;
+}
+
+double WaveLevel::highest_m() const {
+  double sum = 0.0;
+  for (const std::complex<double>& a : modes_) sum += std::sqrt(a.real() * a.real() + a.imag() * a.imag());
+  return sum;
+}
+
+}  // namespace seascape

@@ -1,0 +1,110 @@
+// The sea with what belongs to places, on the processor: levels, currents and the bed, without windows and without a
+// GPU.
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ocean/places/bed_field.h"
+#include "ocean/places/place_reader.h"
+#include "ocean/places/shore_field.h"
+#include "ocean/sea/query.h"
+#include "ocean/sea/shore_sea.h"
+
+namespace seascape {
+
+// The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl). Data of places are what lies between
+// texels (PlaceReader), for queries as for pictures: a query has the finest, a picture those of its windows. Immutable
+// but for follow(): any number of threads may ask.
+class PlaceSea {
+ public:
+  // Of the sea that these waves are; what a bed makes of them is found here (Shallows: tenths of a second) and stays,
+  // however the waves change.
+  PlaceSea(PlaceInputs inputs, const WaveField& field);
+  // The same where its Shallows are there already.
+  PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows);
+  // Has the bed make of the waves what it does now, in a change of the sea. Not while anybody asks.
+  void follow(ShallowsMix shallows);
+
+  // Whether the surface moves otherwise than the waves alone.
+  bool moves() const { return level_ || flow_ || bool(shallows_) || shore_ != nullptr; }
+  double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
+  glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
+  // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
+  bool clipped(glm::dvec3 point_m, double time_s) const;
+
+  // Null where no bed is known.
+  const Shallows* shallows() const { return shallows_.from.get(); }
+
+  // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of
+  // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it.
+  SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
+                const LodPlacement* seen = nullptr) const;
+
+  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds,
+  // over a bed some tens of them. Velocities have the current in them, and what comes of waves that it carries past. On
+  // land the answer is the ground, at rest.
+  void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+             std::span<QueryAnswer> answers, const QueryOptions& options = {}) const;
+
+ private:
+  // A pattern of waves: where in its own places it is taken, and what it counts for.
+  struct Part {
+    glm::dvec2 place;
+    WaveField::Filter filter;
+    double share = 1.0, lift = 1.0;    // of its displacement; of its height
+    glm::dvec2 lift_gradient{0.0};     // a metre
+    glm::dvec2 along{0.0}, bend{0.0};  // Refraction: the pattern's direction, and the gradient of its shift
+  };
+  // All of a rest position's, and what stands still there.
+  struct Here {
+    std::vector<Part> parts;
+    std::vector<ShorePart> shore;  // of waves along curves
+    double level_m = 0.0, bed_m = 0.0, wet = 1.0;
+    glm::dvec2 rest{0.0};
+    bool flat_clipped = false;  // by flat inputs; over a bed
+    glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
+  };
+  // What is known of places at one time of the sea; what there is none of is not read.
+  struct Readers {
+    Readers(const PlaceSea& sea, double time_s);
+    double time_s;
+    std::optional<PlaceReader<glm::vec4>> level, flow, clip;
+    std::optional<PlaceReader<BedTexel>> bed;
+    std::optional<PlaceReader<ShoreTexel>> shore;
+  };
+  // Where it is asked: for a footprint, by a picture's windows or none.
+  struct Asked {
+    glm::dvec2 rest;
+    double footprint_m;
+    const LodPlacement* seen;
+    bool gradients;
+  };
+  Here here(const WaveField& field, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
+  void add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
+  void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
+  void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
+  // Clipped over a bed: that is the surface.
+  bool dry(const Here& here, glm::dvec3 displacement) const;
+  PlaceReading reading(const Asked& asked) const {
+    return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
+  }
+  glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;
+  SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
+  QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place,
+                     const QueryOptions& options, Readers& readers) const;
+  PlaceSettings settings_;
+  std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
+  std::shared_ptr<const ClipVolumes> volumes_;  // null: none
+  std::shared_ptr<const ShoreLines> shore_;     // null where no waves run along curves
+  ShallowsMix shallows_;
+  std::optional<PlaceValues<BedTexel>> bed_;
+  std::optional<PlaceValues<ShoreTexel>> along_curves_;
+};
+
+// How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts
+// for `first` and the second for the rest, to be as high as either (shaders/lib/flow.glsl).
+double flow_height(double longest_m, double shortest_m, double way_m, double first);
+
+}  // namespace seascape
