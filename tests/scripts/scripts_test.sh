@@ -374,24 +374,25 @@ set_tests_properties(three PROPERTIES LABELS program)
 set_tests_properties(four PROPERTIES LABELS program SKIP_RETURN_CODE 1)
 EOF
     printf '#!/bin/bash\nexit 1\n' > "$tree/three" && chmod +x "$tree/three"
+    printf '#!/bin/bash\n' > "$tree/scripts/format.sh" && chmod +x "$tree/scripts/format.sh"
     check_of() {
       (cd "$work/caller" && env PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" CI=true "$tree/check" > "$work/out" 2> "$work/err" < /dev/null)
       status=$?
     }
     check_of
-    # packages, build release, build asan count one each; unit two, twice (release and asan); program one failed.
-    [ "$(tail -n 1 "$work/out")" = '7 passed, 1 failed' ] && [ "$status" -eq 1 ] || { show; fail "the sum: $status"; }
+    # packages, format, build release, build asan count one each; unit two, twice (release and asan); program one failed.
+    [ "$(tail -n 1 "$work/out")" = '8 passed, 1 failed' ] && [ "$status" -eq 1 ] || { show; fail "the sum: $status"; }
     says out 'failed: tests program' && says out '1 of these tests skipped themselves' || { show; fail "what failed"; }
     says out 'tests golden: no test has this label' || { show; fail "an absent label"; }
     # A label whose sources are there and whose tests are not found is a failure.
     : > "$tree/tests/a_golden_test.cpp"
     check_of
-    [ "$(tail -n 1 "$work/out")" = '7 passed, 2 failed' ] || { show; fail "a label without its tests"; }
+    [ "$(tail -n 1 "$work/out")" = '8 passed, 2 failed' ] || { show; fail "a label without its tests"; }
     # Control: when nothing fails, the same reading says so.
     rm "$tree/tests/a_golden_test.cpp"
     printf '#!/bin/bash\nexit 0\n' > "$tree/three"
     check_of
-    [ "$(tail -n 1 "$work/out")" = '8 passed, 0 failed' ] && [ "$status" -eq 0 ] || { show; fail "control: it fails always"; }
+    [ "$(tail -n 1 "$work/out")" = '9 passed, 0 failed' ] && [ "$status" -eq 0 ] || { show; fail "control: it fails always"; }
     ;;
   *) fail "no such case: ${1:-}" ;;
 esac
