@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/place_inputs.h"
-#include "app/tile_sources.h"
+#include "app/sea_spec.h"
 #include "engine/multiview_check.h"
 #include "ocean/effects.h"
 
@@ -51,8 +51,15 @@ bool draw_per_eye(Device& device, ShaderLibrary& shaders, StereoMode mode, int v
   return true;
 }
 
-Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options)
-    : device_(device), shaders_(shaders), scene_(scene), options_(options), frame_(std::make_unique<Frame>(device)) {
+Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options,
+                       std::shared_ptr<Sea> sea)
+    : device_(device),
+      shaders_(shaders),
+      scene_(scene),
+      options_(options),
+      frame_(std::make_unique<Frame>(device)),
+      sea_(std::move(sea)) {
+  if (sea_ != nullptr) sea_key_ = sea_key(scene_);
   sky_ = std::make_unique<Sky>(device, shaders);
   build();
 }
@@ -83,20 +90,18 @@ void Experience::build() {
   if (render.lighting == Lighting::deferred && !deferred())
     spdlog::warn("frame.lighting deferred: takes msaa 1 and no debug.view but holes; the sea is lit forward");
   const Settings& s = scene_.settings;
-  TileSources sources = tile_sources(scene_);  // what it cannot make leaves the old ocean
-  std::optional<DynamicSeaSettings> dynamic_waves;
-  if (calls_for(scene_.effects, "dynamic_waves")) {
-    dynamic_waves = s.dynamic_waves;
-    dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
-    dynamic_waves->waves.depth_m = s.sea.depth_m;
-  }
+  std::string key = sea_key(scene_);
+  SeaSpec spec = sea_spec(scene_);  // what it cannot make leaves the old ocean
+  std::shared_ptr<Sea> sea = sea_;
+  if (sea == nullptr || key != sea_key_) sea = std::make_shared<Sea>(spec);
   ocean_.reset();
+  sea->draw_in(spec.drawn, spec.place.settings);
+  sea->know_velocity(SeaDetail::crests, spec.crests_velocity);
+  sea_ = std::move(sea);
+  sea_key_ = std::move(key);
   ocean_ = std::make_unique<Ocean>(
-      device_, shaders_,
-      OceanSettings{s.sea, s.waves, s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m,
-                    calls_for(scene_.effects, "waves"), std::move(sources), dynamic_waves,
-                    dynamic_waves ? std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene_.inputs) : nullptr,
-                    place_inputs(scene_),
+      device_, shaders_, *sea_,
+      OceanSettings{s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m,
                     calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
   build_targets();
   const bool tile = in_tile();
@@ -188,7 +193,7 @@ void Experience::apply_effects(const std::vector<std::string>& effects) {
   if (effects == scene_.effects) return;
   std::vector<std::string> before = std::exchange(scene_.effects, effects);
   try {
-    (void)tile_sources(scene_);  // whose settings may not go together
+    (void)sea_spec(scene_);  // whose settings may not go together
   } catch (...) {
     scene_.effects = std::move(before);
     throw;
@@ -203,7 +208,9 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
   scene_.settings = settings;
   if (rebuild) return build();
   ocean_->apply(settings.lod, settings.water);
-  if (change) ocean_->change(settings.sea, settings.sea_change_s);
+  if (!change) return;
+  ocean_->change(settings.sea, settings.sea_change_s);
+  sea_key_ = sea_key(scene_);
 }
 
 }  // namespace seascape

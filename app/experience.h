@@ -21,7 +21,8 @@ class Experience {
  public:
   // Builds everything the scene names; throws Error. The settings' msaa is lowered to what the device has, with a
   // notice.
-  Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options);
+  Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options,
+             std::shared_ptr<Sea> sea = nullptr);
 
   // Other picture size: new targets, the same pipelines.
   void resize(std::uint32_t width, std::uint32_t height);
@@ -41,6 +42,8 @@ class Experience {
   const Scene& scene() const { return scene_; }
   const ExperienceOptions& options() const { return options_; }
   Ocean& ocean() { return *ocean_; }
+  // The sea that is drawn. It stays as it is while only its drawing is built anew.
+  const std::shared_ptr<Sea>& sea() const { return sea_; }
   Sky& sky() { return *sky_; }
   const Surface& surface() const { return *surface_; }
   // Null where there is none, or a debug view shows something else than light.
@@ -63,6 +66,8 @@ class Experience {
   Scene scene_;
   ExperienceOptions options_;
   std::unique_ptr<Frame> frame_;
+  std::shared_ptr<Sea> sea_;
+  std::string sea_key_;  // of the scene that it was made of, or has grown into
   std::unique_ptr<Ocean> ocean_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;

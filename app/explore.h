@@ -8,7 +8,6 @@
 #include "app/panel.h"
 #include "app/path_recorder.h"
 #include "app/program.h"
-#include "app/water_height.h"
 #include "platform/overlay.h"
 
 namespace seascape {
@@ -25,7 +24,7 @@ class Explorer {
   void keys(const Input& input);
   void look(const Input& input);
   void move(const Input& input, double dt_s);
-  void draw(const DisplayFrame& shown);
+  void draw(const DisplayFrame& shown, double dt_s);
   PanelFacts facts(const DisplayFrame& shown) const;
   void obey(const PanelWish& wish);
   void apply(const Settings& settings);
@@ -51,9 +50,6 @@ class Explorer {
   Program& program_;
   Window& window_;
   std::unique_ptr<Experience> experience_;
-  void feel_water();  // makes water_ anew
-  std::unique_ptr<WaterHeight> water_;
-  bool sea_changes_ = false;  // in the last frame
   Overlay overlay_;
   Panel panel_;
   ExploreCamera camera_;

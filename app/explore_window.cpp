@@ -7,10 +7,8 @@
 
 #include "app/explore.h"
 #include "app/frame.h"
-#include "app/place_inputs.h"
 #include "app/quality.h"
 #include "app/sea_time.h"
-#include "app/tile_sources.h"
 #include "engine/error.h"
 #include "engine/files.h"
 
@@ -60,7 +58,6 @@ void Explorer::build() {
   }
   experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene,
                                              ExperienceOptions{64, 64, window_.views(), per_eye, false});
-  feel_water();
   window_.set_title("Seascape: " + program_.scene.title);
 }
 
@@ -116,7 +113,6 @@ void Explorer::apply(const Settings& wanted) {
     std::swap(program_.scene, now);
     return;
   }
-  const std::uint64_t builds = experience_->builds();
   try {
     experience_->apply(wanted,
                        paused_ || wanted.time_scale <= 0.0);  // while time stands still or runs back no sea grows
@@ -125,13 +121,6 @@ void Explorer::apply(const Settings& wanted) {
     tell_fault(fault.what());
     experience_->apply(before);
   }
-  if (experience_->builds() != builds) feel_water();
-}
-
-void Explorer::feel_water() {
-  water_ = std::make_unique<WaterHeight>(settings().sea, settings().waves, experience_->ocean().bins(),
-                                         tile_sources(experience_->scene()), place_inputs(experience_->scene()),
-                                         experience_->ocean().shallows());
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
@@ -287,10 +276,14 @@ void Explorer::move(const Input& input, double dt_s) {
                     (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
-  const Ocean& ocean = experience_->ocean();
-  if (ocean.changing() || sea_changes_) water_->follow(ocean.bins(), ocean.chop(), ocean.shallows());
-  sea_changes_ = ocean.changing();
-  camera_.step(wish, dt_s, water_->at({place.x, place.z}, sea_time_s()));
+  // The water that whoever floats there feels.
+  constexpr double float_m = 0.5;
+  Sea& sea = *experience_->sea();
+  sea.advance(sea_time_s(), place);
+  experience_->ocean().make_waves(experience_->frame(), sea_time_s());
+  const QueryAnswer water =
+      sea.view_at(sea_time_s(), SeaDetail::felt).query({place.x, place.z}, {.footprint_m = float_m});
+  camera_.step(wish, dt_s, water.height_m);
   recorder_.sample(now_s_, camera_.pose(), scene_time_s());
 }
 
@@ -336,7 +329,6 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.effects) {
     try {
       experience_->apply_effects(*wish.effects);
-      feel_water();
     } catch (const Error& fault) {
       tell_fault(fault.what());
     }
@@ -349,7 +341,7 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene, program_.preset);
 }
 
-void Explorer::draw(const DisplayFrame& shown) {
+void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double began_s = seconds();
   overlay_.begin(!look_by_button_ && !look_by_tab_);
   const PanelWish wish = panel_.draw(settings(), program_.scene.settings, facts(shown));
@@ -363,6 +355,7 @@ void Explorer::draw(const DisplayFrame& shown) {
   const double waited_s = seconds();
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
+  move(window_.input(), dt_s);
   draw_frame(*experience_, frame, window_.viewpoint(camera_.pose()), sea_time_s());
   patches_ = experience_->ocean().selection()->patches.size();
   window_.end(frame, &experience_->picture());
@@ -394,8 +387,7 @@ void Explorer::run() {
       else
         sea_elapsed_s_ += dt_s * settings().time_scale;
     }
-    move(window_.input(), dt_s);
-    draw(shown);
+    draw(shown, dt_s);
     ++drawn;
   }
   if (recorder_.recording()) toggle_recording();  // what was recorded is kept

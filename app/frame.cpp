@@ -38,8 +38,9 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
 
-  // 1. What the sea does: spectrum, transforms, tiles; dynamic waves around the viewer; each only if the scene asked
-  // for it.
+  // 1. What the sea does: its change, those who act on it, dynamic waves around the viewer. Then what of it the GPU
+  // needs: transforms or tiles, windows of places, foam. Each only if the scene asked for it.
+  e.sea_->advance(time_s, viewpoint.viewer.position_m);
   e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
 
   // 2. The light: only when sun or haze have changed.

@@ -8,29 +8,17 @@
 
 #include "app/commands.h"
 #include "app/csv.h"
-#include "app/place_inputs.h"
 #include "app/progress.h"
-#include "app/tile_sources.h"
+#include "app/sea_spec.h"
 #include "engine/files.h"
 #include "ocean/effects.h"
-#include "ocean/sea/query.h"
-#include "ocean/waves/wave_tiles.h"
+#include "ocean/sea/sea.h"
 
 namespace seascape {
 
 namespace {
 
 constexpr std::size_t block = 4096;  // points that one core answers at a time
-
-// The sea of the scene; flat where the closure of its effects has no waves.
-SeaState sea_of(const Scene& scene) {
-  SeaState sea = scene.settings.sea;
-  if (!calls_for(scene.effects, "waves")) {
-    sea.wind_speed_mps = 0.0;
-    sea.swell_height_m = 0.0;
-  }
-  return sea;
-}
 
 void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer& answer) {
   append_csv_row(text, std::array{point.x, point.y, answer.height_m, answer.normal.x, answer.normal.y, answer.normal.z,
@@ -41,10 +29,10 @@ void append_answer(std::string& text, const glm::dvec2& point, const QueryAnswer
 }  // namespace
 
 std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dvec2> points) {
-  const WaveField field(sea_of(scene), scene.settings.waves, tile_sources(scene));
-  const PlaceSea place(place_inputs(scene), field);
-  WaveTiles tiles(true);
-  field.evaluate(ticks_from_seconds(time_s), tiles);
+  SeaSpec spec = sea_spec(scene);
+  spec.drawn_velocity = true;
+  Sea sea(std::move(spec));
+  const SeaView view = sea.view_at(time_s, SeaDetail::drawn);
 
   std::string text = "x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged\n";
   Progress progress("query: points", points.size());
@@ -56,7 +44,7 @@ std::string query_csv(const Scene& scene, double time_s, std::span<const glm::dv
       const std::size_t first = std::min(points.size(), begin + i * block);
       const auto asked = points.subspan(first, std::min(block, points.size() - first));
       std::vector<QueryAnswer> answers(asked.size());
-      place.query(field, tiles, asked, answers);
+      view.query(asked, answers);
       for (std::size_t p = 0; p < asked.size(); ++p) append_answer(rows[i], asked[p], answers[p]);
     });
     for (const std::string& part : rows) text += part;

@@ -30,7 +30,7 @@ std::vector<LabTask> mesh_tasks(Device& device, ShaderLibrary& shaders, double w
         : settings(scene.settings), subject(device, shaders, scene, {160, 168, 1, false, false}) {
       at = scene.start;
       at.position_m.y = 2.0 + 4.0 * std::sqrt(settings.sea.wind_speed_mps > 0.0
-                                                  ? subject.experience().ocean().statistics().height_variance
+                                                  ? subject.experience().sea()->statistics().height_variance
                                                   : 0.0);
       view.viewer = at;
       view.eyes = stereo_views(at, symmetric_fov(headset_fov_deg, headset_aspect), 0.064);
@@ -92,8 +92,13 @@ struct Filled {
         device_(device) {
     if (on_gpu)
       compute = std::make_unique<WaveCompute>(device, shaders, sea, bins, images);
-    else
-      upload = std::make_unique<WaveUpload>(device, sea, of, bins, images);
+    else {
+      SeaSpec spec;
+      spec.state = sea;
+      spec.drawn = spec.crests = spec.felt = of;
+      of_upload = std::make_unique<Sea>(std::move(spec));
+      upload = std::make_unique<WaveUpload>(device, *of_upload, images);
+    }
   }
   void run(std::int64_t ticks) {
     frame.begin();
@@ -149,6 +154,7 @@ struct Filled {
   Frame frame;
   WaveImages images;
   std::unique_ptr<WaveCompute> compute;
+  std::unique_ptr<Sea> of_upload;
   std::unique_ptr<WaveUpload> upload;
 
  private:

@@ -15,9 +15,7 @@ namespace {
 constexpr std::size_t texel_bytes = 8;  // four half floats
 }
 
-DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings,
-                                     std::shared_ptr<const Inputs> pressure)
-    : sea_(settings, std::move(pressure)) {
+DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings) {
   const EffectScope scope(device, "dynamic_waves");
   ImageSpec spec;
   spec.width = spec.height = std::uint32_t(settings.waves.windows.resolution);
@@ -31,10 +29,14 @@ DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& s
   mesh_errors_.reserve(spec.layers);
 }
 
-void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
-  if (!sea_.update(time_s, viewer)) return;
-  if (const auto fault = sea_.take_fault()) spdlog::warn("{}", *fault);
-  const DynamicSurface& surface = sea_.surface();
+void DrawnDynamicWaves::update(Frame& frame, Sea& sea) {
+  const std::uint64_t version = sea.dynamic_waves()->surface_version();
+  if (surface_ != nullptr && version == version_) return;
+  version_ = version;
+  surface_ = nullptr;  // whose memory the next one may take
+  surface_ = sea.dynamic_surface();
+  if (const auto fault = sea.take_fault()) spdlog::warn("{}", *fault);
+  const DynamicSurface& surface = *surface_;
   const std::uint32_t samples = images_[0].spec().width, layers = images_[0].spec().layers;
   const std::size_t texels = std::size_t(samples) * samples;
   height_m_ = shift_m_ = 0.0;
@@ -74,7 +76,7 @@ void DrawnDynamicWaves::update(Frame& frame, double time_s, const glm::dvec3& vi
 // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal; and twice
 // the height at most.
 void DrawnDynamicWaves::find_mesh_errors() {
-  const DynamicSurface& surface = sea_.surface();
+  const DynamicSurface& surface = *surface_;
   const auto step_of_two = [](double value) { return std::exp2(std::ceil(std::log2(value))); };
   const gpu::LodWindows windows = surface.windows(glm::dvec2(0.0));
   mesh_errors_.clear();
@@ -94,7 +96,7 @@ void DrawnDynamicWaves::find_mesh_errors() {
 }
 
 void DrawnDynamicWaves::describe(gpu::DynamicData& data, glm::dvec2 grid_origin_m) const {
-  const DynamicSurface& surface = sea_.surface();
+  const DynamicSurface& surface = *surface_;
   data.windows = surface.windows(grid_origin_m);
   for (int i = 0; i < surface.levels(); ++i) {
     const bool still = surface.still(i);

@@ -6,24 +6,25 @@
 
 #include "engine/frame.h"
 #include "ocean/mesh/surface_selection.h"
-#include "ocean/places/dynamic_sea.h"
+#include "ocean/sea/sea.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
 class DrawnDynamicWaves {
  public:
-  // Throws as validate() does, of at most gpu::max_dynamic_levels slices.
-  DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings, std::shared_ptr<const Inputs> pressure);
+  // Of at most gpu::max_dynamic_levels slices.
+  DrawnDynamicWaves(Device& device, const DynamicSeaSettings& settings);
 
-  // Has the waves of a time and a viewer (m) in the images; records nothing where they have not changed, or all rest.
-  void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
+  // Has the sea's dynamic waves in the images; records nothing where they have not changed, or all rest.
+  void update(Frame& frame, Sea& sea);
 
   // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
   void describe(gpu::DynamicData& data, glm::dvec2 grid_origin_m) const;
   void add_uses(Uses& uses, Access access) const;
 
-  const DynamicSea& sea() const { return sea_; }
+  // Null before the first update.
+  const DynamicSurface* surface() const { return surface_.get(); }
   // How high and how far sideways they move the water, of all levels together, m.
   double height_m() const { return height_m_; }
   double shift_m() const { return shift_m_; }
@@ -34,7 +35,8 @@ class DrawnDynamicWaves {
   const Image& slope() const { return images_[1]; }  // dh/dx, dh/dz, dDx/dx, dDz/dz
 
  private:
-  DynamicSea sea_;
+  std::shared_ptr<const DynamicSurface> surface_;
+  std::uint64_t version_ = 0;  // of the sea's that is in the images
   std::array<Image, 2> images_;
   std::array<Buffer, Frame::slots> staging_;
   std::vector<VkBufferImageCopy> regions_;

@@ -26,9 +26,8 @@ ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels
 }
 }  // namespace
 
-DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality,
-                     TileSources others, std::shared_ptr<const ShoreLines> shore)
-    : sea_(spec, sea, quality, std::move(others), std::move(shore)), settings_(spec.settings.windows) {
+DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore)
+    : sea_(spec, sea, std::move(shore)), settings_(spec.settings.windows) {
   const EffectScope scope(device, "foam");
   const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
   windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));
@@ -38,7 +37,7 @@ DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, 
     staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                      HostAccess::write);
   fill_lace(device);
-  set_wind(sea);
+  set_wind(sea.state());
 }
 
 void DrawnFoam::set_wind(const SeaState& sea) {
@@ -68,8 +67,8 @@ void DrawnFoam::fill_lace(Device& device) {
   });
 }
 
-void DrawnFoam::update(Frame& frame, double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {
-  const std::uint32_t changed = sea_.update(time_s, viewer, wakes);
+void DrawnFoam::update(Frame& frame) {
+  const std::uint32_t changed = sea_.changed();
   if (const auto fault = sea_.take_fault()) spdlog::warn("{}", *fault);
   const Foam& foam = sea_.foam();
   const LodField<float>& field = foam.field();

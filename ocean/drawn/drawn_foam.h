@@ -13,12 +13,11 @@ namespace seascape {
 class DrawnFoam {
  public:
   // As FoamSea is made.
-  DrawnFoam(Device& device, const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others,
-            std::shared_ptr<const ShoreLines> shore);
+  DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore);
 
-  // Has the foam of a time and a viewer (m) in the images; records nothing where it has not changed, or where there is
-  // and was none. `wakes`: null for none.
-  void update(Frame& frame, double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes);
+  // Has the foam, which has been stepped, in the images; records nothing where it has not changed, or where there is
+  // and was none.
+  void update(Frame& frame);
   // Foam is drawn out into streaks along the wind: from Beaufort 6 on, and to the full in a storm (Beaufort 11, 2.5 and
   // 6 times).
   void set_wind(const SeaState& sea);

@@ -34,9 +34,9 @@ std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) 
 
 }  // namespace
 
-DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows,
-                       double depth_m)
-    : settings_(inputs.settings), depth_m_(depth_m), shallows_{std::move(shallows), nullptr} {
+DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
+    : settings_(sea.spec().place.settings), depth_m_(sea.state().depth_m), shallows_{sea.shallows().from, nullptr} {
+  const PlaceInputs& inputs = sea.spec().place;
   validate(settings_);
   const bool whole = device.facts().float32_linear;
   for (const InputTarget kind :
@@ -71,7 +71,7 @@ DrawnPlace::DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_pt
   }
 }
 
-void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
+void DrawnPlace::update(Frame& frame, const Sea& sea, double time_s, const glm::dvec3& viewer) {
   if (!std::isfinite(viewer.x + viewer.y + viewer.z)) return;
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
@@ -100,6 +100,7 @@ void DrawnPlace::update(Frame& frame, double time_s, const glm::dvec3& viewer) {
         });
   }
   time_s_ = time_s;
+  if (bed_) follow(sea);
   if (bed_) update(frame, *bed_, time_s);
   if (shore_) shore_->update(frame, placement_, time_s);
 }
@@ -115,18 +116,24 @@ MakePlace DrawnPlace::remake(const PlaceInputs& inputs, const TileSources& other
   };
 }
 
-void DrawnPlace::begin_change(MadePlace made) {
-  shallows_.to = std::move(made.shallows);
-  shallows_.share = 0.0;
-  bed_->next = std::move(made.field);
-}
-
-void DrawnPlace::change(double share) {
-  shallows_.share = share;
-  bed_->turns.stale();
-  if (share < 1.0) return;
-  shallows_ = {std::move(shallows_.to), nullptr};
-  bed_->field = std::move(bed_->next);
+// The bed's windows of a sea that comes are made with it on another thread, where this drawing asked for that; or else
+// here.
+void DrawnPlace::follow(const Sea& sea) {
+  const ShallowsMix& now = sea.shallows();
+  if (now.to != nullptr && now.to != shallows_.to) {
+    const std::shared_ptr<MadePlace>& made = sea.made_place();
+    if (made != nullptr && made->shallows == now.to) bed_->next = std::move(made->field);
+    if (bed_->next == nullptr)
+      bed_->next = std::make_unique<PlaceField<BedTexel>>(bed_values({now.to, nullptr}, depth_m_), settings_,
+                                                          placement_, time_s_);
+  }
+  const bool other = now.from != shallows_.from || now.to != shallows_.to || now.share != shallows_.share;
+  if (now.from != shallows_.from) {
+    bed_->field = now.from == shallows_.to ? std::move(bed_->next) : nullptr;
+    bed_->next = nullptr;
+  }
+  if (other) bed_->turns.stale();
+  shallows_ = now;
 }
 
 void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {

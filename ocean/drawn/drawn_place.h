@@ -9,20 +9,19 @@
 #include "ocean/drawn/drawn_windows.h"
 #include "ocean/places/bed_change.h"
 #include "ocean/places/clip_mask.h"
-#include "ocean/sea/place_sea.h"
-#include "ocean/sea/sea_change.h"
+#include "ocean/sea/sea.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
 class DrawnPlace {
  public:
-  // Every field is made under the name of its effect. `shallows`: what the bed makes of the sea's waves; null where no
-  // bed is known. Throws as validate() does.
-  DrawnPlace(Device& device, const PlaceInputs& inputs, std::shared_ptr<const Shallows> shallows, double depth_m);
+  // Every field is made under the name of its effect. Throws as validate() does.
+  DrawnPlace(Device& device, const Sea& sea);
 
-  // Has the data around a viewer (m) at a time in the images; records nothing where nothing has changed.
-  void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
+  // Has the data around a viewer (m) at a time in the images, with what the bed makes of the sea's waves now; records
+  // nothing where nothing has changed.
+  void update(Frame& frame, const Sea& sea, double time_s, const glm::dvec3& viewer_m);
   // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
   void describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const;
   void add_uses(Uses& uses, Access access) const;
@@ -50,9 +49,6 @@ class DrawnPlace {
   // For SeaMaker: makes of another sea what the bed makes of it and the windows around the viewer as he is now. Empty
   // where no bed is known.
   MakePlace remake(const PlaceInputs& inputs, const TileSources& others) const;
-  // The sea begins to become another, of `share` (0 to 1), and at 1 is it: then the change is over.
-  void begin_change(MadePlace made);
-  void change(double share);
 
  private:
   struct Drawn {
@@ -73,6 +69,7 @@ class DrawnPlace {
   };
   const Drawn* drawn(InputTarget kind) const;
   void update(Frame& frame, Bed& bed, double time_s);
+  void follow(const Sea& sea);
   PlaceSettings settings_;
   double depth_m_, time_s_ = 0.0;
   LodPlacement placement_;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "ocean/waves/half_floats.h"
@@ -12,9 +14,7 @@
 namespace seascape {
 
 DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half)
-    : source_(std::move(source)),
-      half_(half || !device.facts().float32_linear),
-      workspace_(source_->workspace_floats(false)) {
+    : source_(std::move(source)), half_(half || !device.facts().float32_linear) {
   const EffectScope scope(device, source_->name());
   const std::string name = std::string(source_->name()) + (source_->along_curves() ? " along curves" : "");
   const int samples = source_->samples();
@@ -26,45 +26,46 @@ DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> sourc
   images_ = {Image(device, name + ", displacement", tile), Image(device, name + ", derivatives", tile),
              Image(device, name + ", moments", tile)};
   for (int size = samples; size >= 1; size /= 2) {
-    offsets_.push_back(plane_texels_);
+    levels_.push_back({plane_texels_, size});
     plane_texels_ += (std::size_t(size) * std::size_t(size) + 3) / 4 * 4;  // whole cache lines
   }
   const std::size_t texel = bytes_per_texel(tile.format);
-  for (Buffer& staging : staging_)  // cached, since coarser levels are averages of what lies there
+  for (Buffer& staging : staging_)
     staging = Buffer(device, name + ", staging", planes * plane_texels_ * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                     HostAccess::read);
+                     HostAccess::write);
   for (int plane = 0; plane < planes; ++plane)
     for (std::uint32_t level = 0; level < tile.levels; ++level) {
       VkBufferImageCopy region{};
-      region.bufferOffset = (std::size_t(plane) * plane_texels_ + offsets_[level]) * texel;
+      region.bufferOffset = (std::size_t(plane) * plane_texels_ + levels_[level].offset) * texel;
       region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
       region.imageExtent = {tile.width >> level, tile.height >> level, 1};
       regions_[std::size_t(plane)].push_back(region);
     }
-  if (half_) texels_.resize(planes * plane_texels_);
 }
 
-void DrawnSource::update(Frame& frame, std::int64_t ticks) {
-  if (uploaded_ && ticks == ticks_) return;
+void DrawnSource::update(Frame& frame, const SeaView& view) {
+  if (uploaded_ && view.ticks() == ticks_) return;
   uploaded_ = true;
-  ticks_ = ticks;
+  ticks_ = view.ticks();
+  const TileSources& sources = view.field().others();
+  const auto found = std::find(sources.begin(), sources.end(), source_);
+  assert(found != sources.end());
+  const int tile = view.field().quality().cascades + int(found - sources.begin());
+  const WaveTiles& tiles = view.tiles();
   const Buffer& staging = staging_[std::size_t(frame.slot())];
-  glm::vec4* const first = half_ ? texels_.data() : staging.mapped<glm::vec4>();
-  std::array<PlaneLevel, 10> levels{};
-  for (std::size_t level = 0; level < offsets_.size(); ++level) {
-    for (std::size_t plane = 0; plane < planes; ++plane)
-      levels[level].texels[plane] = first + plane * plane_texels_ + offsets_[level];
-    levels[level].stride = source_->samples() >> level;
-  }
-  source_->evaluate(ticks, false, {levels.data(), offsets_.size()}, workspace_);
-  if (half_) {
-    constexpr std::size_t piece = 1 << 13;  // texels
-    tbb::parallel_for(std::size_t(0), (texels_.size() + piece - 1) / piece, [&](std::size_t i) {
-      const std::size_t from = i * piece;
-      halves_from_floats(&texels_[from].x, staging.mapped<std::uint16_t>() + 4 * from,
-                         4 * std::min(piece, texels_.size() - from));
-    });
-  }
+  const std::size_t texel = half_ ? 8 : 16;
+  tbb::parallel_for(std::size_t(0), planes * levels_.size(), [&](std::size_t i) {
+    const std::size_t plane = i % planes, level = i / planes;
+    const auto [offset, size] = levels_[level];
+    const glm::vec4* from = tiles.texels(tile, WavePlane(plane), int(level));
+    std::byte* to = staging.mapped<std::byte>() + (plane * plane_texels_ + offset) * texel;
+    const std::size_t row = std::size_t(size) * texel;
+    for (int z = 0; z < size; ++z, from += tiles.stride(tile, int(level)), to += row)
+      if (half_)
+        halves_from_floats(&from->x, reinterpret_cast<std::uint16_t*>(to), 4 * std::size_t(size));
+      else
+        std::memcpy(to, from, row);
+  });
   Uses uses{use(staging, Access::transfer_read)};
   add_uses(uses, Access::transfer_write, true);
   frame.pass(source_->name().data(), uses, [&](Commands& c) {

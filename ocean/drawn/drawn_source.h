@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/frame.h"
+#include "ocean/sea/sea_view.h"
 #include "ocean/waves/tile_source.h"
-#include "ocean/waves/wave_tiles_simd.h"
 #include "shaders/shared/sea_data.h"
 
 namespace seascape {
@@ -18,8 +18,9 @@ class DrawnSource {
   // Everything is made under the source's name. `half`: texels are 16-bit floats.
   DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half);
 
-  // Evaluates the tile for the time and copies it; nothing when the images already hold it.
-  void update(Frame& frame, std::int64_t ticks);
+  // Copies the source's tile of a time; nothing when the images already hold it. `view`: of any detail, all of which
+  // have the sources' tiles.
+  void update(Frame& frame, const SeaView& view);
 
   // What shaders are told of its layings; `grid_origin_m` is the world x, z that rest positions count from.
   void describe(std::span<gpu::CascadeData> layings, glm::dvec2 grid_origin_m) const;
@@ -36,10 +37,13 @@ class DrawnSource {
   std::array<Image, planes> images_;
   std::array<Buffer, Frame::slots> staging_;
   std::array<std::vector<VkBufferImageCopy>, planes> regions_;
-  std::vector<float> workspace_;
-  std::vector<glm::vec4> texels_;  // what halves are made of
   std::size_t plane_texels_ = 0;
-  std::vector<std::size_t> offsets_;  // of each level in a plane, texels
+  // A level as it lies in a plane of the staging memory: texels from the plane's first, and their rows.
+  struct Level {
+    std::size_t offset;
+    int size;
+  };
+  std::vector<Level> levels_;
   bool uploaded_ = false;
   std::int64_t ticks_ = 0;
 };

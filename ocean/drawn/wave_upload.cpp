@@ -3,28 +3,39 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cstring>
 
 #include "ocean/waves/half_floats.h"
 
 namespace seascape {
 
-WaveUpload::WaveUpload(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
-                       WaveImages& images)
-    : field_(sea, quality, bins), images_(images), held_(images.copies().size()) {
+WaveUpload::WaveUpload(Device& device, Sea& sea, WaveImages& images)
+    : sea_(sea),
+      images_(images),
+      in_place_(images.filled() == WaveImages::Filled::written && !images.half_storage()),
+      held_(images.copies().size()) {
   const EffectScope scope(device, "waves");
+  const WaveTileLayout layout(sea.spec().drawn);
   if (images.filled() == WaveImages::Filled::written)
-    find_levels(WaveTileLayout(quality));
+    find_levels(layout);
   else
-    make_copies(device, WaveTileLayout(quality));
+    make_copies(device, layout);
+  if (in_place_) sea.keep_drawn_in(places_, image_layout_);
+}
+
+WaveUpload::~WaveUpload() {
+  view_ = {};
+  in_flight_ = {};
+  if (in_place_) sea_.keep_drawn_in({}, {});
 }
 
 void WaveUpload::make_copies(Device& device, const WaveTileLayout& layout) {
-  // Half floats keep the layout of the floats that they were converted from, padding and all.
   const std::size_t texel = bytes_per_texel(images_.sets()[0].displacement.spec().format);
-  for (Buffer& staging :
-       staging_)  // cached, since the field reads levels there for the next: coarser ones are their averages
+  image_layout_ = layout;
+  for (Buffer& staging : staging_)
     staging = Buffer(device, "wave staging", planes * layout.plane_texels * texel, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                     HostAccess::read);
+                     HostAccess::write);
   for (const WaveImages::Set& set : images_.sets())
     for (int plane = 0; plane < planes; ++plane) {
       copies_.push_back({&set.image(WavePlane(plane)), {}});
@@ -66,53 +77,45 @@ void WaveUpload::find_levels(const WaveTileLayout& layout) {
       }
 }
 
-void WaveUpload::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
-  field_.take(bins, chop, statistics);
-  std::fill(held_.begin(), held_.end(), std::nullopt);
-}
-
-QueryAnswer WaveUpload::query(glm::dvec2 place_m) const {
-  QueryAnswer answer;
-  seascape::query(field_, tiles_, {&place_m, 1}, {&answer, 1});
-  return answer;
-}
-
 void WaveUpload::update(Frame& frame, std::int64_t ticks) {
-  // Not an older copy either: selection asks the tiles, which are of the last time that was evaluated.
-  const auto held = std::find(held_.begin(), held_.end(), ticks);
-  if (held != held_.end() && tiles_.ticks() == ticks) return images_.show(std::size_t(held - held_.begin()));
+  const auto own = std::size_t(frame.slot());
+  in_flight_[own] = view_ = {};  // whose memory the next one may take
+  view_ = sea_.view(ticks, SeaDetail::drawn);
+  (void)view_.tiles();
+  if (in_place_) {
+    assert(view_.slot() >= 0 && "somebody keeps drawn views for longer than a frame");
+    in_flight_[own] = view_;
+    return images_.show(std::size_t(view_.slot()));
+  }
+  const Held wanted{ticks, sea_.waves_version()};
+  const auto held = std::find(held_.begin(), held_.end(), wanted);
+  if (held != held_.end()) return images_.show(std::size_t(held - held_.begin()));
   if (images_.filled() == WaveImages::Filled::copied) {
-    copy(frame, ticks);
-    held_[0] = ticks;
+    copy(frame);
+    held_[0] = wanted;
     return;
   }
-  const auto own = std::size_t(frame.slot());
-  write(own, ticks);
-  held_[own] = ticks;
+  write(own);
+  held_[own] = wanted;
   images_.show(own);
 }
 
-void WaveUpload::write(std::size_t copy, std::int64_t ticks) {
-  if (!images_.half_storage()) {
-    tiles_.keep_in(places_[copy], image_layout_);
-    field_.evaluate(ticks, tiles_);
-    return;
-  }
-  field_.evaluate(ticks, tiles_);
+// Of whole floats nothing is to be done: they are written there.
+void WaveUpload::write(std::size_t copy) {
+  const WaveTiles& tiles = view_.tiles();
   constexpr int piece = 32;  // rows
   std::size_t pieces = 0;
-  for (const Level& l : levels_[copy])
-    pieces += std::size_t((tiles_.samples(l.cascade) >> l.level) + piece - 1) / piece;
+  for (const Level& l : levels_[copy]) pieces += std::size_t((tiles.samples(l.cascade) >> l.level) + piece - 1) / piece;
   tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t i) {
     for (const Level& l : levels_[copy]) {
-      const int size = tiles_.samples(l.cascade) >> l.level;
+      const int size = tiles.samples(l.cascade) >> l.level;
       const auto here = std::size_t((size + piece - 1) / piece);
       if (i >= here) {
         i -= here;
         continue;
       }
       for (int z = int(i) * piece; z < std::min(size, (int(i) + 1) * piece); ++z)
-        halves_from_floats(&tiles_.texels(l.cascade, l.plane, l.level)[z * tiles_.stride(l.cascade, l.level)].x,
+        halves_from_floats(&tiles.texels(l.cascade, l.plane, l.level)[z * tiles.stride(l.cascade, l.level)].x,
                            reinterpret_cast<std::uint16_t*>(l.texels.first + std::size_t(z) * l.texels.row_bytes),
                            4 * std::size_t(size));
       return;
@@ -120,21 +123,27 @@ void WaveUpload::write(std::size_t copy, std::int64_t ticks) {
   });
 }
 
-void WaveUpload::copy(Frame& frame, std::int64_t ticks) {
+void WaveUpload::copy(Frame& frame) {
   const Buffer& staging = staging_[std::size_t(frame.slot())];
-  if (images_.half_storage()) {
-    field_.evaluate(ticks, tiles_);
-    constexpr std::size_t piece = 1 << 13;  // texels: a quarter of a second-level cache's usual size
-    const std::size_t texels = planes * tiles_.layout().plane_texels, pieces = (texels + piece - 1) / piece;
-    tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t i) {
-      const std::size_t first = i * piece, count = std::min(piece, texels - first);
-      halves_from_floats(&tiles_.texels(0, WavePlane::shift, 0)[first].x, staging.mapped<std::uint16_t>() + 4 * first,
-                         4 * count);
-    });
-  } else {
-    tiles_.keep_in({staging.mapped<glm::vec4>(), staging.bytes() / sizeof(glm::vec4)});
-    field_.evaluate(ticks, tiles_);
-  }
+  const WaveTiles& tiles = view_.tiles();
+  const bool half = images_.half_storage();
+  const std::size_t texel = half ? 8 : 16;
+  // A level of a plane of a cascade at a time.
+  constexpr std::size_t levels = 10;
+  tbb::parallel_for(std::size_t(0), std::size_t(image_layout_.cascades * planes) * levels, [&](std::size_t i) {
+    const int level = int(i % levels), cascade = int(i / levels) % image_layout_.cascades;
+    const auto plane = WavePlane(int(i / levels) / image_layout_.cascades);
+    if (level >= tiles.levels(cascade)) return;
+    const WaveTileLayout::Level& to_level = image_layout_.level(cascade, level);
+    std::byte* to = staging.mapped<std::byte>() + image_layout_.offset(cascade, plane, level) * texel;
+    const glm::vec4* from = tiles.texels(cascade, plane, level);
+    const std::size_t to_row = std::size_t(to_level.stride) * texel, texels = std::size_t(to_level.size);
+    for (int z = 0; z < to_level.size; ++z, from += tiles.stride(cascade, level), to += to_row)
+      if (half)
+        halves_from_floats(&from->x, reinterpret_cast<std::uint16_t*>(to), 4 * texels);
+      else
+        std::memcpy(to, from, texels * texel);
+  });
   Uses uses{use(staging, Access::transfer_read)};
   images_.add_uses(uses, Access::transfer_write, true);
   frame.pass("wave upload", uses, [&](Commands& c) {

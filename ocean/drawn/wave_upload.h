@@ -1,5 +1,5 @@
-// Fills the sea's tiles from the wave field: computed on the processor, where the images lie if the device samples such
-// images, or else in staging memory that is copied.
+// Takes the tiles of the sea's `drawn` views to the GPU: they lie in the images where the device samples images that
+// the processor writes, or else are copied.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -7,29 +7,23 @@
 #include <vector>
 
 #include "ocean/drawn/wave_images.h"
-#include "ocean/sea/query.h"
-#include "ocean/waves/wave_field.h"
-#include "ocean/waves/wave_tiles.h"
+#include "ocean/sea/sea.h"
 
 namespace seascape {
 
 class WaveUpload {
  public:
-  // `images` were made to be written or copied into, for the same sea and quality; they must outlive this.
-  WaveUpload(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins, WaveImages& images);
+  // `images` were made to be written or copied into, in the sea's quality of the picture; both outlive this.
+  WaveUpload(Device& device, Sea& sea, WaveImages& images);
+  ~WaveUpload();
+  WaveUpload(const WaveUpload&) = delete;
+  WaveUpload& operator=(const WaveUpload&) = delete;
 
-  // Computes all tiles for the time and has them in the images; nothing when images already hold it. The processor's
-  // part is done while the GPU still draws the frame before, since each frame in flight has images or staging memory of
-  // its own.
+  // Has the tiles of a time in the images; nothing when images already hold them. The processor's part is done while
+  // the GPU still draws the frame before, since each frame in flight has images or staging memory of its own.
   void update(Frame& frame, std::int64_t ticks);
-  // The water at a world x, z, at the time of the last update.
-  QueryAnswer query(glm::dvec2 place_m) const;
-  // Other amplitudes and chop from the next update on (WaveField::take).
-  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
-
-  const WaveField& field() const { return field_; }
-  // Of the last update; null before the first.
-  const WaveTiles* tiles() const { return tiles_.cascades() > 0 ? &tiles_ : nullptr; }
+  // Of the last update; none before the first. Who keeps it for longer than a frame has the next ones wait for memory.
+  const SeaView& view() const { return view_; }
 
  private:
   static constexpr int planes = 3;  // shift, slope, moments: the three images
@@ -45,17 +39,24 @@ class WaveUpload {
   };
   void make_copies(Device& device, const WaveTileLayout& layout);
   void find_levels(const WaveTileLayout& layout);
-  void write(std::size_t copy, std::int64_t ticks);
-  void copy(Frame& frame, std::int64_t ticks);
-  WaveField field_;
+  void write(std::size_t copy);
+  void copy(Frame& frame);
+  Sea& sea_;
   WaveImages& images_;
-  WaveTiles tiles_;
+  SeaView view_;
+  std::array<SeaView, Frame::slots> in_flight_;  // whose images frames in flight sample, where tiles lie in them
+  bool in_place_ = false;                        // they do
   std::array<Buffer, Frame::slots> staging_;
   std::vector<Copy> copies_;
   std::vector<std::vector<Level>> levels_;  // of each copy of the images
-  std::vector<WaveTiles::Places> places_;   // the same for whole floats, which the field writes there itself
+  std::vector<WaveTiles::Places> places_;   // the same for whole floats, which the sea writes there itself
   WaveTileLayout image_layout_;
-  std::vector<std::optional<std::int64_t>> held_;  // the time that each copy of the images holds
+  struct Held {
+    std::int64_t ticks;
+    std::uint64_t waves;  // Sea::waves_version
+    bool operator==(const Held&) const = default;
+  };
+  std::vector<std::optional<Held>> held_;  // what each copy of the images holds, where tiles are copied
 };
 
 }  // namespace seascape

@@ -30,10 +30,6 @@ double quantile(double share) {
   return low;
 }
 
-WaveQuality of_breakers(const WaveQuality& quality) {
-  return {std::min(quality.resolution, 128), std::min(quality.cascades, 4)};
-}
-
 }  // namespace
 
 // Between texels of a level: dDx/dx, dDz/dz, dDx/dz at a rest position.
@@ -53,29 +49,20 @@ glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec
   return glm::mix(low, high, fz);
 }
 
-Breaking::Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s,
-                   bool with_velocity)
-    : field_(sea, of_breakers(quality), std::move(others)),
-      tiles_(with_velocity),
-      wind_mps_(sea.wind_speed_mps),
-      life_s_(life_s) {
-  for (const auto& source : field_.others()) {
+Breaking::Breaking(Sea& sea, double life_s) : sea_(sea), life_s_(life_s) {
+  for (const auto& source : sea.spec().sources) {
     const SourceStatistics s = source->statistics();
     others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
     if (!source->along_curves()) others_height_variance_ += s.height_variance;
   }
-  const glm::dvec3 moments = field_.statistics().slope_moments;
-  slope_variance_ = sea.chop * sea.chop * (moments.x + moments.y);
 }
 
-void Breaking::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
-  wind_mps_ = wind_mps;
-  ticks_.reset();
-  field_.take(bins, chop, statistics);
-  slope_variance_ = chop * chop * (statistics.slope_moments.x + statistics.slope_moments.y);
+double Breaking::slope_variance() const {
+  const glm::dvec3 moments = sea_.statistics().slope_moments;
+  return sea_.chop() * sea_.chop() * (moments.x + moments.y);
 }
 
-bool Breaking::ever() const { return 1.0 - most_threshold < 6.0 * std::sqrt(slope_variance_ + others_variance_); }
+bool Breaking::ever() const { return 1.0 - most_threshold < 6.0 * std::sqrt(slope_variance() + others_variance_); }
 
 double Breaking::threshold_of(double sea_variance) const {
   return std::clamp(1.0 + lowest_ * (thinner * std::sqrt(sea_variance) + least_sigma), least_threshold, most_threshold);
@@ -87,14 +74,16 @@ double Breaking::below(double jacobian, double variance, double threshold) const
 }
 
 void Breaking::evaluate(std::int64_t ticks) {
-  if (ticks_ == ticks) return;
-  ticks_ = ticks;
-  field_.evaluate(ticks, tiles_);
+  if (view_ && view_.ticks() == ticks && waves_ == sea_.waves_version()) return;
+  view_ = {};  // whose memory the next one may take
+  view_ = sea_.view(ticks, SeaDetail::crests);
+  waves_ = sea_.waves_version();
+  const WaveTiles& tiles = this->tiles();
   variance_ = 0.0;
-  for (const WaveField::Place& place : field_.places())
-    variance_ += double(tiles_.texels(place.tile, WavePlane::moments, tiles_.levels(place.tile) - 1)->w);
+  for (const WaveField::Place& place : field().places())
+    variance_ += double(tiles.texels(place.tile, WavePlane::moments, tiles.levels(place.tile) - 1)->w);
   // In balance W = gain / (gain + 1 / life); a third more, for where it breaks is covered already.
-  const double whole = std::min(3.84e-6 * std::pow(wind_mps_, 3.41), 0.5),
+  const double whole = std::min(3.84e-6 * std::pow(sea_.state().wind_speed_mps, 3.41), 0.5),
                breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
   lowest_ = quantile(std::min(breaking, 0.5));
   threshold_ = threshold_of(variance_);
@@ -102,28 +91,30 @@ void Breaking::evaluate(std::int64_t ticks) {
 
 void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
   evaluate(ticks);
+  const WaveField& field = this->field();
+  const WaveTiles& tiles = this->tiles();
   slices_.resize(std::size_t(slices));
   for (int i = 0; i < slices; ++i) {
     const double footprint = std::ldexp(texel_m, i);
-    const WaveField::Filter filter = field_.filter(footprint);
+    const WaveField::Filter filter = field.filter(footprint);
     Slice& slice = slices_[std::size_t(i)];
     slice.readings.clear();
     slice.variance = 0.0;
-    for (std::size_t p = 0; p < field_.places().size(); ++p) {
-      const int tile = field_.places()[p].tile, last = tiles_.levels(tile) - 1;
+    for (std::size_t p = 0; p < field.places().size(); ++p) {
+      const int tile = field.places()[p].tile, last = tiles.levels(tile) - 1;
       // One level, the nearer of two.
       const int level = std::min(filter.level[p] + (filter.between[p] > 0.5f ? 1 : 0), last);
       // What has four texels a wave at most is left to the variance.
-      const WaveField::Place& place = field_.places()[p];
+      const WaveField::Place& place = field.places()[p];
       const float share = level == last || 4.0 * footprint > place.longest_m ? 0.0f : filter.share[p];
-      const double all = double(tiles_.texels(tile, WavePlane::moments, last)->w);
+      const double all = double(tiles.texels(tile, WavePlane::moments, last)->w);
       double kept = 0.0;
       if (share > 0.0f && level > 0) {
-        const int size = tiles_.layout().level(tile, level).size;
+        const int size = tiles.layout().level(tile, level).size;
         for (int z = 0; z < size; ++z)
           for (int x = 0; x < size; ++x) {
             const glm::vec4& s =
-                tiles_.texels(tile, WavePlane::slope, level)[std::ptrdiff_t(z) * tiles_.stride(tile, level) + x];
+                tiles.texels(tile, WavePlane::slope, level)[std::ptrdiff_t(z) * tiles.stride(tile, level) + x];
             kept += double((s.z + s.w) * (s.z + s.w));
           }
         kept /= double(size) * size;
@@ -132,11 +123,11 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
       }
       slice.variance += std::max(all - double(share) * double(share) * kept, 0.0);
       if (!(share > 0.0f)) continue;
-      const int size = tiles_.layout().level(tile, level).size;
+      const int size = tiles.layout().level(tile, level).size;
       const double texels = place.inverse_side * size,
-                   middle = 0.5 / double(tiles_.samples(tile)) * size -
+                   middle = 0.5 / double(tiles.samples(tile)) * size -
                             0.5;  // of a coarser level, between those it is the mean of
-      slice.readings.push_back({tile, level, size, tiles_.stride(tile, level), share,
+      slice.readings.push_back({tile, level, size, tiles.stride(tile, level), share,
                                 texels * glm::dvec2(place.cosine, place.sine),
                                 texels * glm::dvec2(-place.sine, place.cosine), place.offset * size + middle,
                                 place.longest_m, place.shortest_m});
@@ -145,7 +136,7 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
 }
 
 void Breaking::add_gradient(const Slice& slice, glm::dvec2 rest, glm::vec3& sum) const {
-  for (const Reading& reading : slice.readings) sum += reading.share * gradient(tiles_, reading, rest);
+  for (const Reading& reading : slice.readings) sum += reading.share * gradient(tiles(), reading, rest);
 }
 
 double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const {
@@ -160,8 +151,8 @@ double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, co
     const double way = glm::length(flow) * std::abs(phase.second_s - phase.first_s);
     for (const Reading& reading : slice.readings) {
       const float height = reading.share * float(flow_height(reading.longest_m, reading.shortest_m, way, phase.first));
-      g += height * float(phase.first) * gradient(tiles_, reading, rest - phase.first_s * flow);
-      g += height * float(1.0 - phase.first) * gradient(tiles_, reading, rest - phase.second_s * flow);
+      g += height * float(phase.first) * gradient(tiles(), reading, rest - phase.first_s * flow);
+      g += height * float(1.0 - phase.first) * gradient(tiles(), reading, rest - phase.second_s * flow);
     }
   }
   const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;

@@ -8,8 +8,7 @@
 
 #include "ocean/foam/foam.h"
 #include "ocean/places/flow_phase.h"
-#include "ocean/waves/wave_field.h"
-#include "ocean/waves/wave_tiles.h"
+#include "ocean/sea/sea.h"
 
 namespace seascape {
 
@@ -18,19 +17,15 @@ namespace seascape {
 // divergence's variance has as much as keeps up W. Of winds from 5 to 23 m/s that is a Jacobian of some 0.7, and it is
 // held between 0.6 and 0.78, so that what is flat or smooth does not foam whatever the wind.
 //
-// The four longest cascades are taken at any quality (waves of 0.3 m and more), so that foam is the same at all.
+// The sea is asked for its crests (SeaDetail), which are the same at any quality, and so is foam.
 //
 // Of a texel the mean Jacobian is known, and how much the divergence varies within it, from what its footprint takes of
 // the waves: the share of it below the threshold is that of a Gaussian (Dupuy and Bruneton 2012). The variance is the
 // sea's mean for the footprint.
 class Breaking {
  public:
-  // `others`: what moves the water beside its waves; `life_s`: in which foam goes. `with_velocity`: its tiles tell how
-  // fast the water moves.
-  Breaking(const SeaState& sea, const WaveQuality& quality, TileSources others, double life_s,
-           bool with_velocity = false);
-  // As WaveField::take, with the wind.
-  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
+  // `sea` outlives it; `life_s`: in which foam goes.
+  Breaking(Sea& sea, double life_s);
 
   // Whether these waves ever break to speak of.
   bool ever() const;
@@ -42,7 +37,7 @@ class Breaking {
   double mean_share() const { return below(1.0, variance_, threshold_); }
   double threshold() const { return threshold_; }
   // Of the height of all waves that cover the sea (m^2).
-  double height_variance() const { return field_.statistics().height_variance + others_height_variance_; }
+  double height_variance() const { return sea_.statistics().height_variance + others_height_variance_; }
 
   // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave
   // `kept` of them.
@@ -59,11 +54,13 @@ class Breaking {
   // The same of the waves alone, of all texels: adds per_s times it.
   void add(const FoamRow& row, float per_s, std::span<float> gains) const;
   glm::dvec3 displacement(glm::dvec2 rest_m, double footprint_m) const {
-    return field_.displacement(tiles_, rest_m, footprint_m);
+    return field().displacement(tiles(), rest_m, footprint_m);
   }
 
-  const WaveField& field() const { return field_; }
-  const WaveTiles& tiles() const { return tiles_; }
+  // As of evaluate().
+  const SeaView& view() const { return view_; }
+  const WaveField& field() const { return view_.field(); }
+  const WaveTiles& tiles() const { return view_.tiles(); }
 
  private:
   // A level of a place's tile, as a slice's texels read it.
@@ -81,12 +78,13 @@ class Breaking {
   void add_gradient(const Slice& slice, glm::dvec2 rest_m, glm::vec3& sum) const;
   double threshold_of(double sea_variance) const;
   double below(double jacobian, double variance, double threshold) const;
-  WaveField field_;
-  WaveTiles tiles_;
+  double slope_variance() const;
+  Sea& sea_;
+  SeaView view_;
+  std::uint64_t waves_ = 0;  // Sea::waves_version() that the view is of
   std::vector<Slice> slices_;
-  std::optional<std::int64_t> ticks_;  // that the tiles are of
-  double wind_mps_, life_s_;
-  double slope_variance_ = 0.0, others_variance_ = 0.0;  // no less than the divergence's
+  double life_s_;
+  double others_variance_ = 0.0;  // no less than the divergence's
   double others_height_variance_ = 0.0;
   double lowest_ = -9.0;                     // where a normal number is below in as many cases as breaks
   double variance_ = 0.0, threshold_ = 0.6;  // of the whole sea's divergence, as of evaluate()

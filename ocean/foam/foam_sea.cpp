@@ -27,9 +27,8 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
          (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
 }
 
-FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others,
-                 std::shared_ptr<const ShoreLines> shore)
-    : spec_(spec), breaking_(sea, quality, std::move(others), spec.settings.life_s), foam_(spec.settings) {
+FoamSea::FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore)
+    : spec_(spec), sea_(sea), breaking_(sea, spec.settings.life_s), foam_(spec.settings) {
   flows_ = spec.flow != nullptr;
   if (flows_)
     foam_.set_flow(
@@ -37,14 +36,9 @@ FoamSea::FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& q
           return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz);
         },
         spec.flow->still());
-  shift_m_ = 2.0 * breaking_.field().statistics().largest_shift_m;
-  if (shore && !shore->empty() && breaking_.field().has_curved())
-    shore_.emplace(std::move(shore), spec.settings.windows, breaking_.field());
-}
-
-void FoamSea::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps) {
-  breaking_.take(bins, chop, statistics, wind_mps);
-  shift_m_ = 2.0 * statistics.largest_shift_m;
+  const SeaView view = sea.view(0, SeaDetail::crests);
+  if (shore && !shore->empty() && view.field().has_curved())
+    shore_.emplace(std::move(shore), spec.settings.windows, view.field());
 }
 
 void FoamSea::set_water(Water water) {
@@ -119,7 +113,7 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
     }
   if (!spec_.inputs || spec_.inputs->empty()) return;
   const InputBounds bounds = spec_.inputs->bounds();
-  const double around = shift_m_ + (shore_ ? shore_->largest_shift_m() : 0.0) + row.texel_m;
+  const double around = shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0) + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
@@ -130,29 +124,52 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
   }
 }
 
-std::uint32_t FoamSea::advance(double time_s, double dt, const DynamicSurface* wakes) {
-  const bool from_inputs = spec_.inputs && !spec_.inputs->empty();
-  const bool any_source =
-      (spec_.settings.breaking > 0.0 && ((spec_.settings.simulated && breaking_.ever()) || wakes)) || from_inputs ||
-      (still_water_ && (spec_.settings.shore_per_s > 0.0 || spec_.settings.breaking > 0.0));
-  if (!any_source) return foam_.step(dt, nullptr);
+bool FoamSea::any_source(bool wakes) const {
+  const FoamSettings& s = spec_.settings;
+  return (s.breaking > 0.0 && ((s.simulated && breaking_.ever()) || wakes)) ||
+         (spec_.inputs && !spec_.inputs->empty()) || (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
+}
+
+std::uint32_t FoamSea::advance(double time_s, double dt) {
+  // Of the time that settles the dynamic waves are not known.
+  const bool wakes = sea_.dynamic_waves() != nullptr && !settling_;
+  if (!any_source(wakes)) return foam_.step(dt, nullptr);
   const LodField<float>& field = foam_.field();
   breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
   fresh_ = spec_.settings.simulated ? mean_cover() : 0.0f;
-  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, wakes); };
+  const DynamicSurface* pressed = wakes ? breaking_.view().dynamic() : nullptr;
+  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, pressed); };
   return foam_.step(dt, std::cref(gain));  // by reference: nothing is allocated
 }
 
-std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const DynamicSurface* wakes) {
+void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
+  changed_ = 0;
   const FoamSettings& s = spec_.settings;
   if (!(std::abs(time_s * s.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
       !std::isfinite(viewer.y))
-    return 0;
+    return;
   const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
   const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
-  std::uint32_t changed = foam_.follow(placement, fresh_);
+  changed_ = foam_.follow(placement, fresh_);
+  follow(placement);
+  due_ = now;
+  settling_ = anew;
+  steps_left_ = std::min<std::int64_t>(now - tick_, most_steps);
+  if (!anew) return;
+  begun_ = first_ = true;
+  changed_ |= (1u << s.windows.slices) - 1u;
+  foam_.fill(0.0f);
+  // Long steps first, then those of the rate.
+  const double all = s.settle_s, fine = std::min(all, 1.0);
+  coarse_ticks_ = std::max<std::int64_t>(1, std::llround(settling_step_s * s.rate_hz));
+  coarse_left_ = std::int64_t(std::ceil((all - fine) * s.rate_hz / double(coarse_ticks_)));
+  tick_ = now - std::int64_t(std::ceil(fine * s.rate_hz)) - coarse_left_ * coarse_ticks_;
+}
+
+void FoamSea::follow(const LodPlacement& placement) {
+  const FoamSettings& s = spec_.settings;
   if (shore_) shore_->follow(placement, water_);
   if (water_) {
     const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
@@ -185,30 +202,27 @@ std::uint32_t FoamSea::update(double time_s, const glm::dvec3& viewer, const Dyn
         });
     }
   }
-  if (anew) {
-    begun_ = true;
-    changed |= (1u << s.windows.slices) - 1u;
-    foam_.fill(0.0f);
-    // Long steps first, then those of the rate.
-    const double all = s.settle_s, fine = std::min(all, 1.0);
-    const int coarse_steps = int(std::ceil((all - fine) / settling_step_s)),
-              fine_steps = int(std::ceil(fine * s.rate_hz));
-    const double end = double(now) / s.rate_hz, begin = end - double(fine_steps) / s.rate_hz;
-    tick_ = now;
-    for (int i = coarse_steps - 1; i >= 0; --i) {
-      (void)advance(begin - i * settling_step_s, settling_step_s, nullptr);
-      if (i == coarse_steps - 1) foam_.fill(fresh_);
-    }
-    for (int i = fine_steps - 1; i >= 0; --i) (void)advance(end - i / s.rate_hz, 1.0 / s.rate_hz, nullptr);
-    return changed;
+}
+
+std::int64_t FoamSea::next_ticks() const {
+  if (settling_) return coarse_left_ > 0 ? coarse_ticks_ : 1;
+  return (due_ - tick_ + steps_left_ - 1) / steps_left_;
+}
+
+std::optional<double> FoamSea::next_s() const {
+  return tick_ < due_ ? std::optional(double(tick_ + next_ticks()) / spec_.settings.rate_hz) : std::nullopt;
+}
+
+void FoamSea::step() {
+  const std::int64_t ticks = next_ticks();
+  tick_ += ticks;
+  changed_ |= advance(double(tick_) / spec_.settings.rate_hz, double(ticks) / spec_.settings.rate_hz);
+  if (coarse_left_ > 0) {
+    if (std::exchange(first_, false)) foam_.fill(fresh_);
+    --coarse_left_;
+  } else if (!settling_) {
+    --steps_left_;
   }
-  const std::int64_t due = now - tick_, steps = std::min<std::int64_t>(due, most_steps);
-  for (std::int64_t left = steps; left > 0; --left) {
-    const std::int64_t ticks = (now - tick_ + left - 1) / left;
-    tick_ += ticks;
-    changed |= advance(double(tick_) / s.rate_hz, double(ticks) / s.rate_hz, wakes);
-  }
-  return changed;
 }
 
 }  // namespace seascape

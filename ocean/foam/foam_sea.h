@@ -43,42 +43,56 @@ class FoamSea {
  public:
   static constexpr double longest_s = 5.0;
   static constexpr int most_steps = 12;
-  // `others`: what moves the water beside its waves; `shore`: along which that of them runs that runs along curves,
-  // null where none does. Throws as validate() does.
-  FoamSea(const FoamSpec& spec, const SeaState& sea, const WaveQuality& quality, TileSources others = {},
-          std::shared_ptr<const ShoreLines> shore = nullptr);
+  // `sea` outlives it; `shore`: along which its waves run that run along curves, null where none do. Throws as
+  // validate() does.
+  FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore = nullptr);
   FoamSea(const FoamSea&) = delete;
   FoamSea& operator=(const FoamSea&) = delete;
-  // As Breaking::take.
-  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, double wind_mps);
   // Asked once for each texel that comes into a window, for its side in m; a depth that is no number is that of the
   // open sea.
   using Water = StillWaterAt;
   // Water that takes another's place comes in over a second or two of updates.
   void set_water(Water water);
 
-  // The foam as it is at a time of the sea, in s, around a viewer (m); `wakes`: dynamic waves, null for none. Gives the
-  // slices that have changed (Foam::step), whose texels may still all be 0. A time or a place that is no number changes
-  // nothing.
-  std::uint32_t update(double time_s, const glm::dvec3& viewer_m, const DynamicSurface* wakes = nullptr);
+  // The foam as it is at a time of the sea, in s, around a viewer (m). Gives the slices that have changed (Foam::step),
+  // whose texels may still all be 0. A time or a place that is no number changes nothing.
+  std::uint32_t update(double time_s, const glm::dvec3& viewer_m) {
+    begin(time_s, viewer_m);
+    while (next_s()) step();
+    return changed();
+  }
+  // The same in parts, for who steps others beside it (CrestSteps): what is due, the time (s) of the next step, it, and
+  // what has changed since begin().
+  void begin(double time_s, const glm::dvec3& viewer_m);
+  std::optional<double> next_s() const;
+  void step();
+  std::uint32_t changed() const { return changed_; }
   const Foam& foam() const { return foam_; }
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }
   std::optional<std::string> take_fault() { return foam_.take_fault(); }
 
  private:
-  std::uint32_t advance(double time_s, double dt, const DynamicSurface* wakes);
+  std::uint32_t advance(double time_s, double dt);
+  void follow(const LodPlacement& placement);
   void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
+  bool any_source(bool wakes) const;
   float mean_cover() const;
   FoamSpec spec_;
+  Sea& sea_;
   Breaking breaking_;
   Foam foam_;
   Water water_;
   std::optional<LodField<glm::vec3>> still_water_;  // StillWater, of the sea's own waves
   std::optional<FoamShore> shore_;                  // none where no waves run along curves
   float fresh_ = 0.0f;
-  double shift_m_ = 0.0;
-  std::int64_t tick_ = 0, anew_ = -1;  // the row of still_water_ to take anew next; -1: none
+  double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
+  std::int64_t next_ticks() const;
+  std::int64_t tick_ = 0, due_ = 0;  // of the last step, and of the last that is due
+  std::int64_t coarse_ticks_ = 1, coarse_left_ = 0, steps_left_ = 0;
+  bool settling_ = false, first_ = false;  // steps before the first moment shown; the first of them
+  std::uint32_t changed_ = 0;
+  std::int64_t anew_ = -1;  // the row of still_water_ to take anew next; -1: none
   bool begun_ = false, flows_ = false;
 };
 

@@ -82,16 +82,15 @@ void validate(const SpraySettings& s) {
   require(s.rate_hz >= 4.0 && s.rate_hz <= 60.0, s.rate_hz, "rate_hz", "from 4 to 60");
 }
 
-Spray::Spray(const SpraySettings& settings, const SeaState& sea, const WaveQuality& quality, TileSources others,
-             double foam_life_s)
+Spray::Spray(const SpraySettings& settings, Sea& sea, double foam_life_s)
     : settings_(settings),
       sea_(sea),
-      breaking_(sea, {std::min(quality.resolution, 64), quality.cascades}, std::move(others), foam_life_s, true),
-      profile_(sea.wind_speed_mps, sea.gravity_mps2),
+      breaking_(sea, foam_life_s),
+      gravity_mps2_(sea.state().gravity_mps2),
+      profile_(sea.state().wind_speed_mps, gravity_mps2_),
       cells_(0) {
   validate(settings);
-  const glm::dvec2 to = direction_xz(sea.wind_to_deg);
-  wind_to_ = {to.x, 0.0, to.y};
+  feel_wind();
   const auto most = std::size_t(settings.most);
   puffs_.reserve(most);
   places_.resize(most);
@@ -100,16 +99,18 @@ Spray::Spray(const SpraySettings& settings, const SeaState& sea, const WaveQuali
   breakers_.resize(std::size_t(cells_) * std::size_t(cells_));
 }
 
-void Spray::take(const WaveBins& bins, double chop, const SeaStatistics& statistics, const SeaState& sea) {
-  breaking_.take(bins, chop, statistics, sea.wind_speed_mps);
-  sea_ = sea;
-  profile_ = WindProfile(sea.wind_speed_mps, sea.gravity_mps2);
-  const glm::dvec2 to = direction_xz(sea.wind_to_deg);
+void Spray::feel_wind() {
+  const SeaState& state = sea_.state();
+  if (state.wind_speed_mps == wind_mps_ && state.wind_to_deg == wind_to_deg_) return;
+  wind_mps_ = state.wind_speed_mps;
+  wind_to_deg_ = state.wind_to_deg;
+  profile_ = WindProfile(wind_mps_, gravity_mps2_);
+  const glm::dvec2 to = direction_xz(wind_to_deg_);
   wind_to_ = {to.x, 0.0, to.y};
 }
 
 double Spray::per_m2_s() const {
-  const double wind = std::clamp((sea_.wind_speed_mps - least_wind_mps) / (usual_wind_mps - least_wind_mps), 0.0, 2.0);
+  const double wind = std::clamp((wind_mps_ - least_wind_mps) / (usual_wind_mps - least_wind_mps), 0.0, 2.0);
   return breaking_.ever() ? settings_.amount * spray_per_m2_s * wind * wind : 0.0;
 }
 
@@ -118,7 +119,7 @@ Spray::Puff Spray::after(const Puff& puff, double seconds) const {
   p.age_s += seconds;
   const double flies = std::min(seconds, p.age_s);
   if (!(flies > 0.0)) return p;
-  const Flight flight = fly(p.velocity_mps, p.air_mps, p.relaxation_s, sea_.gravity_mps2, flies);
+  const Flight flight = fly(p.velocity_mps, p.air_mps, p.relaxation_s, gravity_mps2_, flies);
   p.place_m += flight.way;
   p.velocity_mps = flight.velocity;
   p.above_m += p.rising_mps * flies;
@@ -174,7 +175,7 @@ double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer,
   const glm::dvec2 rest = cell_m * glm::dvec2(double(c.x) + 0.5, double(c.z) + 0.5);
   const SeaSample sea = breaking_.field().sea(breaking_.tiles(), rest, coarse);
   const glm::dvec3 d = sea.displacement;
-  const double height = 4.0 * std::sqrt(breaking_.field().statistics().height_variance);
+  const double height = 4.0 * std::sqrt(sea_.statistics().height_variance);
   const double out = height > 0.0 ? smooth(0.0, 0.2, d.y / height) * (1.0 - smooth(0.75, 1.0, sea.jacobian())) : 0.0;
   if (!(out > 0.0)) return 0.0;
   const double still = water_ ? water_({rest.x + d.x, rest.y + d.z}, time_s).still_m : 0.0;
@@ -240,7 +241,7 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
       const glm::dvec3 water = found->water.waves * field.velocity(breaking_.tiles(), rest, fine);
       // u / (1 - J), and no faster than the wind that drives the waves.
       glm::dvec3 crest = glm::dvec3(water.x, 0.0, water.z) / std::clamp(1.0 - found->jacobian, 1.0 / 3.0, 1.0);
-      if (const double speed = glm::length(crest); speed > sea_.wind_speed_mps) crest *= sea_.wind_speed_mps / speed;
+      if (const double speed = glm::length(crest); speed > wind_mps_) crest *= wind_mps_ / speed;
       const glm::dvec3 place = glm::dvec3(rest.x, found->water.still_m, rest.y) +
                                found->sea.displacement * glm::dvec3(1.0, found->water.waves, 1.0);
       glm::dvec3 eddy = this->eddy(chance, 0.6);
@@ -269,21 +270,20 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
   }
 }
 
-void Spray::step(std::int64_t tick, const glm::dvec3& viewer) {
-  tick_ = tick;
-  const bool throws =
-      per_m2_s() > 0.0 && std::abs(viewer.y) < settings_.range_m + breaking_.field().statistics().largest_height_m;
+void Spray::step() {
+  const double time_s = double(++tick_) / settings_.rate_hz;
+  feel_wind();
+  const bool throws = per_m2_s() > 0.0 && std::abs(viewer_.y) < settings_.range_m + sea_.statistics().largest_height_m;
   if (!throws && puffs_.empty()) return;
-  const double time_s = double(tick) / settings_.rate_hz;
   breaking_.evaluate(ticks_from_seconds(time_s));
   for (Puff& puff : puffs_) puff = after(puff, 1.0 / settings_.rate_hz);
   land(time_s);
   if (!throws) return;
-  find_breakers(tick, viewer);
-  throw_up(tick, viewer);
+  find_breakers(tick_, viewer_);
+  throw_up(tick_, viewer_);
 }
 
-void Spray::update(double time_s, const glm::dvec3& viewer) {
+void Spray::begin(double time_s, const glm::dvec3& viewer) {
   if (!(std::abs(time_s * settings_.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
       !std::isfinite(viewer.y))
     return;
@@ -297,7 +297,11 @@ void Spray::update(double time_s, const glm::dvec3& viewer) {
   }
   begun_ = true;
   viewer_ = viewer;
-  for (std::int64_t tick = tick_ + 1; tick <= now; ++tick) step(tick, viewer);
+  due_ = now;
+}
+
+std::optional<double> Spray::next_s() const {
+  return tick_ < due_ ? std::optional(double(tick_ + 1) / settings_.rate_hz) : std::nullopt;
 }
 
 std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu::SprayPuff> to) const {

@@ -50,18 +50,22 @@ class Spray {
     double still_m = 0.0, depth_m = 1e6, waves = 1.0;
   };
 
-  // `others`: what moves the water beside its waves; `foam_life_s`: by which Breaking tells how much breaks. Throws as
-  // validate() does.
-  Spray(const SpraySettings& settings, const SeaState& sea, const WaveQuality& quality, TileSources others,
-        double foam_life_s);
+  // `sea` outlives it, and its crests know their velocity; `foam_life_s`: by which Breaking tells how much breaks.
+  // Throws as validate() does.
+  Spray(const SpraySettings& settings, Sea& sea, double foam_life_s);
   Spray(const Spray&) = delete;
   Spray& operator=(const Spray&) = delete;
-  // As Breaking::take; of `sea` the wind counts.
-  void take(const WaveBins& bins, double chop, const SeaStatistics& statistics, const SeaState& sea);
   void set_water(std::function<Water(glm::dvec2 place_m, double time_s)> water) { water_ = std::move(water); }
 
   // Has the puffs of a time of the sea, in s, around a viewer (m). A time or a place that is no number changes nothing.
-  void update(double time_s, const glm::dvec3& viewer_m);
+  void update(double time_s, const glm::dvec3& viewer_m) {
+    begin(time_s, viewer_m);
+    while (next_s()) step();
+  }
+  // The same in parts, for who steps others beside it (CrestSteps): what is due, the time (s) of the next step, and it.
+  void begin(double time_s, const glm::dvec3& viewer_m);
+  std::optional<double> next_s() const;
+  void step();
   // As of the last step, in order of their beginning.
   std::span<const Puff> puffs() const { return puffs_; }
   double step_s() const { return double(tick_) / settings_.rate_hz; }
@@ -78,7 +82,6 @@ class Spray {
   class Chance;
 
  private:
-  void step(std::int64_t tick, const glm::dvec3& viewer);
   void land(double time_s);
   void feel_air(Puff& puff) const;
   glm::dvec3 eddy(Chance& chance, double strength) const;
@@ -99,17 +102,19 @@ class Spray {
   };
   std::optional<Breaker> breaker(glm::dvec2 rest, double time_s, const WaveField::Filter& fine) const;
   SpraySettings settings_;
-  SeaState sea_;
+  Sea& sea_;
   Breaking breaking_;
+  double wind_mps_ = -1.0, wind_to_deg_ = 0.0, gravity_mps2_;  // that the next two are of
   WindProfile profile_;
   glm::dvec3 wind_to_{0.0};
+  void feel_wind();
   std::function<Water(glm::dvec2, double)> water_;
   std::vector<Puff> puffs_;
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;
   int cells_;                            // a side of the square around the viewer
   std::vector<std::uint32_t> breakers_;  // of each cell which of its trials throw some up, a bit each
-  std::int64_t tick_ = 0;
+  std::int64_t tick_ = 0, due_ = 0;      // the last step, and the last that is due
   glm::dvec3 viewer_{0.0};
   bool begun_ = false;
 };

@@ -10,7 +10,7 @@
 namespace seascape {
 
 namespace {
-// A long step is as exact as a short one (wave_level.h): what this class hands on is one step of the waves each.
+// This class counts the steps itself.
 DynamicWavesSettings one_step(DynamicWavesSettings settings) {
   settings.most_steps = 1;
   return settings;
@@ -33,11 +33,11 @@ DynamicSea::DynamicSea(const DynamicSeaSettings& settings, std::shared_ptr<const
       pressure_(pressure && !pressure->empty() ? std::move(pressure) : nullptr),
       viewer_(settings.waves.windows),
       waves_(one_step(settings.waves)),
-      surface_(settings.waves) {
+      surfaces_{std::make_shared<DynamicSurface>(settings.waves)} {
   validate(settings);
 }
 
-void DynamicSea::advance(std::int64_t ticks) {
+void DynamicSea::step(const Push& push) {
   const DynamicWavesSettings& waves = settings_.waves;
   const LodPlacement& placement = viewer_.placement();
   // Drops raise waves of two of their lengths and thereabouts: they fall as far as the level of those reaches.
@@ -50,9 +50,10 @@ void DynamicSea::advance(std::int64_t ticks) {
   const double most_drops_a_tick = 1000.0, per_m2 = std::max(settings_.rain.drops_per_m2_s / waves.rate_hz, 1e-6);
   const double reach = std::min({level_reach, 0.5 * std::sqrt(most_drops_a_tick / per_m2), 256.0});
   sources_.clear();
-  add_rain(settings_.rain, tick_ + 1, ticks, waves.rate_hz, placement.viewer, reach, sources_);
-  tick_ += ticks;
-  const double dt = double(ticks) / waves.rate_hz, middle_s = double(tick_) / waves.rate_hz - 0.5 * dt;
+  add_rain(settings_.rain, tick_ + 1, 1, waves.rate_hz, placement.viewer, reach, sources_);
+  const double dt = 1.0 / waves.rate_hz, end_s = double(tick_ + 1) / waves.rate_hz, middle_s = end_s - 0.5 * dt;
+  if (push) push(end_s, dt, sources_);
+  ++tick_;
   if (!pressure_)
     waves_.advance(dt, placement, sources_);
   else
@@ -62,26 +63,55 @@ void DynamicSea::advance(std::int64_t ticks) {
         pressure_->bounds());
 }
 
-bool DynamicSea::update(double time_s, const glm::dvec3& viewer) {
+namespace {
+std::optional<std::int64_t> tick_of(double time_s, double rate_hz) {
+  if (!(std::abs(time_s * rate_hz) < 0x1p52)) return std::nullopt;
+  return std::int64_t(std::floor(time_s * rate_hz + 1e-6));
+}
+}  // namespace
+
+bool DynamicSea::begins_anew(double time_s) const {
+  const std::optional<std::int64_t> now = tick_of(time_s, settings_.waves.rate_hz);
+  return now && (!begun_ || *now < tick_ || double(*now - tick_) > longest_s * settings_.waves.rate_hz);
+}
+
+bool DynamicSea::update(double time_s, const glm::dvec3& viewer, const Push& push) {
   const DynamicWavesSettings& waves = settings_.waves;
-  if (!(std::abs(time_s * waves.rate_hz) < 0x1p52) || !std::isfinite(viewer.x + viewer.y + viewer.z)) return false;
-  const std::int64_t now = std::int64_t(std::floor(time_s * waves.rate_hz + 1e-6));
-  const auto in_ticks = [&](double seconds) { return std::int64_t(std::ceil(seconds * waves.rate_hz)); };
-  const bool anew = !begun_ || now < tick_ || now - tick_ > in_ticks(longest_s);
-  if (!anew && now == tick_) return false;
-  const bool was_active = waves_.active();
-  viewer_.follow({viewer.x, viewer.z}, viewer.y, anew ? 2.0 * longest_s : double(now - tick_) / waves.rate_hz);
-  const std::int64_t frame = std::max<std::int64_t>(1, waves.most_steps);
+  const std::optional<std::int64_t> now = tick_of(time_s, waves.rate_hz);
+  if (!now || !std::isfinite(viewer.x + viewer.y + viewer.z)) return false;
+  const bool anew = begins_anew(time_s), was_active = waves_.active();
+  // What a sum of frame times loses is no time of its own.
+  const double since_s = time_s - double(*now) / waves.rate_hz, ahead_s = since_s > 1e-6 ? since_s : 0.0;
+  const bool carried = ahead_s != ahead_s_;
+  if (!anew && *now == tick_ && !carried) return false;
+  if (anew || *now != tick_)
+    viewer_.follow({viewer.x, viewer.z}, viewer.y, anew ? 2.0 * longest_s : double(*now - tick_) / waves.rate_hz);
+  if (ahead_s_ > 0.0) stale_ = stale_ || was_active;
+  ahead_s_ = 0.0;  // within steps the surface is that of the step before
   if (anew) {
     begun_ = true;
     waves_.calm();
-    tick_ = now - in_ticks(settings_.settle_s);
-    while (tick_ < now) advance(1);
+    tick_ = *now - std::int64_t(std::ceil(settings_.settle_s * waves.rate_hz));
+    while (tick_ < *now) step(nullptr);
   }
-  for (std::int64_t left = std::min(now - tick_, frame); left > 0; --left) advance((now - tick_ + left - 1) / left);
+  while (tick_ < *now) {
+    step(push);
+    stale_ = stale_ || was_active || waves_.active();
+  }
+  ahead_s_ = ahead_s;
   if (!was_active && !waves_.active()) return false;
-  surface_.evaluate(waves_);
+  stale_ = true;
+  ++version_;
   return true;
+}
+
+std::shared_ptr<const DynamicSurface> DynamicSea::shared_surface() {
+  if (!stale_) return surfaces_[current_];
+  for (current_ = 0; current_ < surfaces_.size() && surfaces_[current_].use_count() > 1;) ++current_;
+  if (current_ == surfaces_.size()) surfaces_.push_back(std::make_shared<DynamicSurface>(settings_.waves));
+  surfaces_[current_]->evaluate(waves_, ahead_s_);
+  stale_ = false;
+  return surfaces_[current_];
 }
 
 }  // namespace seascape

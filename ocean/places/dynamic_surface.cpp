@@ -30,9 +30,16 @@ DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_
   }
 }
 
-void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double border_m) {
+void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double border_m, double ahead_s) {
   const int n = plan_.n, band = plan_.band, stride = n + 16;
-  const std::span<const std::complex<double>> modes = waves.modes();
+  std::span<const std::complex<double>> modes = waves.modes();
+  if (ahead_s > 0.0) {
+    const double left = std::exp(-0.5 * settings_.damping_per_s * ahead_s);
+    level.ahead.resize(modes.size());
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      level.ahead[i] = modes[i] * std::polar(left, -waves.frequency()[i] * ahead_s);
+    modes = level.ahead;
+  }
   const double step = 2.0 * std::numbers::pi / (n * level.texel_m);
   if (level.widths.empty() || level.widths_texel_m != level.texel_m || level.widths_depth_m != waves.depth_m()) {
     level.widths.assign(modes.size(), 0.0);
@@ -108,7 +115,7 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
 }
 
-void DynamicSurface::evaluate(const DynamicWaves& waves) {
+void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s) {
   placement_ = waves.placement();
   windows_ = lod_windows(settings_.windows, placement_, placement_.viewer);
   tbb::parallel_for(0, int(levels_.size()), [&](int i) {
@@ -117,7 +124,7 @@ void DynamicSurface::evaluate(const DynamicWaves& waves) {
     level.still = waves.level(i).still();
     level.squeeze = 0.0;
     level.extent = {};
-    if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach.x * std::exp2(i));
+    if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach.x * std::exp2(i), ahead_s);
   });
   double squeeze = 0.0;
   for (const Level& level : levels_) squeeze += level.squeeze;

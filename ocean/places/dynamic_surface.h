@@ -1,6 +1,7 @@
 // The surface of the dynamic waves at one time, as sea() adds it: displacement, sharpened sideways but never folded,
 // and its slopes.
 #pragma once
+#include <complex>
 #include <span>
 #include <vector>
 
@@ -25,8 +26,9 @@ class DynamicSurface {
  public:
   explicit DynamicSurface(const DynamicWavesSettings& settings);
 
-  // Takes the waves as they are. Costs four transforms a level that moves; none where all rest. Levels in parallel.
-  void evaluate(const DynamicWaves& waves);
+  // Takes the waves as they are, or as they are `ahead_s` seconds later if nothing pushes them meanwhile (exact but for
+  // what pushes and for the border). Costs four transforms a level that moves; none where all rest. Levels in parallel.
+  void evaluate(const DynamicWaves& waves, double ahead_s = 0.0);
 
   // At a rest position (m), for a footprint (m): the sum of the levels, each fading out towards its window's end
   // (lod_present), the finest with the viewer's height, and with footprints from 4 to 8 of its texels, half and all of
@@ -63,8 +65,9 @@ class DynamicSurface {
     std::vector<double> widths;  // of each wave: how far the water moves sideways, of its height, over its wave number
     std::vector<glm::vec4> shift, slope;
     std::vector<float> re, im, spectrum_re, spectrum_im, workspace;
+    std::vector<std::complex<double>> ahead;  // the waves of a later time
   };
-  void evaluate(const WaveLevel& waves, Level& level, double border_m);
+  void evaluate(const WaveLevel& waves, Level& level, double border_m, double ahead_s);
   DynamicWavesSettings settings_;
   FftPlan plan_;
   std::vector<Level> levels_;

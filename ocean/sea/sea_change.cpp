@@ -16,8 +16,11 @@ bool grows_out_of(const SeaState& from, const SeaState& to) {
   return from.gravity_mps2 == to.gravity_mps2 && from.depth_m == to.depth_m && from.loop_s == to.loop_s;
 }
 
-SeaMaker::SeaMaker(const Ladder& ladder, const WaveQuality& quality)
-    : ladder_(ladder), quality_(quality), thread_([this](std::stop_token stop) { work(std::move(stop)); }) {}
+SeaMaker::SeaMaker(const Ladder& ladder, const WaveQuality& quality, const WaveQuality& drawn)
+    : ladder_(ladder),
+      quality_(quality),
+      drawn_(drawn),
+      thread_([this](std::stop_token stop) { work(std::move(stop)); }) {}
 
 SeaMaker::~SeaMaker() = default;  // the thread is asked to stop and waited for
 
@@ -51,7 +54,7 @@ void SeaMaker::work(std::stop_token stop) {
     arena.execute([&] {
       made.state = sea;
       made.bins = make_wave_bins(sea, quality_, ladder_);
-      made.statistics = sea_statistics(sea, made.bins);
+      made.statistics = sea_statistics(sea, keeps_all(drawn_, made.bins) ? made.bins : kept_bins(made.bins, drawn_));
       if (place) made.place = place(sea, made.bins);
     });
     const std::lock_guard lock(mutex_);

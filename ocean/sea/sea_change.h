@@ -32,7 +32,8 @@ bool grows_out_of(const SeaState& from, const SeaState& to);
 // moves.
 class SeaMaker {
  public:
-  SeaMaker(const Ladder& ladder, const WaveQuality& quality);
+  // Waves are made in `quality`; statistics are those of what `drawn` keeps of them.
+  SeaMaker(const Ladder& ladder, const WaveQuality& quality, const WaveQuality& drawn);
   ~SeaMaker();  // waits for the sea it is making
   SeaMaker(const SeaMaker&) = delete;
   SeaMaker& operator=(const SeaMaker&) = delete;
@@ -46,7 +47,7 @@ class SeaMaker {
  private:
   void work(std::stop_token stop);
   const Ladder ladder_;
-  const WaveQuality quality_;
+  const WaveQuality quality_, drawn_;
   std::mutex mutex_;
   std::condition_variable_any asked_;
   std::optional<SeaState> wanted_;

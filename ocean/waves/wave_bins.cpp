@@ -185,4 +185,23 @@ std::int64_t ticks_from_seconds(double time_s) {
   return std::llround(ticks);
 }
 
+bool keeps_all(const WaveQuality& quality, const WaveBins& bins) {
+  bool all = quality.cascades >= bins.cascades;
+  for (int i = 0; all && i < bins.cascades; ++i) all = tile_samples(quality, i) >= bins_of(i);
+  return all;
+}
+
+WaveBins kept_bins(const WaveBins& bins, const WaveQuality& quality) {
+  WaveBins result = bins;
+  result.cascades = std::min(bins.cascades, quality.cascades);
+  result.bins.resize(WaveBins::first(result.cascades));
+  for (int i = 0; i < result.cascades; ++i) {
+    const int half = bins_of(i) / 2, limit = tile_samples(quality, i) / 2;
+    for (int mz = -half; mz < half; ++mz)
+      for (int mx = -half; mx < half; ++mx)
+        if (mx * mx + mz * mz >= limit * limit) result.at(i, mx, mz) = {};
+  }
+  return result;
+}
+
 }  // namespace seascape

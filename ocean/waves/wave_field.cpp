@@ -61,10 +61,14 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, TileSource
     : WaveField(sea, quality, make_wave_bins(sea, quality), std::move(others)) {}
 
 WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others)
+    : WaveField(sea, quality, std::move(bins), std::nullopt, std::move(others)) {}
+
+WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins,
+                     const std::optional<SeaStatistics>& statistics, TileSources others)
     : sea_(sea),
       quality_(quality),
       bins_(std::move(bins)),
-      statistics_(sea_statistics(sea, bins_)),
+      statistics_(statistics ? *statistics : sea_statistics(sea, bins_)),
       others_(std::move(others)) {
   std::erase_if(others_, [](const auto& source) { return source->still(); });
   assert(others_.size() <= std::size_t(most_sources));
@@ -125,39 +129,57 @@ WaveTileLayout::WaveTileLayout(const WaveQuality& quality, const TileSources& ot
   }
 }
 
-void WaveTiles::keep_in(std::span<glm::vec4> memory) {
-  memory_ = memory;
-  given_ = false;
-  layout_ = {};
-}
-
-void WaveTiles::keep_in(const Places& places, const WaveTileLayout& layout) {
-  first_ = places;
-  layout_ = layout;
-  given_ = true;
+void WaveTiles::keep_in(const Places& places, const WaveTileLayout& layout, int count) {
+  kept_ = places;
+  kept_layout_ = layout;
+  kept_tiles_ = count;
+  own_layout_ = {};
 }
 
 void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
-  bool same = quality.cascades == layout_.cascades && quality.resolution == layout_.resolution &&
-              int(others.size()) == layout_.sources;
+  bool same = quality.cascades == own_layout_.cascades && quality.resolution == own_layout_.resolution &&
+              int(others.size()) == own_layout_.sources;
   for (std::size_t i = 0; same && i < others.size(); ++i)
-    same = layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
-  assert(same || !given_);
-  if (same || given_) return;
-  layout_ = WaveTileLayout(quality, others);
-  const std::size_t texels = layout_.plane_texels * std::size_t(planes_);
-  if (memory_.empty()) texels_.assign(texels, glm::vec4(0.0f));
-  assert(memory_.empty() || memory_.size() >= texels);
-  for (auto& planes : first_)
-    for (std::size_t plane = 0; plane < planes.size(); ++plane)
-      planes[plane] = (memory_.empty() ? texels_.data() : memory_.data()) + plane * layout_.plane_texels;
+    same = own_layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
+  if (!same) {
+    own_layout_ = WaveTileLayout(quality, others);
+    // Tiles that lie elsewhere are the first: memory of their own is not taken.
+    const std::size_t first_own = std::size_t(kept_tiles_),
+                      all = std::size_t(own_layout_.cascades + own_layout_.sources);
+    assert(first_own <= all);
+    const std::size_t begin = first_own < all ? own_layout_.tiles[first_own].level[0].offset : own_layout_.plane_texels;
+    const std::size_t plane_texels = own_layout_.plane_texels - begin;
+    texels_.assign(plane_texels * std::size_t(planes_), glm::vec4(0.0f));
+    for (std::size_t tile = 0; tile < all; ++tile) {
+      if (tile < first_own) {
+        own_first_[tile] = kept_[tile];
+        own_layout_.tiles[tile] = kept_layout_.tiles[tile];
+        continue;
+      }
+      for (auto& level : own_layout_.tiles[tile].level) level.offset -= std::min(begin, level.offset);
+      for (std::size_t plane = 0; plane < std::size_t(planes_); ++plane)
+        own_first_[tile][plane] = texels_.data() + plane * plane_texels;
+    }
+  }
+  layout_ = own_layout_;
+  first_ = own_first_;
 }
 
-void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
+void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed) const {
   const bool velocity = tiles.has_velocity();
   const int cascades = quality_.cascades;
   tiles.shape(quality_, others_);
   tiles.ticks_ = ticks;
+  std::array<bool, gpu::max_cascades + most_sources> here{};  // or else it is borrowed
+  here.fill(true);
+  for (const BorrowedTile& loan : borrowed) {
+    const WaveTiles& from = *loan.from;
+    assert(from.samples(loan.from_tile) == tiles.samples(loan.tile) && from.planes_ >= tiles.planes_ &&
+           from.ticks_ == ticks);
+    tiles.first_[std::size_t(loan.tile)] = from.first_[std::size_t(loan.from_tile)];
+    tiles.layout_.tiles[std::size_t(loan.tile)] = from.layout_.tiles[std::size_t(loan.from_tile)];
+    here[std::size_t(loan.tile)] = false;
+  }
   std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
   // The number of its first piece of rows, and of its first strip.
   constexpr int piece_pairs = 16;
@@ -167,8 +189,10 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
   for (int i = 0; i < cascades; ++i) {
     workspace[std::size_t(i)] = floats;
     floats += workspace_floats(plans_[i], velocity);
-    pieces[std::size_t(i) + 1] = pieces[std::size_t(i)] + (row_pairs(plans_[i]) + piece_pairs - 1) / piece_pairs;
-    strips[std::size_t(i) + 1] = strips[std::size_t(i)] + plans_[i].n / strip_width;
+    const bool work = here[std::size_t(i)];
+    pieces[std::size_t(i) + 1] =
+        pieces[std::size_t(i)] + (work ? (row_pairs(plans_[i]) + piece_pairs - 1) / piece_pairs : 0);
+    strips[std::size_t(i) + 1] = strips[std::size_t(i)] + (work ? plans_[i].n / strip_width : 0);
   }
   const auto cascade_of = [](const Firsts& firsts, int piece) {
     int cascade = 0;
@@ -202,13 +226,14 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles) const {
     strip_mips(plans_[cascade], velocity, x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
-    for (int level = strip_levels + 1; level < tiles.levels(cascade); ++level) {
+    for (int level = strip_levels + 1; here[std::size_t(cascade)] && level < tiles.levels(cascade); ++level) {
       const int size = plans_[cascade].n >> level;
       average_down(plane_level(cascade, level - 1), plane_level(cascade, level), tiles.planes_, 0, size, size);
     }
   for (std::size_t s = 0; s < others_.size(); ++s) {
     std::array<PlaneLevel, 10> levels;
     const int tile = cascades + int(s), count = tiles.levels(tile);
+    if (!here[std::size_t(tile)]) continue;
     for (int level = 0; level < count; ++level) levels[std::size_t(level)] = plane_level(tile, level);
     others_[s]->evaluate(ticks, velocity, {levels.data(), std::size_t(count)},
                          {tiles.workspace_.data() + of_waves, floats - of_waves});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct WaveBins {
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality);
 // The same on the ladder of another sea, whose waves these are to grow out of.
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality, const Ladder& ladder);
+
+// What a lower quality keeps of them; whether it keeps all.
+WaveBins kept_bins(const WaveBins& bins, const WaveQuality& quality);
+bool keeps_all(const WaveQuality& quality, const WaveBins& bins);
 
 // A bin's amplitude as a tile of `samples` texels a side carries it: higher by what bilinear sampling takes
 // (sampled_share).
@@ -90,6 +95,7 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins);
 
 // Displacement, derivatives and their mip chains of each cascade at one time.
 class WaveTiles;  // ocean/waves/wave_tiles.h
+struct BorrowedTile;
 
 // The surface at one rest position.
 struct SeaSample {
@@ -126,6 +132,9 @@ class WaveField {
   WaveField(const SeaState& sea, const WaveQuality& quality, TileSources others = {});
   // A sea of given waves, made for the same quality; of `sea` the chop, gravity, depth and wind count.
   WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins, TileSources others = {});
+  // The same with the statistics of these waves or more of the same sea, where they are known.
+  WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins bins,
+            const std::optional<SeaStatistics>& statistics, TileSources others);
 
   // Other amplitudes of the same waves, and another chop, as a changing sea has them. `bins` may be of a higher
   // quality. Not while another thread uses the field.
@@ -134,7 +143,7 @@ class WaveField {
   // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea,
   // the quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of
   // another shape.
-  void evaluate(std::int64_t ticks, WaveTiles& tiles) const;
+  void evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed = {}) const;
 
   // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each
   // cascade is sampled trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile

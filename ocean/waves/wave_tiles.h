@@ -68,13 +68,11 @@ class WaveTiles {
     return first_[std::size_t(tile)][std::size_t(plane)] + layout_.level(tile, level).offset;
   }
   int stride(int tile, int level) const { return layout_.level(tile, level).stride; }
-  // From the next evaluation on the texels lie in this memory, such as a buffer for uploads, instead of the tiles' own.
-  // It holds planes * plane_texels of the layout and outlives its use; what it held is not kept.
-  void keep_in(std::span<glm::vec4> memory);
-  // The same, a place for the planes of each tile, in which its levels lie as `layout` says (its plane_texels do not
-  // count).
+  // From the next evaluation on the planes of the first `count` tiles lie in this memory, such as an image that the
+  // processor writes, instead of the tiles' own: a first texel for each plane, from which levels lie as `layout` says
+  // (its plane_texels do not count). The memory outlives its use; what it held is not kept.
   using Places = std::array<std::array<glm::vec4*, 4>, gpu::max_cascades + most_sources>;
-  void keep_in(const Places& places, const WaveTileLayout& layout);
+  void keep_in(const Places& places, const WaveTileLayout& layout, int count);
 
  private:
   friend class WaveField;
@@ -86,11 +84,20 @@ class WaveTiles {
   std::int64_t ticks_ = 0;
   WaveTileLayout layout_;
   Places first_{};  // what the levels' offsets count from
-  bool given_ = false;
-  std::span<glm::vec4> memory_;
+  // Where the tiles lie that no evaluation has borrowed.
+  WaveTileLayout own_layout_, kept_layout_;
+  Places own_first_{}, kept_{};
+  int kept_tiles_ = 0;
   std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
   std::vector<float, LargePages<float>>
       workspace_;  // of the transforms, cascade after cascade; then of the other sources
+};
+
+// A tile that an evaluation takes over from other tiles of the same time and waves instead of computing it again.
+struct BorrowedTile {
+  int tile;
+  const WaveTiles* from;  // has as many planes or more, and stays as it is while the borrower is read
+  int from_tile;          // of as many samples
 };
 
 }  // namespace seascape

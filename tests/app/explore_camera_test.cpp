@@ -8,7 +8,6 @@
 
 #include "app/camera_path.h"
 #include "app/path_recorder.h"
-#include "app/water_height.h"
 
 namespace seascape {
 namespace {
@@ -162,32 +161,6 @@ TEST(PathRecorder, ShortRecordingsAreWhole) {
   const CameraPath path = recorder.stop(5.501, pose_at(3.0), 0.501, "half");
   ASSERT_EQ(path.keys.size(), 2u);
   EXPECT_DOUBLE_EQ(path.keys[1].pose.position_m.y, 3.0);
-}
-
-// The height that carries is that of the fine sea but for what its short waves add. Controls: a time in seconds instead
-// of ticks, and a place in (z, x), each fail here.
-TEST(WaterHeight, AgreesWithTheFineSea) {
-  SeaState sea;
-  sea.wind_speed_mps = 12.0;
-  const WaveQuality quality{256, 5, false};
-  WaterHeight coarse(sea, quality, make_wave_bins(sea, quality));
-  const WaveField fine(sea, quality);
-  WaveTiles tiles;
-  double square = 0.0, error = 0.0;
-  for (const double time_s : {0.0, 3.7}) {
-    fine.evaluate(ticks_from_seconds(time_s), tiles);
-    for (int i = 0; i < 50; ++i) {
-      const glm::dvec2 place(17.0 * i, 5.0 - 11.0 * i);
-      QueryAnswer answer;
-      QueryOptions options;
-      options.footprint_m = 0.05;
-      query(fine, tiles, std::span(&place, 1), std::span(&answer, 1), options);
-      square += answer.height_m * answer.height_m;
-      error += std::pow(answer.height_m - coarse.at(place, time_s), 2);
-    }
-  }
-  EXPECT_GT(square, 1.0);
-  EXPECT_LT(std::sqrt(error / square), 0.1);
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ class SeaChanges : public test::GpuTest {};
 // Draws frames of time `time_s` until a sea asked for has begun to come: its amplitudes leave the old ones a moment
 // later.
 void draw_until_it_begins(test::SeaShot& shot, const Pose& head, double& time_s) {
-  const WaveBins before = shot.experience().ocean().bins();
+  const WaveBins before = shot.experience().sea()->bins();
   for (int i = 0; i < 400; ++i) {
     shot.draw(head, time_s);
-    const WaveBins& now = shot.experience().ocean().bins();
+    const WaveBins& now = shot.experience().sea()->bins();
     for (std::size_t k = 0; k < now.bins.size(); k += 7)
       if (now.bins[k].amplitude != before.bins[k].amplitude) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -50,12 +50,12 @@ TEST_F(SeaChanges, GrowIntoWhatAFreshStartDraws) {
     const std::uint64_t pipelines = live.device().pipelines_made(), builds = live.experience().builds();
     live.set("waves.wind_speed_mps", "10.5");
     live.set("waves.chop", "0.7");
-    EXPECT_TRUE(live.experience().ocean().changing());
+    EXPECT_TRUE(live.experience().sea()->changing());
     draw_until_it_begins(live, head, time_s);
     const Image8 midway = live.picture(head, time_s + 0.7);
-    EXPECT_TRUE(live.experience().ocean().changing());
+    EXPECT_TRUE(live.experience().sea()->changing());
     const Image8 changed = live.picture(head, time_s + 2.0);
-    EXPECT_FALSE(live.experience().ocean().changing());
+    EXPECT_FALSE(live.experience().sea()->changing());
     EXPECT_EQ(live.device().pipelines_made(), pipelines);
     EXPECT_EQ(live.experience().builds(), builds);
     test::ShotOptions options = common;
@@ -67,7 +67,7 @@ TEST_F(SeaChanges, GrowIntoWhatAFreshStartDraws) {
     EXPECT_GT(test::differing_pixels(midway, fresh.picture(head, time_s + 0.7)), 0);
     // Back, and to another depth, which is made anew.
     live.set("waves.depth_m", "12");
-    EXPECT_FALSE(live.experience().ocean().changing());
+    EXPECT_FALSE(live.experience().sea()->changing());
     EXPECT_EQ(live.experience().builds(), builds + 1);
   }
 }
@@ -90,9 +90,9 @@ TEST_F(SeaChanges, AreTheSameInBothPlaces) {
     std::this_thread::sleep_for(
         std::chrono::seconds(2));  // made by then, so that both begin at once; draw_until_it_begins would not
     live.draw(head, 20.0);
-    ASSERT_TRUE(ocean.changing());
+    ASSERT_TRUE(ocean.sea().changing());
     pictures.push_back(live.picture(head, 21.0));
-    ASSERT_TRUE(ocean.changing()) << "midway";
+    ASSERT_TRUE(ocean.sea().changing()) << "midway";
   }
   const auto same = test::difference(pictures[0], pictures[1]);
   EXPECT_LE(same.mean, 4e-4);
@@ -150,26 +150,25 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   double time_s = 10.0;
   live.draw(head, time_s);
   const std::uint64_t builds = live.experience().builds();
-  const double first_m = live.experience().ocean().shallows().run_up_m();
+  const double first_m = live.experience().sea()->shallows().run_up_m();
   live.set("waves.wind_speed_mps", "16");
   live.set("waves.wind_to_deg", "50");
   draw_until_it_begins(live, head, time_s);
   const Viewpoint view = live.viewpoint(head);
   for (int i = 0; i < 9; ++i) live.draw(head, time_s + 0.7);  // every window has had its turn
-  const ShallowsMix mix = live.experience().ocean().shallows();
+  const ShallowsMix mix = live.experience().sea()->shallows();
   ASSERT_TRUE(mix.to);
   EXPECT_GT(mix.share, 0.3);
   EXPECT_LT(mix.share, 0.7);
   const Settings& settings = live.scene().settings;
   WaveField field(settings.sea, settings.waves);
-  field.take(live.experience().ocean().bins(), live.experience().ocean().chop(),
-             live.experience().ocean().statistics());
+  field.take(live.experience().sea()->bins(), live.experience().sea()->chop(), live.experience().sea()->statistics());
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + 0.7), tiles);
   const PlaceSea now(place_inputs(live.scene()), field, mix),
       first(place_inputs(live.scene()), field, ShallowsMix{mix.from, nullptr});
   const test::DrawnMesh mesh(live, view);
-  const double hs = 4.0 * std::sqrt(live.experience().ocean().statistics().height_variance);
+  const double hs = 4.0 * std::sqrt(live.experience().sea()->statistics().height_variance);
   double worst = 0.0, other = 0.0;
   int seen = 0;
   for (std::size_t n = 0; n < mesh.vertices().size(); n += 7) {
@@ -185,16 +184,16 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   EXPECT_GT(other, 0.02 * hs) << "the change is seen";
   for (int i = 0; i < 10; ++i) live.draw(head, time_s + 2.0);
   const Image8 changed = live.picture(head, time_s + 2.0);
-  EXPECT_FALSE(live.experience().ocean().changing());
-  EXPECT_FALSE(live.experience().ocean().shallows().to);
+  EXPECT_FALSE(live.experience().sea()->changing());
+  EXPECT_FALSE(live.experience().sea()->shallows().to);
   EXPECT_EQ(live.experience().builds(), builds);
   test::ShotOptions options = common;
   options.set.emplace_back("waves.wind_speed_mps", "16");
   options.set.emplace_back("waves.wind_to_deg", "50");
   test::SeaShot fresh(options);
   const Image8 anew = fresh.picture(head, time_s + 2.0);
-  EXPECT_NEAR(live.experience().ocean().shallows().run_up_m(), fresh.experience().ocean().shallows().run_up_m(), 1e-3);
-  EXPECT_GT(std::abs(live.experience().ocean().shallows().run_up_m() - first_m), 0.05);
+  EXPECT_NEAR(live.experience().sea()->shallows().run_up_m(), fresh.experience().sea()->shallows().run_up_m(), 1e-3);
+  EXPECT_GT(std::abs(live.experience().sea()->shallows().run_up_m() - first_m), 0.05);
   EXPECT_LE(test::difference(changed, anew).p99, 8e-3)
       << test::leave(changed, "changed") << ' ' << test::leave(anew, "anew");
 }
@@ -242,13 +241,13 @@ TEST_F(SeaChanges, NothingJumpsOverABed) {
   for (int i = 0; i < 8; ++i) most(calm, bend(time_s += dt));
   live.set("waves.wind_speed_mps", "16");
   live.set("waves.wind_to_deg", "50");
-  for (int i = 0; i < 200 && !live.experience().ocean().shallows().to; ++i) {
+  for (int i = 0; i < 200 && !live.experience().sea()->shallows().to; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const Bends b = bend(time_s += dt);
     most(changing, b);
   }
-  ASSERT_TRUE(live.experience().ocean().shallows().to);
-  while (live.experience().ocean().changing()) {
+  ASSERT_TRUE(live.experience().sea()->shallows().to);
+  while (live.experience().sea()->changing()) {
     const Bends b = bend(time_s += dt);
     most(changing, b);
   }

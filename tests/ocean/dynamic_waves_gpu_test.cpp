@@ -41,7 +41,7 @@ TEST_F(DrawnDynamicSea, StandsWhereTheProcessorSays) {
     for (int i = 0; i < 4; ++i) shot.draw(head, 3.0 + 0.1 * i);  // the mesh follows the waves that it was last told of
     const DrawnDynamicWaves* drawn = shot.experience().ocean().dynamic_waves();
     ASSERT_NE(drawn, nullptr);
-    const DynamicSurface& surface = drawn->sea().surface();
+    const DynamicSurface& surface = *drawn->surface();
     const SurfaceSelection& selection = *shot.experience().ocean().selection();
     ASSERT_LE(selection.patches.size(), Surface::probe_patches);
     const auto bytes = read_buffer(test::device(), shot.experience().surface().probed());
@@ -90,7 +90,7 @@ TEST_F(DrawnDynamicSea, IsLitByTheProcessorsSlopes) {
   const Viewpoint view = shot.viewpoint(head);
   for (int i = 0; i < 4; ++i) shot.draw(view, 3.0 + 0.1 * i);
   const Image8 picture = shot.picture(view, 3.3);
-  const DynamicSurface& surface = shot.experience().ocean().dynamic_waves()->sea().surface();
+  const DynamicSurface& surface = *shot.experience().ocean().dynamic_waves()->surface();
   const auto shown = test::DrawnMesh(shot, view).shown(width, height);
   glm::dvec2 xx(0.0), xy(0.0), yy(0.0);
   for (std::size_t i = 0; i < shown.size(); ++i) {

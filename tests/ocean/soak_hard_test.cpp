@@ -5,9 +5,11 @@
 #include <malloc.h>
 #endif
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 
 #include "ocean/foam/foam_sea.h"
 #include "ocean/foam/spray.h"
@@ -16,6 +18,7 @@
 #include "ocean/sea/sea_change.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
+#include "tests/support/own_sea.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -50,31 +53,25 @@ double variance(const WaveTiles& tiles, int cascades) {
 
 class Soak {
  public:
-  Soak()
-      : calm_(made(8.0)),
-        storm_(made(26.0)),
-        field_(calm_.state, quality, particles()),
-        foam_(foam_spec(), calm_.state, quality),
-        rain_(rain_settings()),
-        spray_({.most = 512, .range_m = 24.0, .rate_hz = 4.0}, calm_.state, quality, {}, 3.85),
-        bins_(calm_.bins) {}
+  Soak() : calm_(made(8.0)), storm_(made(26.0)), sea_(spec()), foam_(foam_spec(), sea_), spray_(puffs(), sea_, 3.85) {}
 
   // A frame; false where anything is no number or out of its range.
   void frame(double time_s) {
-    change(time_s);
-    field_.evaluate(ticks_from_seconds(time_s), tiles_);
     const glm::dvec3 viewer(12.0 * time_s, 2.0 + 25.0 * (1.0 + std::sin(time_s / 70.0)),
                             300.0 * std::sin(time_s / 40.0));
-    rain_.update(time_s, viewer);
-    foam_.update(time_s, viewer, &rain_.surface());
+    view_ = {};
+    change(time_s, viewer);
+    sea_.advance(time_s, viewer);
+    view_ = sea_.view_at(time_s, SeaDetail::felt);
+    foam_.update(time_s, viewer);
     spray_.update(time_s, {viewer.x, 3.0, viewer.z});
     look(viewer);
   }
 
-  double field_variance() const { return variance(tiles_, quality.cascades); }
-  double rain_energy() const { return rain_.waves().energy_m2(); }
-  const WaveField& field() const { return field_; }
-  const WaveTiles& tiles() const { return tiles_; }
+  double field_variance() const { return variance(tiles(), quality.cascades); }
+  double rain_energy() const { return sea_.dynamic_waves()->waves().energy_m2(); }
+  const WaveField& field() const { return view_.field(); }
+  const WaveTiles& tiles() const { return view_.tiles(); }
   const MadeSea& calm() const { return calm_; }
   static TileSources particles() {
     WaveParticleSettings s;
@@ -113,29 +110,34 @@ class Soak {
     s.settle_s = 1.0;
     return s;
   }
-  void change(double time_s) {
-    const auto ticks = [&](double share) { return ticks_from_seconds(share * all_s); };
-    const std::int64_t now = ticks_from_seconds(time_s);
-    if (phase_ == 0 && now >= ticks(0.25)) blend_.emplace(calm_, storm_, ticks(0.25), ticks(0.35), true), phase_ = 1;
-    if (phase_ == 2 && now >= ticks(0.65)) blend_.emplace(storm_, calm_, ticks(0.65), ticks(0.75), true), phase_ = 3;
-    if (!blend_) return;
-    blend_->amplitudes(now, bins_);
-    const SeaStatistics statistics = blend_->statistics(now);
-    field_.take(bins_, blend_->chop(now), statistics);
-    SeaState state = blend_->to().state;
-    foam_.take(bins_, blend_->chop(now), statistics, state.wind_speed_mps);
-    spray_.take(bins_, blend_->chop(now), statistics, state);
-    if (!blend_->over(now)) return;
-    blend_.reset();
-    ++phase_;
+  static SpraySettings puffs() { return {.most = 512, .range_m = 24.0, .rate_hz = 4.0}; }
+  SeaSpec spec() const {
+    SeaSpec spec = test::spec_of(calm_.state, quality, particles());
+    spec.dynamic_waves = rain_settings();
+    return spec;
+  }
+  // Waits for the waves that are made on another thread, so that they begin to come at this time.
+  void change(double time_s, const glm::dvec3& viewer) {
+    const auto grow = [&](const SeaState& state) {
+      sea_.change(state, 0.1 * all_s);
+      ++phase_;
+      const std::uint64_t before = sea_.waves_version();
+      for (int i = 0; i < 2000 && sea_.waves_version() == before; ++i) {
+        sea_.advance(time_s, viewer);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+      ASSERT_NE(sea_.waves_version(), before);
+    };
+    if (phase_ == 0 && time_s >= 0.25 * all_s) grow(storm_.state);
+    if (phase_ == 1 && time_s >= 0.65 * all_s) grow(calm_.state);
   }
   void look(const glm::dvec3& viewer) {
     places_.clear();
     for (int i = 0; i < 16; ++i) places_.push_back({viewer.x + 7.0 * i, viewer.z - 3.0 * i * i});
     answers_.resize(places_.size());
-    query(field_, tiles_, places_, answers_, {.previous = answers_});
+    view_.query(places_, answers_, {.previous = answers_});
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      const DynamicSample ripples = rain_.surface().sea(places_[i], 0.0);
+      const DynamicSample ripples = sea_.dynamic_surface()->sea(places_[i], 0.0);
       const float foam = foam_.foam().covered(places_[i], 0.0);
       ASSERT_TRUE(std::isfinite(answers_[i].height_m + answers_[i].residual_m + ripples.displacement.x +
                                 ripples.displacement.y + ripples.height_gradient.y));
@@ -148,19 +150,16 @@ class Soak {
                   p.age_s <= p.life_s);
     most_puffs = std::max(most_puffs, spray_.puffs().size());
     ASSERT_LE(spray_.puffs().size(), 512u);
-    ASSERT_FALSE(rain_.take_fault());
+    ASSERT_FALSE(sea_.take_fault());
     ASSERT_FALSE(foam_.take_fault());
   }
 
   mutable std::optional<Ladder> ladder_;
   MadeSea calm_, storm_;
-  WaveField field_;
-  WaveTiles tiles_{true};
+  Sea sea_;
   FoamSea foam_;
-  DynamicSea rain_;
   Spray spray_;
-  std::optional<SeaBlend> blend_;
-  WaveBins bins_;
+  SeaView view_;
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;
   int phase_ = 0;

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "ocean/sea/sea.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
@@ -47,6 +48,11 @@ TEST_F(DrawnSources, HoldWhatTheSourceEvaluates) {
   flat.wind_speed_mps = 0.0;
   const auto source = std::make_shared<WaveParticles>(WaveParticleSettings{});
   const WaveField field(flat, {.resolution = 16, .cascades = 1}, {source});
+  SeaSpec spec;
+  spec.state = flat;
+  spec.sources = {source};
+  spec.drawn = spec.crests = spec.felt = {.resolution = 16, .cascades = 1};
+  Sea sea(std::move(spec));
   WaveTiles tiles;
   for (const bool half : {false, true}) {
     DrawnSource drawn(test::device(), source, half);
@@ -54,7 +60,7 @@ TEST_F(DrawnSources, HoldWhatTheSourceEvaluates) {
     for (int i = 0; i < 5; ++i) {
       const std::int64_t ticks = ticks_from_seconds(3.3 * i);
       frame.begin();
-      drawn.update(frame, ticks);
+      drawn.update(frame, sea.view(ticks, SeaDetail::felt));
       frame.submit();
       if (i % 2 == 0) continue;
       frame.finish();

@@ -10,6 +10,7 @@
 
 #include "ocean/places/dynamic_waves.h"
 #include "ocean/places/place_fields.h"
+#include "tests/support/own_sea.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -62,7 +63,7 @@ TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
     spec.settings.windows.texel_m = 1.0;
     spec.settings.rate_hz = 6.0;
     spec.settings.settle_s = 0.0;
-    FoamSea foam(spec, sea, WaveQuality{});
+    test::OwnFoam foam(spec, sea, WaveQuality{});
     double sum = 0.0;
     int times = 0;
     for (int i = 0; i <= 360; ++i) {
@@ -80,12 +81,12 @@ TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
 TEST(FoamSea, IsTheSameAtEveryFrameRate) {
   SeaState sea;
   sea.wind_speed_mps = 15.0;
-  FoamSea reference(small_spec(), sea, coarse());
+  test::OwnFoam reference(small_spec(), sea, coarse());
   for (int i = 0; i <= 60; ++i) reference.update(40.0 + i / 60.0, head);
   const std::vector<float> want = texels(reference);
   ASSERT_GT(mean(want), 1e-3);
   for (const double rate : {30.0, 72.0, 90.0, 120.0}) {
-    FoamSea foam(small_spec(), sea, coarse());
+    test::OwnFoam foam(small_spec(), sea, coarse());
     for (int i = 0; i <= int(rate); ++i) foam.update(40.0 + i / rate, head);
     EXPECT_EQ(texels(foam), want) << rate;
   }
@@ -99,7 +100,7 @@ TEST(FoamSea, AMomentLooksAlikeWhereverTheFramesBegan) {
   sea.wind_speed_mps = 15.0;
   FoamSpec spec = small_spec();
   spec.settings.settle_s = 8.0;
-  FoamSea begun(spec, sea, coarse()), runs(spec, sea, coarse()), jumps(spec, sea, coarse());
+  test::OwnFoam begun(spec, sea, coarse()), runs(spec, sea, coarse()), jumps(spec, sea, coarse());
   begun.update(60.0, head);
   for (int i = 0; i <= 120; ++i) runs.update(50.0 + i / 12.0, head);
   jumps.update(200.0, head);
@@ -116,7 +117,7 @@ TEST(FoamSea, AMomentLooksAlikeWhereverTheFramesBegan) {
 
 TEST(FoamSea, ATimeOrPlaceThatIsNoNumberChangesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  FoamSea foam(small_spec(), SeaState{}, coarse());
+  test::OwnFoam foam(small_spec(), SeaState{}, coarse());
   foam.update(10.0, head);
   const std::vector<float> before = texels(foam);
   for (const double bad : {nan, infinite, -infinite, 1e300}) {
@@ -131,7 +132,7 @@ TEST(FoamSea, ATimeOrPlaceThatIsNoNumberChangesNothing) {
 TEST(FoamSea, RestsWhereNothingMakesFoam) {
   SeaState calm;
   calm.wind_speed_mps = 0.0;
-  FoamSea none(small_spec(), calm, coarse());
+  test::OwnFoam none(small_spec(), calm, coarse());
   none.update(1.0, head);
   for (int i = 1; i < 20; ++i) EXPECT_EQ(none.update(1.0 + i / 12.0, head) & none.foam().foamy(), 0u);
   EXPECT_FALSE(none.foam().any());
@@ -139,7 +140,7 @@ TEST(FoamSea, RestsWhereNothingMakesFoam) {
   input.shape = TrailInput{.keys = {{0.0, {0.0, 0.0}}, {1.0, {0.0, 0.0}}}, .radius_m = 4.0, .life_s = 0.5};
   FoamSpec spec = small_spec();
   spec.settings.life_s = 0.4;
-  FoamSea foam(with_input(spec, input), calm, coarse());
+  test::OwnFoam foam(with_input(spec, input), calm, coarse());
   double peak = 0.0;
   for (int i = 0; i < 12 * 8; ++i) {
     foam.update(i / 12.0, head);
@@ -166,7 +167,7 @@ TEST(FoamSea, GoesToAndFroWithTheWaves) {
   const WaveField field(swell, {128, 4});
   for (const bool follows : {false, true}) {
     input.follow_waves = follows;
-    FoamSea foam(with_input(spec, input), swell, {128, 4});
+    test::OwnFoam foam(with_input(spec, input), swell, {128, 4});
     double farthest = 0.0;
     for (const double time : {0.0, 20.0, 40.0, 60.0}) {  // each begins anew
       foam.update(time - 1.0 / 12.0, head);
@@ -199,7 +200,7 @@ TEST(FoamSea, FoamsAlongShores) {
   SeaState calm;
   calm.wind_speed_mps = 0.0;
   FoamSpec spec = small_spec();
-  FoamSea foam(spec, calm, coarse());
+  test::OwnFoam foam(spec, calm, coarse());
   foam.set_water([](glm::dvec2 at, double) { return StillWater{0.1 * at.x, 1.0}; });  // a beach of 1 : 10 to the west
   for (int i = 0; i < 36; ++i) foam.update(i / 12.0, {0.0, 2.0, 0.0});
   EXPECT_EQ(foam.foam().covered({-2.0, 1.0}, 0.0), 0.0f) << "land";
@@ -208,7 +209,7 @@ TEST(FoamSea, FoamsAlongShores) {
   EXPECT_LT(foam.foam().covered({7.5, 1.0}, 0.0), 1e-3f) << "deeper than shore_m";
   SeaState storm;
   storm.wind_speed_mps = 20.0;
-  FoamSea sheltered(spec, storm, coarse()), open(spec, storm, coarse()), unknown(spec, storm, coarse());
+  test::OwnFoam sheltered(spec, storm, coarse()), open(spec, storm, coarse()), unknown(spec, storm, coarse());
   sheltered.set_water([](glm::dvec2, double) { return StillWater{50.0, 0.0}; });
   unknown.set_water([](glm::dvec2, double) {
     return StillWater{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
@@ -229,7 +230,7 @@ TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
   spec.settings.simulated = false;
   spec.settings.shore_per_s = 0.0;
   const auto foam_of = [&](double surf) {
-    FoamSea foam(spec, sea, coarse());
+    test::OwnFoam foam(spec, sea, coarse());
     foam.set_water([surf](glm::dvec2, double) { return StillWater{2.0, 0.6, surf}; });
     for (int i = 0; i < 36; ++i) foam.update(9.0 + i / 12.0, head);
     return mean(texels(foam));
@@ -244,6 +245,21 @@ TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
   EXPECT_EQ(foam_of(1.0), 0.0);
 }
 
+// Presses the water along a line.
+class Ship : public SeaActor {
+ public:
+  explicit Ship(double head_m) : head_m_(head_m) {}
+  void step(SeaStep& step) override {
+    step.press({.place_m = {-8.0 + 6.0 * (step.time_s - 30.0), 0.0},
+                .velocity_mps = {6.0, 0.0},
+                .length_m = 3.0,
+                .head_m = head_m_});
+  }
+
+ private:
+  double head_m_;
+};
+
 // Steep wakes foam, gentle ones do not, and nothing beside them. Control seen: wakes left out of the gain.
 TEST(FoamSea, SteepWakesFoam) {
   SeaState calm;
@@ -251,19 +267,17 @@ TEST(FoamSea, SteepWakesFoam) {
   DynamicWavesSettings settings;
   settings.windows = {.resolution = 64, .slices = 3, .texel_m = 0.25};
   for (const double head_m : {0.05, 1.5}) {
-    DynamicWaves waves(settings);
-    DynamicSurface surface(settings);
     FoamSpec spec = small_spec();
     spec.settings.simulated = false;
-    FoamSea foam(spec, calm, coarse());
-    const LodPlacement place = lod_placement(settings.windows, {0.0, 0.0}, {});
+    SeaSpec of_sea = test::spec_of(calm, coarse());
+    of_sea.dynamic_waves = DynamicSeaSettings{.waves = settings, .settle_s = 0.0};
+    Sea sea(std::move(of_sea));
+    FoamSea foam(spec, sea);
+    sea.add(std::make_shared<Ship>(head_m));
     double most = 0.0;
     for (int i = 0; i < 60; ++i) {
-      const WaveSource ship{
-          .place_m = {-8.0 + i * 0.1, 0.0}, .velocity_mps = {6.0, 0.0}, .length_m = 3.0, .head_m = head_m};
-      waves.advance(1.0 / 60.0, place, std::span(&ship, 1));
-      surface.evaluate(waves);
-      foam.update(30.0 + i / 60.0, {0.0, 2.0, 0.0}, &surface);
+      sea.advance(30.0 + i / 60.0, {0.0, 2.0, 0.0});
+      foam.update(30.0 + i / 60.0, {0.0, 2.0, 0.0});
       for (const float f : texels(foam)) most = std::max(most, double(f));
     }
     if (head_m > 1.0) {
@@ -284,7 +298,7 @@ TEST(FoamSea, GoesWithTheFlow) {
   current.shape = AreaInput{.round = false, .at_m = {0.0, 0.0}, .size_m = {200.0, 200.0}};
   FoamSpec spec = with_input(small_spec(), disc({-4.0, 0.0}, 1.0, 5.0f));
   spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&current, 1));
-  FoamSea foam(spec, calm, coarse());
+  test::OwnFoam foam(spec, calm, coarse());
   for (int i = 0; i < 48; ++i) foam.update(9.0 + i / 12.0, {0.0, 2.0, 0.0});
   EXPECT_GT(foam.foam().covered({2.0, 0.0}, 0.0), 0.1f) << "three seconds downstream";
   EXPECT_LT(foam.foam().covered({-7.0, 0.0}, 0.0), 0.01f) << "upstream";

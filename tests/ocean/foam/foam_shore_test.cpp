@@ -12,6 +12,8 @@
 #include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_tiles.h"
 
+#include "tests/support/own_sea.h"
+
 namespace seascape {
 namespace {
 
@@ -60,8 +62,8 @@ struct Along {
   Along(const GerstnerSettings& settings, const std::vector<InputSpec>& curves)
       : tile(std::make_shared<const Gerstner>(settings, 9.81, 1e6, 0.0, true)),
         lines(std::make_shared<const ShoreLines>(curves, tile->side_m())) {}
-  FoamSea foam(const FoamSpec& spec, const SeaState& sea = calm()) const {
-    return FoamSea(spec, sea, coarse(), {tile}, lines);
+  test::OwnFoam foam(const FoamSpec& spec, const SeaState& sea = calm()) const {
+    return test::OwnFoam(spec, sea, coarse(), {tile}, lines);
   }
   std::shared_ptr<const Gerstner> tile;
   std::shared_ptr<const ShoreLines> lines;
@@ -76,8 +78,8 @@ void run(FoamSea& foam, int steps, double rate = 12.0) {
 // seen: what they squeeze left out (0.73); the threshold of the sea's own waves (0.48).
 TEST(FoamShore, SteepWavesFoamAsTheSameSetEverywhereDoes) {
   Along along(one_wave(5.4, true), straight());
-  FoamSea there = along.foam(small_spec()),
-          everywhere(small_spec(), calm(), coarse(), {std::make_shared<const Gerstner>(one_wave(5.4, false))});
+  test::OwnFoam there = along.foam(small_spec()),
+                everywhere(small_spec(), calm(), coarse(), {std::make_shared<const Gerstner>(one_wave(5.4, false))});
   run(there, 36), run(everywhere, 36);
   double most = 0.0, apart = 0.0;
   for (double x = 80.0; x <= 120.0; x += 0.7)
@@ -92,7 +94,7 @@ TEST(FoamShore, SteepWavesFoamAsTheSameSetEverywhereDoes) {
   EXPECT_GT(most, 0.4);
   EXPECT_LT(apart, 0.08);
   Along gentle(one_wave(0.5, true), straight());
-  FoamSea none = gentle.foam(small_spec());
+  test::OwnFoam none = gentle.foam(small_spec());
   run(none, 36);
   EXPECT_FALSE(none.foam().any());
 }
@@ -115,7 +117,7 @@ TEST(FoamShore, FoamsWhereABedBreaksThem) {
   spec.settings.simulated = false;
   spec.settings.shore_per_s = 0.0;
   const auto foam_of = [&](double placed, double surf) {
-    FoamSea foam = along.foam(spec);
+    test::OwnFoam foam = along.foam(spec);
     foam.set_water([=](glm::dvec2, double) { return StillWater{0.7, 0.0, 0.0, placed, surf}; });
     run(foam, 36);
     EXPECT_EQ(mean_within(foam, 22.0, 40.0), 0.0) << "beyond the curve";
@@ -135,7 +137,7 @@ TEST(FoamShore, FoamsWhereABedBreaksThem) {
   spec.settings.breaking = 1.0;
   SeaState sea;
   sea.wind_speed_mps = 9.0;
-  FoamSea among = along.foam(spec, sea);
+  test::OwnFoam among = along.foam(spec, sea);
   among.set_water([](glm::dvec2, double) { return StillWater{0.7, 1.0, 0.0, 1.0, 1.0}; });
   run(among, 36);
   EXPECT_GT(mean_within(among, -14.0, 14.0), 0.02);
@@ -149,7 +151,7 @@ TEST(FoamShore, TheWatersEdgeGoesUpAndDownWithThem) {
     Along along(many(height_m), straight());
     FoamSpec spec = small_spec();
     spec.settings.breaking = 0.0;
-    FoamSea foam = along.foam(spec);
+    test::OwnFoam foam = along.foam(spec);
     foam.set_water([](glm::dvec2 at, double) {
       return StillWater{0.1 * (at.y + 12.0), 0.0};
     });  // a beach of 1 : 10 to the north
@@ -233,7 +235,7 @@ TEST(FoamShore, IsTheSameAtEveryFrameRateAndTakesOtherWater) {
   const auto water = [](double surf) {
     return [surf](glm::dvec2, double) { return StillWater{0.7, 0.5, 0.0, 0.8, surf}; };
   };
-  FoamSea slow = along.foam(small_spec()), fast = along.foam(small_spec()), other = along.foam(small_spec());
+  test::OwnFoam slow = along.foam(small_spec()), fast = along.foam(small_spec()), other = along.foam(small_spec());
   slow.set_water(water(0.7)), fast.set_water(water(0.7)), other.set_water(water(0.0));
   run(slow, 24, 12.0), run(fast, 180, 90.0);
   EXPECT_GT(mean_within(slow, -14.0, 14.0), 0.1);

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "engine/error.h"
+#include "tests/support/own_sea.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -28,8 +29,8 @@ SpraySettings plenty() {
   return settings;
 }
 const glm::dvec3 head{3.0, 4.0, -2.0};
-Spray spray_of(const SpraySettings& settings, const SeaState& sea) {
-  return Spray(settings, sea, WaveQuality{}, {}, 3.85);
+test::OwnSpray spray_of(const SpraySettings& settings, const SeaState& sea) {
+  return test::OwnSpray(settings, sea, {.resolution = 64, .cascades = 4}, 3.85);
 }
 
 std::vector<double> numbers(const Spray::Puff& p) {
@@ -58,7 +59,7 @@ double mean_aloft(Spray& spray) {
 // step has moved on: a twentieth); of all places a twentieth. Seen: all of 398. Control seen: a breaker() that does not
 // ask for the Jacobian (a fifth).
 TEST(Spray, BeginsWhereTheJacobianCollapses) {
-  Spray spray = spray_of(plenty(), storm());
+  test::OwnSpray spray = spray_of(plenty(), storm());
   int born = 0, squeezed = 0, any = 0, any_squeezed = 0;
   for (int i = 0; i < 8; ++i) {
     spray.update(30.0 + 1.5 * i, head);
@@ -93,23 +94,23 @@ TEST(Spray, GrowsWithTheWind) {
     SpraySettings wide = plenty();
     wide.range_m = 120.0;
     wide.life_s = 1.0;
-    Spray spray = spray_of(wide, storm(wind));
+    test::OwnSpray spray = spray_of(wide, storm(wind));
     const double aloft = mean_aloft(spray);
     RecordProperty("aloft_" + std::to_string(int(wind)), std::to_string(aloft));
     EXPECT_GT(aloft, 4.0 * before + 0.5) << wind;
     before = aloft;
   }
   for (const double wind : {0.0, 6.9}) {
-    Spray none = spray_of(plenty(), storm(wind));
+    test::OwnSpray none = spray_of(plenty(), storm(wind));
     EXPECT_EQ(mean_aloft(none), 0.0);
-    EXPECT_EQ(none.breaking().tiles().cascades(), 0) << "no wave was computed";
+    EXPECT_EQ(none.own->made(SeaDetail::crests), 0u) << "no wave was computed";
   }
 }
 
 // To the bit, whatever the display's rate, and what is drawn of them. Control seen: frames' time instead of whole
 // steps.
 TEST(Spray, IsTheSameAtEveryFrameRate) {
-  Spray reference = spray_of(plenty(), storm());
+  test::OwnSpray reference = spray_of(plenty(), storm());
   for (int i = 0; i <= 60; ++i) reference.update(40.0 + i / 60.0, head);
   const auto want = numbers(reference);
   ASSERT_GT(want.size(), 100u);
@@ -117,7 +118,7 @@ TEST(Spray, IsTheSameAtEveryFrameRate) {
   const std::size_t count = reference.drawn(41.02, head, shown);
   ASSERT_GT(count, 50u);
   for (const double rate : {30.0, 72.0, 90.0, 120.0}) {
-    Spray spray = spray_of(plenty(), storm());
+    test::OwnSpray spray = spray_of(plenty(), storm());
     for (int i = 0; i <= int(rate); ++i) spray.update(40.0 + i / rate, head);
     EXPECT_EQ(numbers(spray), want) << rate;
     ASSERT_EQ(spray.drawn(41.02, head, others), count);
@@ -131,7 +132,7 @@ TEST(Spray, IsTheSameAtEveryFrameRate) {
 // a life. Another seed is another spray. Control seen: a jump that keeps what was there; a beginning of half a life
 // before.
 TEST(Spray, AMomentHasTheVeryPuffsHoweverItWasComeTo) {
-  Spray runs = spray_of(plenty(), storm()), jumps = spray_of(plenty(), storm());
+  test::OwnSpray runs = spray_of(plenty(), storm()), jumps = spray_of(plenty(), storm());
   for (int i = 0; i <= 40; ++i) runs.update(50.0 + 0.1 * i, head);
   const auto want = numbers(runs);
   ASSERT_GT(want.size(), 50u);
@@ -148,13 +149,13 @@ TEST(Spray, AMomentHasTheVeryPuffsHoweverItWasComeTo) {
   EXPECT_EQ(numbers(jumps), want) << "a viewer who was elsewhere";
   {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    Spray alone = spray_of(plenty(), storm());
+    test::OwnSpray alone = spray_of(plenty(), storm());
     alone.update(54.0, head);
     EXPECT_EQ(numbers(alone), want);
   }
   SpraySettings other = plenty();
   other.seed = 2;
-  Spray others = spray_of(other, storm());
+  test::OwnSpray others = spray_of(other, storm());
   others.update(54.0, head);
   EXPECT_NE(numbers(others), want);
 }
@@ -164,7 +165,7 @@ TEST(Spray, BelongsToTheWorld) {
   SpraySettings settings = plenty();
   settings.range_m = 150.0;
   settings.life_s = 1.5;
-  Spray here = spray_of(settings, storm()), there = spray_of(settings, storm());
+  test::OwnSpray here = spray_of(settings, storm()), there = spray_of(settings, storm());
   const glm::dvec3 other = head + glm::dvec3(14.0, 1.0, 9.0);
   here.update(60.0, head);
   there.update(60.0, other);
@@ -185,7 +186,7 @@ TEST(Spray, KeepsItsMost) {
     SpraySettings settings = plenty();
     settings.amount = 4.0;
     settings.most = most;
-    Spray spray = spray_of(settings, storm(60.0, 2.0));
+    test::OwnSpray spray = spray_of(settings, storm(60.0, 2.0));
     glm::dvec3 sum(0.0);
     int count = 0;
     for (int i = 0; i < 30; ++i) {
@@ -207,7 +208,7 @@ TEST(Spray, KeepsItsMost) {
 // Nothing is drawn that lies deep beneath the water, at any moment between steps; and what has lived less than it may
 // has ended on the water. Control seen: land() that asks for the age alone (metres beneath).
 TEST(Spray, EndsOnTheWater) {
-  Spray spray = spray_of(plenty(), storm());
+  test::OwnSpray spray = spray_of(plenty(), storm());
   const WaveField field(storm(), {64, 4});
   WaveTiles tiles;
   std::vector<gpu::SprayPuff> shown(32768);
@@ -239,7 +240,7 @@ TEST(Spray, EndsOnTheWater) {
 // Drops hide more than mist; all of it less as eddies draw it apart, and nothing at the end of its life. Control: drops
 // that hide less (tests/mutants).
 TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
-  Spray spray = spray_of(plenty(), storm());
+  test::OwnSpray spray = spray_of(plenty(), storm());
   std::vector<gpu::SprayPuff> shown(32768);
   std::size_t compared = 0;
   double least_drops = 1.0, most_drops = 0.0;
@@ -268,7 +269,7 @@ TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
 }
 
 TEST(Spray, KnowsItsPlace) {
-  Spray far = spray_of(plenty(), storm());
+  test::OwnSpray far = spray_of(plenty(), storm());
   const glm::dvec3 away{1e6, 4.0, -3e6};
   std::vector<gpu::SprayPuff> shown(32768);
   far.update(54.0, away);
@@ -276,8 +277,8 @@ TEST(Spray, KnowsItsPlace) {
   ASSERT_GT(n, 20u);
   for (std::size_t i = 0; i < n; ++i) ASSERT_LT(std::abs(shown[i].place.x) + std::abs(shown[i].place.z), 120.0f);
 
-  Spray flat = spray_of(plenty(), storm()), raised = spray_of(plenty(), storm()), land = spray_of(plenty(), storm()),
-        none = spray_of(plenty(), storm());
+  test::OwnSpray flat = spray_of(plenty(), storm()), raised = spray_of(plenty(), storm()),
+                 land = spray_of(plenty(), storm()), none = spray_of(plenty(), storm());
   raised.set_water([](glm::dvec2, double) { return Spray::Water{30.0, 1e6, 1.0}; });
   land.set_water([](glm::dvec2, double) { return Spray::Water{0.0, -1.0, 1.0}; });
   flat.update(54.0, head);
@@ -289,7 +290,7 @@ TEST(Spray, KnowsItsPlace) {
     EXPECT_NEAR(raised.puffs()[i].place_m.y, flat.puffs()[i].place_m.y + 30.0, 1e-6);
   EXPECT_TRUE(land.puffs().empty());
   EXPECT_TRUE(none.puffs().empty());
-  EXPECT_EQ(none.breaking().tiles().cascades(), 0) << "no wave was computed";
+  EXPECT_EQ(none.own->made(SeaDetail::crests), 0u) << "no wave was computed";
 
   const auto before = numbers(flat);
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();

@@ -29,7 +29,7 @@ DynamicSeaSettings small_sea() {
 const glm::dvec3 head{3.0, 1.7, -2.0};
 
 // Heights on a grid around the viewer.
-std::vector<double> heights(const DynamicSea& sea, glm::dvec2 middle = {3.0, -2.0}, double step = 0.31,
+std::vector<double> heights(DynamicSea& sea, glm::dvec2 middle = {3.0, -2.0}, double step = 0.31,
                             double footprint = 0.0) {
   std::vector<double> result;
   for (int j = -8; j <= 8; ++j)

@@ -168,7 +168,7 @@ std::optional<MadeSea> wait_for(SeaMaker& maker) {
 // changes. Control: a maker that keeps the first.
 TEST(SeaMaker, MakesTheSeaAskedForLast) {
   const Ladder l = ladder(breeze());
-  SeaMaker maker(l, quality);
+  SeaMaker maker(l, quality, quality);
   EXPECT_FALSE(maker.take());
   for (const double wind : {5.0, 9.0, 21.0}) {
     SeaState sea = gale();

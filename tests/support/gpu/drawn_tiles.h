@@ -35,8 +35,13 @@ class DrawnTiles {
                 place == WavePlace::gpu ? WaveImages::Filled::stored : from_cpu) {
     if (place == WavePlace::gpu)
       compute_ = std::make_unique<WaveCompute>(device(), shaders(), sea, bins_, images_);
-    else
-      upload_ = std::make_unique<WaveUpload>(device(), sea, quality, bins_, images_);
+    else {
+      SeaSpec spec;
+      spec.state = sea;
+      spec.drawn = spec.crests = spec.felt = quality;
+      sea_ = std::make_unique<Sea>(std::move(spec));
+      upload_ = std::make_unique<WaveUpload>(device(), *sea_, images_);
+    }
   }
   // In a frame that has begun.
   void update(std::int64_t ticks) {
@@ -82,6 +87,7 @@ class DrawnTiles {
   Frame frame_;
   WaveImages images_;
   std::unique_ptr<WaveCompute> compute_;
+  std::unique_ptr<Sea> sea_;
   std::unique_ptr<WaveUpload> upload_;
 };
 

@@ -1,0 +1,57 @@
+#include "app/sea_spec.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/place_inputs.h"
+#include "app/tile_sources.h"
+#include "ocean/effects.h"
+
+namespace seascape {
+
+namespace {
+// Sections of the settings that describe the sea, but for those of their rows that only its picture asks for.
+constexpr std::array<std::string_view, 9> sections{"waves.",         "gerstner.", "wave_particles.",
+                                                   "baked.",         "level.",    "dynamic_waves.",
+                                                   "flow.",          "clip.",     "sea_depth."};
+constexpr std::array<std::string_view, 8> of_the_picture{
+    "waves.change_s", "waves.resolution", "waves.cascades",  "waves.half_storage",
+    "waves.where",    "baked.fade_m",     "sea_depth.sand", "sea_depth.growth_m"};
+constexpr std::array<std::string_view, 11> effects{"waves", "gerstner", "wave_particles", "baked",  "dynamic_waves", "level",
+                                                   "flow",  "clip",     "sea_depth",      "albedo", "shadow"};
+}  // namespace
+
+SeaSpec sea_spec(const Scene& scene) {
+  const Settings& s = scene.settings;
+  SeaSpec spec;
+  spec.state = s.sea;
+  spec.has_waves = calls_for(scene.effects, "waves");
+  spec.sources = tile_sources(scene);
+  spec.place = place_inputs(scene);
+  if (calls_for(scene.effects, "dynamic_waves")) {
+    spec.pressure = std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene.inputs);
+    spec.dynamic_waves = s.dynamic_waves;
+    spec.dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
+    spec.dynamic_waves->waves.depth_m = s.sea.depth_m;
+    if (still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
+  }
+  spec.drawn = s.waves;
+  spec.crests_velocity = calls_for(scene.effects, "spray");
+  return spec;
+}
+
+std::string sea_key(const Scene& scene) {
+  std::string key;
+  for (const std::string_view effect : effects)
+    if (calls_for(scene.effects, effect)) key.append(effect).append(" ");
+  for (const Setting& row : settings_table()) {
+    const std::string_view name = row.key;
+    const auto begins = [&](std::string_view section) { return name.starts_with(section); };
+    if (std::none_of(sections.begin(), sections.end(), begins)) continue;
+    if (std::find(of_the_picture.begin(), of_the_picture.end(), name) != of_the_picture.end()) continue;
+    key.append(name).append("=").append(value_text(scene.settings, row)).append("\n");
+  }
+  return key;
+}
+
+}  // namespace seascape

@@ -1,0 +1,256 @@
+#include "ocean/sea/sea.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "ocean/places/bed_change.h"
+#include "ocean/sea/left_out.h"
+
+namespace seascape {
+
+namespace {
+constexpr double rate_without_dynamic_waves_hz = 60.0;
+
+// A quality whose bins hold those of every detail.
+WaveQuality whole_of(const SeaSpec& spec) {
+  WaveQuality whole = spec.drawn;
+  for (const WaveQuality& other : {spec.crests, spec.felt}) {
+    whole.resolution = std::max(whole.resolution, other.resolution);
+    whole.cascades = std::max(whole.cascades, other.cascades);
+  }
+  return whole;
+}
+
+WaveBins bins_of_spec(const SeaSpec& spec) {
+  return spec.has_waves ? make_wave_bins(spec.state, whole_of(spec)) : WaveBins{ladder(spec.state), 0, {}};
+}
+
+std::unique_ptr<DynamicSea> dynamic_of(const SeaSpec& spec) {
+  return spec.dynamic_waves ? std::make_unique<DynamicSea>(*spec.dynamic_waves, spec.pressure) : nullptr;
+}
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a over its bytes
+  for (int i = 0; i < 8; ++i) hash = (hash ^ (value >> (8 * i) & 0xffu)) * 1099511628211ull;
+  return hash;
+}
+std::uint64_t bits(double value) {
+  std::uint64_t result;
+  std::memcpy(&result, &value, sizeof result);
+  return result;
+}
+}  // namespace
+
+Sea::Sea(SeaSpec spec)
+    : spec_(std::move(spec)),
+      made_in_(whole_of(spec_)),
+      bins_(bins_of_spec(spec_)),
+      chop_(spec_.state.chop),
+      seed_(spec_.state.seed),
+      dynamic_(dynamic_of(spec_)) {
+  std::erase_if(spec_.sources, [](const auto& source) { return source->still(); });
+  if (!spec_.has_waves) {
+    for (WaveQuality* quality : {&spec_.drawn, &spec_.crests, &spec_.felt}) quality->cascades = 0;
+  } else {
+    if (!keeps_all(spec_.drawn, bins_)) drawn_bins_ = kept_bins(bins_, spec_.drawn);
+    statistics_ = sea_statistics(spec_.state, bins());
+  }
+  shallows_.from = make_shallows(spec_.state, bins(), spec_.sources, spec_.place);
+  make_field(SeaDetail::drawn);
+  places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+}
+
+void Sea::make_field(SeaDetail detail) {
+  const auto i = std::size_t(detail);
+  if (fields_[i] != nullptr) return;
+  const WaveQuality& quality = spec_.quality(detail);
+  SeaState state = spec_.state;
+  state.chop = chop_;
+  WaveBins kept = keeps_all(quality, bins_) ? bins_ : kept_bins(bins_, quality);
+  left_out_m_[i] = std::sqrt(left_out_variance(bins_, quality));
+  fields_[i] = std::make_shared<WaveField>(state, quality, std::move(kept), statistics_, spec_.sources);
+}
+
+SeaView Sea::view(std::int64_t ticks, SeaDetail detail) {
+  make_field(detail);
+  const auto i = std::size_t(detail);
+  return SeaView(moments_.moment({ticks, detail, spec_.velocity(detail), waves_version_}, fields_[i], places_,
+                                 surface_of(ticks), left_out_m_[i]));
+}
+
+std::shared_ptr<const DynamicSurface> Sea::surface_of(std::int64_t ticks) {
+  if (dynamic_ == nullptr || !begun_) return nullptr;
+  const std::int64_t now = stepping_ ? *stepping_ : ticks_from_seconds(time_s_);
+  // Foam and spray ask of steps that lie within the last frame: of these the dynamic waves are known as they are now.
+  const std::int64_t within = ticks_from_seconds(1.0);
+  return ticks <= now && ticks > now - within ? dynamic_->shared_surface() : nullptr;
+}
+
+const SeaView& SeaStep::felt() {
+  if (!felt_) felt_ = sea_.view(ticks_from_seconds(time_s), SeaDetail::felt);
+  return felt_;
+}
+
+void Sea::take_away(const SeaActor& actor) {
+  std::erase_if(actors_, [&](const auto& one) { return one.get() == &actor; });
+}
+
+void Sea::advance(double time_s, const glm::dvec3& viewer) {
+  if (!(std::abs(time_s) < 1e15)) return;
+  moments_.forget_dynamic();
+  const std::int64_t ticks = ticks_from_seconds(time_s);
+  const auto step_actors = [&](double end_s, double dt_s, std::vector<WaveSource>& presses) {
+    if (actors_.empty()) return;
+    stepping_ = ticks_from_seconds(end_s);
+    if (changing()) follow_change(*stepping_);
+    SeaStep step(*this, end_s, dt_s, presses);
+    for (const auto& actor : actors_) actor->step(step);
+    stepping_.reset();
+  };
+  const double rate = dynamic_ ? dynamic_->rate_hz() : rate_without_dynamic_waves_hz;
+  const auto now = std::int64_t(std::floor(time_s * rate + 1e-6));
+  const bool anew = dynamic_ ? dynamic_->begins_anew(time_s)
+                             : !begun_ || now < step_ || double(now - step_) > DynamicSea::longest_s * rate;
+  if (anew)
+    for (const auto& actor : actors_) actor->hold();
+  begun_ = true;
+  if (dynamic_) {
+    dynamic_->update(time_s, viewer, step_actors);
+  } else if (!anew) {
+    std::vector<WaveSource> nowhere;
+    for (std::int64_t step = step_ + 1; step <= now; ++step) {
+      step_actors(double(step) / rate, 1.0 / rate, nowhere);
+      nowhere.clear();
+    }
+  }
+  step_ = now;
+  time_s_ = time_s;
+  if (changing()) follow_change(ticks);
+}
+
+void Sea::change(const SeaState& state, double over_s, MakePlace place) {
+  assert(grows_out_of(spec_.state, state));
+  if (!spec_.has_waves) {
+    spec_.state = state;
+    return;
+  }
+  if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, made_in_, spec_.drawn);
+  if (shallows_ && !place)
+    place = [sources = spec_.sources, inputs = spec_.place](const SeaState& sea, const WaveBins& bins) {
+      return std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, sources, inputs), nullptr});
+    };
+  maker_->ask(state, shallows_ ? std::move(place) : nullptr);
+  spec_.state = state;
+  change_s_ = over_s;
+  asked_for_ = true;
+}
+
+void Sea::follow_change(std::int64_t ticks) {
+  // What a bed makes of the waves passes from one sea to one other: over a bed a further sea waits for the change that
+  // runs.
+  const bool waits = blend_ && shallows_;
+  if (std::optional<MadeSea> made = waits || !maker_ ? std::nullopt : maker_->take()) {
+    const bool same_waves = seed_ == made->state.seed;
+    seed_ = same_waves ? seed_ : std::nullopt;  // two seas' waves at once, until the change is over
+    MadeSea now{made->state, bins_, statistics_};
+    made_place_ = std::move(made->place);
+    now.state.chop = chop_;
+    blend_.emplace(std::move(now), std::move(*made), ticks,
+                   ticks + std::max<std::int64_t>(1, ticks_from_seconds(change_s_)), same_waves);
+    asked_for_ = false;
+    blended_at_.reset();
+    if (made_place_ != nullptr) shallows_.to = made_place_->shallows, shallows_.share = 0.0;
+  }
+  if (blend_ && blended_at_ != ticks) take_waves(ticks);
+}
+
+void Sea::take_waves(std::int64_t ticks) {
+  blended_at_ = ticks;
+  const bool over = blend_->over(ticks);
+  if (shallows_.to != nullptr && over) {
+    shallows_ = {std::move(shallows_.to), nullptr};
+    made_place_.reset();
+  } else if (shallows_.to != nullptr) {
+    shallows_.share = std::min(blend_->share(ticks), 0x1.fffffep-1);
+  }
+  blend_->amplitudes(ticks, bins_);
+  if (drawn_bins_) drawn_bins_ = kept_bins(bins_, spec_.drawn);
+  statistics_ = blend_->statistics(ticks);
+  chop_ = blend_->chop(ticks);
+  ++waves_version_;
+  // Who holds a view keeps the waves that it has.
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    std::shared_ptr<WaveField>& field = fields_[i];
+    if (field == nullptr) continue;
+    if (field.use_count() > 1) field = std::make_shared<WaveField>(*field);
+    field->take(bins_, chop_, statistics_);
+    left_out_m_[i] = std::sqrt(left_out_variance(bins_, spec_.quality(SeaDetail(i))));
+  }
+  if (shallows_) {
+    if (places_.use_count() > 1) places_ = std::make_shared<PlaceSea>(*places_);
+    places_->follow(shallows_);
+  }
+  if (!over) return;
+  seed_ = blend_->to().state.seed;
+  blend_.reset();
+}
+
+void Sea::draw_in(const WaveQuality& drawn, const PlaceSettings& place) {
+  PlaceSettings& placed = spec_.place.settings;
+  placed.windows = place.windows;
+  placed.sand = place.sand;
+  placed.growth_m = place.growth_m;
+  const bool same = drawn.resolution == spec_.drawn.resolution && drawn.cascades == spec_.drawn.cascades;
+  if (spec_.has_waves) spec_.drawn = drawn;
+  if (spec_.has_waves && !same) {
+    draw_other_waves();
+    fields_[std::size_t(SeaDetail::drawn)].reset();
+    make_field(SeaDetail::drawn);
+  }
+  places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+}
+
+void Sea::draw_other_waves() {
+  const WaveQuality whole = whole_of(spec_);
+  const bool lacks = whole.resolution > made_in_.resolution || whole.cascades > made_in_.cascades;
+  if (lacks || changing()) {
+    // The seas of a change that runs lack what is now drawn.
+    blend_.reset();
+    made_place_.reset();
+    asked_for_ = false;
+    made_in_ = whole;
+    bins_ = make_wave_bins(spec_.state, whole, bins_.ladder);
+    chop_ = spec_.state.chop;
+    seed_ = spec_.state.seed;
+    if (shallows_) shallows_ = {make_shallows(spec_.state, bins_, spec_.sources, spec_.place), nullptr};
+    for (auto& field : fields_) field.reset();
+  }
+  maker_.reset();
+  drawn_bins_ = keeps_all(spec_.drawn, bins_) ? std::nullopt : std::optional(kept_bins(bins_, spec_.drawn));
+  statistics_ = sea_statistics(spec_.state, bins());
+  ++waves_version_;
+}
+
+void Sea::know_velocity(SeaDetail detail, bool known) {
+  (detail == SeaDetail::drawn    ? spec_.drawn_velocity
+   : detail == SeaDetail::crests ? spec_.crests_velocity
+                                 : spec_.felt_velocity) = known;
+}
+
+void Sea::keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout) {
+  moments_.keep_drawn_in(memories, layout, spec_.drawn.cascades);
+}
+
+std::uint64_t Sea::hash() const {
+  std::uint64_t hash = 14695981039346656037ull;
+  hash = mixed(hash, std::uint64_t(dynamic_ ? dynamic_->tick() : step_));
+  for (int i = 0; dynamic_ && i < dynamic_->waves().levels(); ++i)
+    for (const std::complex<double>& mode : dynamic_->waves().level(i).modes())
+      hash = mixed(mixed(hash, bits(mode.real())), bits(mode.imag()));
+  for (const auto& actor : actors_) hash = mixed(hash, actor->hash());
+  return hash;
+}
+
+}  // namespace seascape

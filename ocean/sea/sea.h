@@ -1,0 +1,119 @@
+// The one sea on the processor: its waves and their change, what belongs to its places, its dynamic waves and those who
+// act on it. Everyone who needs water asks it for a view. Pure.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ocean/places/dynamic_sea.h"
+#include "ocean/places/shallows_mix.h"
+#include "ocean/sea/sea_actor.h"
+#include "ocean/sea/sea_change.h"
+#include "ocean/sea/sea_moment.h"
+#include "ocean/sea/sea_spec.h"
+#include "ocean/sea/sea_view.h"
+
+namespace seascape {
+
+// Time runs in steps of dynamic_waves.rate_hz (60 a second), on whole multiples of one: in each the actors ask, move and
+// press, then the dynamic waves advance. A frame sees the dynamic waves carried on from the last step to its own time.
+// What a step does depends on the steps before it alone: not on frames, the picture's detail or how many threads there
+// are. The windows of the dynamic waves lie around the viewer.
+//
+// Only its owner changes a sea, between frames. Views may be asked by anybody at any time, and outlive changes.
+class Sea {
+ public:
+  // Throws Error as validate() of its parts does. Takes some tenths of a second where there is a bed.
+  explicit Sea(SeaSpec spec);
+  Sea(const Sea&) = delete;
+  Sea& operator=(const Sea&) = delete;
+
+  // Has the state of a time (s) around a viewer (m). Time that runs backwards or jumps by more than
+  // DynamicSea::longest_s begins the dynamic waves anew and holds the actors. A time that is no number changes nothing.
+  void advance(double time_s, const glm::dvec3& viewer_m);
+  double time_s() const { return time_s_; }
+
+  // The waves of any time in a detail. They know the dynamic waves, as they are now, where the time is that of the last
+  // advance or at most a second before. The owner's thread asks for views; what they answer any thread may ask.
+  SeaView view(std::int64_t ticks, SeaDetail detail);
+  SeaView view_at(double time_s, SeaDetail detail) { return view(ticks_from_seconds(time_s), detail); }
+
+  void add(std::shared_ptr<SeaActor> actor) { actors_.push_back(std::move(actor)); }
+  void take_away(const SeaActor& actor);
+
+  // Lets another sea grow out of this one over some seconds of its time, more than 0, from the frame on in which its
+  // waves are made on another thread. The sea asked for last is the one that comes. Gravity, depth and loop are those
+  // that it has (grows_out_of). `place`: makes what its bed makes of it, where there is a bed and more is wanted than
+  // its Shallows (a drawing's windows); null: those. Throws Error as validate() does.
+  void change(const SeaState& state, double over_s, MakePlace place = nullptr);
+  bool changing() const { return asked_for_ || blend_; }
+  // What was made beside the sea that comes, for who asked for it; null but in a change over a bed.
+  const std::shared_ptr<MadePlace>& made_place() const { return made_place_; }
+
+  // Another quality of the picture: `drawn` views have it from now on, and nothing else changes; but a change that runs
+  // is over at once where its waves are too few. Of `place` the windows and the look of the ground count.
+  void draw_in(const WaveQuality& drawn, const PlaceSettings& place);
+  // Whether views of a detail, from now on, know how fast the water moves.
+  void know_velocity(SeaDetail detail, bool known);
+  // Where tiles of `drawn` views are to lie (MomentStore::keep_drawn_in). None: where they like.
+  void keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout);
+
+  // The sea asked for last: what it is, or will have become.
+  const SeaState& state() const { return spec_.state; }
+  const SeaSpec& spec() const { return spec_; }
+  // The waves as they were in the last advance, of the picture's quality, and how far they move sideways.
+  const WaveBins& bins() const { return drawn_bins_ ? *drawn_bins_ : bins_; }
+  const SeaStatistics& statistics() const { return statistics_; }
+  double chop() const { return chop_; }
+  const ShallowsMix& shallows() const { return shallows_; }
+  // Whose phases all waves have; none while two seeds' waves are there at once.
+  std::optional<std::uint32_t> seed() const { return seed_; }
+  // Counts up whenever the waves' amplitudes change, from 1.
+  std::uint64_t waves_version() const { return waves_version_; }
+  // Null where the scene has none, or nothing that could ever push the water.
+  const DynamicSea* dynamic_waves() const { return dynamic_.get(); }
+  // Their surface as of the last advance; null where there are none.
+  std::shared_ptr<const DynamicSurface> dynamic_surface() { return dynamic_ ? dynamic_->shared_surface() : nullptr; }
+  // What went wrong in the dynamic waves since the last call, once.
+  std::optional<std::string> take_fault() { return dynamic_ ? dynamic_->take_fault() : std::nullopt; }
+
+  // How often tiles of a detail have been computed.
+  std::uint64_t made(SeaDetail detail) const { return moments_.made(detail); }
+  // Differs where the state that steps depend on does: dynamic waves, actors, and the time of the last step.
+  std::uint64_t hash() const;
+
+ private:
+  friend class SeaStep;
+  void follow_change(std::int64_t ticks);
+  void take_waves(std::int64_t ticks);
+  void make_field(SeaDetail detail);
+  void draw_other_waves();
+  std::shared_ptr<const DynamicSurface> surface_of(std::int64_t ticks);
+  SeaSpec spec_;
+  WaveQuality made_in_;
+  WaveBins bins_;                         // of every detail together
+  std::optional<WaveBins> drawn_bins_;    // where the picture has fewer
+  SeaStatistics statistics_;              // of the picture's
+  double chop_;
+  std::optional<std::uint32_t> seed_;
+  std::uint64_t waves_version_ = 1;
+  std::array<std::shared_ptr<WaveField>, sea_details> fields_;  // made when first asked for
+  std::array<double, sea_details> left_out_m_{};
+  ShallowsMix shallows_;
+  std::shared_ptr<PlaceSea> places_;
+  MomentStore moments_;
+  std::unique_ptr<DynamicSea> dynamic_;
+  std::vector<std::shared_ptr<SeaActor>> actors_;
+  double time_s_ = 0.0;
+  std::int64_t step_ = 0;  // the last that was taken, where there are no dynamic waves
+  bool begun_ = false;
+  std::optional<std::int64_t> stepping_;  // the ticks of the step that actors take
+  std::unique_ptr<SeaMaker> maker_;       // from the first change on
+  std::shared_ptr<MadePlace> made_place_;
+  std::optional<SeaBlend> blend_;
+  std::optional<std::int64_t> blended_at_;  // the ticks that the waves are blended for
+  bool asked_for_ = false;
+  double change_s_ = 0.0;
+};
+
+}  // namespace seascape

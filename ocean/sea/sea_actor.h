@@ -1,0 +1,41 @@
+// Whoever acts on the water: asks it in each step of the sea, moves by what it finds, and presses it.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "ocean/places/wave_level.h"
+#include "ocean/sea/sea_view.h"
+
+namespace seascape {
+
+class Sea;  // ocean/sea/sea.h
+
+// One step of the sea, as an actor sees it.
+class SeaStep {
+ public:
+  SeaStep(Sea& sea, double end_s, double length_s, std::vector<WaveSource>& presses)
+      : time_s(end_s), dt_s(length_s), sea_(sea), presses_(presses) {}
+  const double time_s, dt_s;  // the step's end, and how long it is
+  // The water at the step's end, with the dynamic waves as the step before left them.
+  const SeaView& felt();
+  // Presses the water from the step's beginning to its end (DynamicWaves); without dynamic waves it yields to nothing.
+  void press(const WaveSource& source) { presses_.push_back(source); }
+
+ private:
+  Sea& sea_;
+  std::vector<WaveSource>& presses_;
+  SeaView felt_;
+};
+
+// Its state may depend on its own history and on the steps alone, never on frames, camera or preset.
+class SeaActor {
+ public:
+  virtual ~SeaActor() = default;
+  virtual void step(SeaStep& step) = 0;
+  // Steps are missing: time has jumped or runs backwards. It stays where it is.
+  virtual void hold() {}
+  // A number that differs where its state does (Sea::hash).
+  virtual std::uint64_t hash() const { return 0; }
+};
+
+}  // namespace seascape

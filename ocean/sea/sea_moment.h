@@ -1,0 +1,84 @@
+// The waves of a sea at one time in one detail, made when they are first asked for, and the store that keeps the last
+// of them so that nobody makes them twice.
+#pragma once
+#include <tbb/collaborative_call_once.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ocean/sea/place_sea.h"
+#include "ocean/sea/sea_spec.h"
+#include "ocean/waves/wave_field.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+class DynamicSurface;  // ocean/places/dynamic_surface.h
+
+// What all questions of one moment ask.
+class SeaMoment {
+ public:
+  // The tiles, which the first caller computes on all cores; others wait, or help. Any thread.
+  const WaveTiles& tiles() const;
+
+  std::int64_t ticks = 0;
+  SeaDetail detail = SeaDetail::drawn;
+  std::shared_ptr<const WaveField> field;
+  std::shared_ptr<const PlaceSea> places;
+  std::shared_ptr<const DynamicSurface> dynamic;  // null: none, or of another time
+  double left_out_m = 0.0;
+  int slot = -1;  // which of the memories that were lent the tiles lie in (MomentStore::keep_drawn_in); -1: their own
+
+ private:
+  friend class MomentStore;
+  explicit SeaMoment(bool velocity) : tiles_(velocity) {}
+  std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
+  std::atomic<std::uint64_t>* made_count_ = nullptr;
+  mutable WaveTiles tiles_;
+  mutable std::optional<tbb::collaborative_once_flag> once_;
+  mutable std::atomic<bool> made_{false};
+  // Moments of the same time and waves, some of whose tiles may serve here.
+  mutable std::array<std::shared_ptr<const SeaMoment>, sea_details> lenders_;
+};
+
+class MomentStore {
+ public:
+  // What a moment is of. `waves` counts up with every change of the field's amplitudes.
+  struct Key {
+    std::int64_t ticks;
+    SeaDetail detail;
+    bool velocity;
+    std::uint64_t waves;
+  };
+  // The moment of this key: one that is kept, or one whose memory is free. `field` and `places` are those of the waves.
+  std::shared_ptr<const SeaMoment> moment(const Key& key, std::shared_ptr<const WaveField> field,
+                                          std::shared_ptr<const PlaceSea> places,
+                                          std::shared_ptr<const DynamicSurface> dynamic, double left_out_m);
+
+  // Has the cascades of `drawn` moments lie in these memories while one of them is free (WaveTiles::keep_in). `felt`
+  // moments of the same time borrow from them, others do not, since foam keeps its view for several frames. None: no
+  // more; then nobody may hold a moment that lies in one or borrows from it.
+  void keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout, int cascades);
+
+  // Moments that nobody looks at keep no dynamic waves.
+  void forget_dynamic();
+
+  // How often tiles of a detail have been computed.
+  std::uint64_t made(SeaDetail detail) const { return made_[std::size_t(detail)]; }
+
+ private:
+  std::shared_ptr<SeaMoment> free_moment(const Key& key);
+  void release_lenders();
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<SeaMoment>> moments_;
+  std::array<std::atomic<std::uint64_t>, sea_details> made_{};
+  std::uint64_t asked_ = 0;
+};
+
+}  // namespace seascape

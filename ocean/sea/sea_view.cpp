@@ -1,0 +1,24 @@
+#include "ocean/sea/sea_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/places/dynamic_surface.h"
+
+namespace seascape {
+
+SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
+  return places().sea(field(), tiles(), rest, footprint);
+}
+
+void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
+  places().query(field(), tiles(), points, answers, options);
+}
+
+QueryAnswer SeaView::query(glm::dvec2 place, const QueryOptions& options) const {
+  QueryAnswer answer;
+  query({&place, 1}, {&answer, 1}, options);
+  return answer;
+}
+
+}  // namespace seascape

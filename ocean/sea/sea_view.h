@@ -1,0 +1,59 @@
+// The sea at one time in one detail, as whoever needs water asks it. Immutable, and valid until it is released.
+#pragma once
+#include <memory>
+#include <span>
+
+#include "ocean/sea/query.h"
+#include "ocean/sea/sea_moment.h"
+#include "ocean/sea/water_side.h"
+
+namespace seascape {
+
+// Where a ray meets the surface first.
+struct RayAnswer {
+  bool hit = false;
+  double distance_m = 0.0;  // along the ray; of a miss how far it was looked for
+  QueryAnswer water;        // there
+};
+
+struct RayOptions {
+  double footprint_m = 0.0;
+  double most_m = 10e3;  // no farther than this
+};
+
+class SeaView {
+ public:
+  SeaView() = default;  // of no sea: nothing may be asked
+  explicit SeaView(std::shared_ptr<const SeaMoment> moment) : moment_(std::move(moment)) {}
+  explicit operator bool() const { return moment_ != nullptr; }
+  std::int64_t ticks() const { return moment_->ticks; }
+  SeaDetail detail() const { return moment_->detail; }
+
+  // All questions: any thread, at any time, no allocation. The tiles are made by the first of them.
+
+  // The surface that is drawn, dynamic waves included, at a rest position (x and z, m) for a footprint (m).
+  SeaSample at(glm::dvec2 rest_m, double footprint_m) const;
+  // At world places (x and z, m); see query.h.
+  void query(std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, QueryOptions options = {}) const;
+  QueryAnswer query(glm::dvec2 place, const QueryOptions& options = {}) const;
+  // The first meeting of a ray (m, and a direction of any length but 0) with the surface, from either side, within some
+  // millimetres. Of waves that stand over each other it may pass one thinner than 5 cm.
+  RayAnswer ray(const glm::dvec3& origin_m, const glm::dvec3& direction, const RayOptions& options = {}) const;
+  // Whether a point of the world (m) is in the water of the waves alone (water_side.h).
+  WaterSide side(const glm::dvec3& at_m) const { return water_side(*moment_->field, tiles(), at_m); }
+  // Standard deviation, m, of the waves that this detail lacks.
+  double left_out_m() const { return moment_->left_out_m; }
+
+  // What takes the waves elsewhere reads them here: foam row by row, pictures whole.
+  const WaveField& field() const { return *moment_->field; }
+  const WaveTiles& tiles() const { return moment_->tiles(); }
+  const PlaceSea& places() const { return *moment_->places; }
+  const DynamicSurface* dynamic() const { return moment_->dynamic.get(); }
+  // Which of the lent memories its tiles lie in (Sea::keep_drawn_in); -1: none.
+  int slot() const { return moment_->slot; }
+
+ private:
+  std::shared_ptr<const SeaMoment> moment_;
+};
+
+}  // namespace seascape
