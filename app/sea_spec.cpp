@@ -11,14 +11,14 @@ namespace seascape {
 
 namespace {
 // Sections of the settings that describe the sea, but for those of their rows that only its picture asks for.
-constexpr std::array<std::string_view, 9> sections{"waves.",         "gerstner.", "wave_particles.",
-                                                   "baked.",         "level.",    "dynamic_waves.",
-                                                   "flow.",          "clip.",     "sea_depth."};
-constexpr std::array<std::string_view, 8> of_the_picture{
-    "waves.change_s", "waves.resolution", "waves.cascades",  "waves.half_storage",
-    "waves.where",    "baked.fade_m",     "sea_depth.sand", "sea_depth.growth_m"};
-constexpr std::array<std::string_view, 11> effects{"waves", "gerstner", "wave_particles", "baked",  "dynamic_waves", "level",
-                                                   "flow",  "clip",     "sea_depth",      "albedo", "shadow"};
+constexpr std::array<std::string_view, 9> sections{
+    "waves.", "gerstner.", "wave_particles.", "baked.", "level.", "dynamic_waves.", "flow.", "clip.", "sea_depth."};
+constexpr std::array<std::string_view, 8> of_the_picture{"waves.change_s",     "waves.resolution",  "waves.cascades",
+                                                         "waves.half_storage", "waves.where",       "baked.fade_m",
+                                                         "sea_depth.sand",     "sea_depth.growth_m"};
+constexpr std::array<std::string_view, 11> effects{"waves",         "gerstner", "wave_particles", "baked",
+                                                   "dynamic_waves", "level",    "flow",           "clip",
+                                                   "sea_depth",     "albedo",   "shadow"};
 }  // namespace
 
 SeaSpec sea_spec(const Scene& scene) {

@@ -15,10 +15,10 @@
 
 namespace seascape {
 
-// Time runs in steps of dynamic_waves.rate_hz (60 a second), on whole multiples of one: in each the actors ask, move and
-// press, then the dynamic waves advance. A frame sees the dynamic waves carried on from the last step to its own time.
-// What a step does depends on the steps before it alone: not on frames, the picture's detail or how many threads there
-// are. The windows of the dynamic waves lie around the viewer.
+// Time runs in steps of dynamic_waves.rate_hz (60 a second), on whole multiples of one: in each the actors ask, move
+// and press, then the dynamic waves advance. A frame sees the dynamic waves carried on from the last step to its own
+// time. What a step does depends on the steps before it alone: not on frames, the picture's detail or how many threads
+// there are. The windows of the dynamic waves lie around the viewer.
 //
 // Only its owner changes a sea, between frames. Views may be asked by anybody at any time, and outlive changes.
 class Sea {
@@ -91,9 +91,9 @@ class Sea {
   std::shared_ptr<const DynamicSurface> surface_of(std::int64_t ticks);
   SeaSpec spec_;
   WaveQuality made_in_;
-  WaveBins bins_;                         // of every detail together
-  std::optional<WaveBins> drawn_bins_;    // where the picture has fewer
-  SeaStatistics statistics_;              // of the picture's
+  WaveBins bins_;                       // of every detail together
+  std::optional<WaveBins> drawn_bins_;  // where the picture has fewer
+  SeaStatistics statistics_;            // of the picture's
   double chop_;
   std::optional<std::uint32_t> seed_;
   std::uint64_t waves_version_ = 1;

@@ -102,8 +102,7 @@ std::shared_ptr<SeaMoment> MomentStore::free_moment(const Key& key) {
 
 std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared_ptr<const WaveField> field,
                                                      std::shared_ptr<const PlaceSea> places,
-                                                     std::shared_ptr<const DynamicSurface> dynamic,
-                                                     double left_out_m) {
+                                                     std::shared_ptr<const DynamicSurface> dynamic, double left_out_m) {
   const std::lock_guard lock(mutex_);
   ++asked_;
   for (const auto& kept : moments_)

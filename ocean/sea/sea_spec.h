@@ -38,9 +38,7 @@ struct SeaSpec {
     return detail == SeaDetail::drawn ? drawn : detail == SeaDetail::crests ? crests : felt;
   }
   bool velocity(SeaDetail detail) const {
-    return detail == SeaDetail::drawn    ? drawn_velocity
-           : detail == SeaDetail::crests ? crests_velocity
-                                         : felt_velocity;
+    return detail == SeaDetail::drawn ? drawn_velocity : detail == SeaDetail::crests ? crests_velocity : felt_velocity;
   }
 };
 
