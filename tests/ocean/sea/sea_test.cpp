@@ -213,7 +213,7 @@ TEST(Sea, SaysWhatADetailLacks) {
 }
 
 // Time that jumps or runs back holds the actors and steps none; a time that is no number changes nothing. Control seen:
-// actors that are not held.
+// a time that is no number taken.
 TEST(Sea, JumpsOfTimeHoldTheActors) {
   Sea sea(pressed_spec());
   const auto drifter = std::make_shared<Drifter>();
