@@ -41,7 +41,8 @@ void PlaceSea::follow(ShallowsMix shallows) {
   if (shore_ != nullptr) along_curves_ = shore_values(shore_, shallows_.from);
 }
 
-PlaceSea::Readers::Readers(const PlaceSea& sea, double time) : time_s(time) {
+PlaceSea::Readers::Readers(const PlaceSea& sea, double time, const DynamicSurface* waves)
+    : flow_time_s(time), dynamic(waves) {
   if (sea.level_) level.emplace(*sea.level_, sea.settings_, time);
   if (sea.flow_) flow.emplace(*sea.flow_, sea.settings_, time);
   if (sea.clip_) clip.emplace(*sea.clip_, sea.settings_, time);
@@ -60,10 +61,14 @@ glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) co
 }
 
 bool PlaceSea::clipped(glm::dvec3 point, double time) const {
-  if (!clip_ && volumes_ == nullptr) return false;
+  Readers readers(*this, time, nullptr);
+  return clipped(point, readers);
+}
+
+bool PlaceSea::clipped(glm::dvec3 point, Readers& readers) const {
+  if (!clips() || !std::isfinite(point.x + point.z)) return false;
   const glm::dvec2 place(point.x, point.z);
-  const bool flat =
-      clip_ && PlaceReader(*clip_, settings_, time)(reading({place, 0.0, nullptr, false}), place).x > 0.5f;
+  const bool flat = readers.clip && (*readers.clip)(reading({place, 0.0, nullptr, false}), place).x > 0.5f;
   return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
 }
 
@@ -122,6 +127,7 @@ PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& f
   if (readers.bed) add_shallows(field, result, asked, readers);
   if (readers.shore) add_shore(result, filter, asked, readers);
   if (readers.flow) add_current(field, result, asked, readers);
+  if (readers.dynamic != nullptr) result.dynamic = readers.dynamic->sea(asked.rest, asked.footprint_m);
   return result;
 }
 
@@ -175,7 +181,7 @@ void PlaceSea::add_shore(Here& here, const WaveField::Filter& filter, const Aske
 void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const {
   const glm::dvec2 velocity((*readers.flow)(reading(asked), asked.rest));
   const double period = settings_.flow_period_s;
-  const FlowPhase phase = flow_phase(readers.time_s, period);
+  const FlowPhase phase = flow_phase(readers.flow_time_s, period);
   const std::size_t count = here.parts.size();
   for (std::size_t n = 0; n < count; ++n) {
     Part second = here.parts[n];
@@ -203,14 +209,15 @@ glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles
   for (const Part& part : here.parts)
     sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
   for (const ShorePart& part : here.shore) sum += part.displacement(field, tiles);
+  sum += here.dynamic.displacement;
   if (!shallows_) return sum;
   sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
   return dry(here, sum) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
 }
 
 SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint,
-                        const LodPlacement* seen) const {
-  Readers readers(*this, seconds(tiles));
+                        const LodPlacement* seen, const DynamicSurface* dynamic) const {
+  Readers readers(*this, seconds(tiles), dynamic);
   return sea(field, tiles, {rest, footprint, seen, true}, readers);
 }
 
@@ -231,6 +238,9 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const As
     result.shift_gradient += part.share * glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
   }
   for (const ShorePart& part : here.shore) part.add(field, tiles, result);
+  result.displacement += here.dynamic.displacement;
+  result.height_gradient += here.dynamic.height_gradient;
+  result.shift_gradient += here.dynamic.shift_gradient;
   if (!shallows_) return result;
   result.displacement.x *= here.wet;
   result.displacement.z *= here.wet;
@@ -249,6 +259,7 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const As
 QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter,
                              glm::dvec2 place, const QueryOptions& options, Readers& readers) const {
   QueryAnswer answer;
+  answer.depth_m = field.state().depth_m;
   if (!std::isfinite(place.x + place.y)) return answer;
   const double footprint = options.footprint_m;
   glm::dvec2 rest = place, nearest = place;
@@ -272,33 +283,64 @@ QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, con
                middle = 0.5 * (s.shift_gradient.x + s.shift_gradient.y);
   answer.contraction = std::abs(middle) + std::hypot(half, s.shift_gradient.z);
   answer.converged = least <= options.tolerance_m && s.jacobian() > 0.0;
-  if (!tiles.has_velocity()) return answer;
-  const Asked found{nearest, footprint, nullptr, false};
-  const Here there = here(field, filter, found, readers);
-  if (shallows_ && s.displacement.y <= there.bed_m) return answer;  // land stands still
-  glm::dvec3 v(0.0);
-  for (const Part& part : there.parts)
-    v += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) *
-         field.velocity(tiles, part.place, part.filter);
-  for (const ShorePart& part : there.shore) v += glm::dvec3(there.wet, 1.0, there.wet) * part.velocity(field, tiles);
-  const glm::dvec2 flow = readers.flow ? glm::dvec2((*readers.flow)(reading(found), nearest)) : glm::dvec2(0.0);
-  answer.orbital_velocity_mps =
-      v + glm::dvec3(flow.x, flow.x * s.height_gradient.x + flow.y * s.height_gradient.y, flow.y);
-  answer.eulerian_velocity_mps =
-      answer.orbital_velocity_mps.y - answer.orbital_velocity_mps.x * slope.x - answer.orbital_velocity_mps.z * slope.y;
+  add_velocity(field, tiles, {nearest, footprint, nullptr, false}, filter, s, readers, answer);
   return answer;
 }
 
+void PlaceSea::add_velocity(const WaveField& field, const WaveTiles& tiles, const Asked& found,
+                            const WaveField::Filter& filter, const SeaSample& surface, Readers& readers,
+                            QueryAnswer& answer) const {
+  const Here there = here(field, filter, found, readers);
+  if (readers.flow) answer.flow_mps = glm::dvec2((*readers.flow)(reading(found), found.rest));
+  answer.still_m = there.level_m;
+  if (shallows_) answer.depth_m = there.level_m - there.bed_m;
+  if (!tiles.has_velocity()) return;
+  if (shallows_ && surface.displacement.y <= there.bed_m) return;  // land stands still
+  glm::dvec3 water(0.0);
+  for (const Part& part : there.parts)
+    water += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) *
+             field.velocity(tiles, part.place, part.filter);
+  for (const ShorePart& part : there.shore)
+    water += glm::dvec3(there.wet, 1.0, there.wet) * part.velocity(field, tiles);
+  // How the surface moves at a fixed rest position: as its waves do, and as the current carries their patterns and lets
+  // one pass into the next, by differences of the patterns' places at this moment's waves.
+  glm::dvec3 surface_moves = water;
+  if (readers.flow) {
+    constexpr double apart_s = 1e-3;
+    const double now_s = readers.flow_time_s;
+    readers.flow_time_s = now_s + apart_s;
+    const glm::dvec3 later = displacement(field, tiles, here(field, filter, found, readers));
+    readers.flow_time_s = now_s - apart_s;
+    const glm::dvec3 earlier = displacement(field, tiles, here(field, filter, found, readers));
+    readers.flow_time_s = now_s;
+    surface_moves += (later - earlier) / (2.0 * apart_s);
+  }
+  const glm::dvec2 slope = surface.slope();
+  const double rises = surface_moves.y - surface_moves.x * slope.x - surface_moves.z * slope.y;
+  // The water goes along with the current, and up and down with the surface.
+  const glm::dvec2 along = glm::dvec2(water.x, water.z) + answer.flow_mps;
+  answer.eulerian_velocity_mps = rises;
+  answer.orbital_velocity_mps = {along.x, readers.flow ? rises + glm::dot(along, slope) : water.y, along.y};
+}
+
 void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-                     std::span<QueryAnswer> answers, const QueryOptions& options) const {
+                     std::span<QueryAnswer> answers, const QueryOptions& options, const DynamicSurface* dynamic) const {
   assert(places.size() == answers.size());
-  if (!moves()) return seascape::query(field, tiles, places, answers, options);
+  const double time_s = seconds(tiles);
+  const bool waves_alone = !moves() && dynamic == nullptr;
+  if (waves_alone) {
+    seascape::query(field, tiles, places, answers, options);
+    for (QueryAnswer& answer : answers) answer.depth_m = field.state().depth_m;
+    if (!clips()) return;
+  }
   const WaveField::Filter filter = field.filter(options.footprint_m);
   constexpr std::size_t block = 64;
   tbb::parallel_for(std::size_t(0), (places.size() + block - 1) / block, [&](std::size_t n) {
-    Readers readers(*this, seconds(tiles));
-    for (std::size_t i = n * block; i < std::min(places.size(), (n + 1) * block); ++i)
-      answers[i] = answer(field, tiles, filter, places[i], options, readers);
+    Readers readers(*this, time_s, dynamic);
+    for (std::size_t i = n * block; i < std::min(places.size(), (n + 1) * block); ++i) {
+      if (!waves_alone) answers[i] = answer(field, tiles, filter, places[i], options, readers);
+      if (clips()) answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, readers);
+    }
   });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ocean/places/bed_field.h"
+#include "ocean/places/dynamic_surface.h"
 #include "ocean/places/place_reader.h"
 #include "ocean/places/shore_field.h"
 #include "ocean/sea/query.h"
@@ -29,6 +30,7 @@ class PlaceSea {
 
   // Whether the surface moves otherwise than the waves alone.
   bool moves() const { return level_ || flow_ || bool(shallows_) || shore_ != nullptr; }
+  bool clips() const { return clip_ || volumes_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
@@ -38,15 +40,17 @@ class PlaceSea {
   const Shallows* shallows() const { return shallows_.from.get(); }
 
   // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of
-  // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it.
+  // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it. `dynamic`: null where
+  // dynamic waves are left out.
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
-                const LodPlacement* seen = nullptr) const;
+                const LodPlacement* seen = nullptr, const DynamicSurface* dynamic = nullptr) const;
 
   // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds,
   // over a bed some tens of them. Velocities have the current in them, and what comes of waves that it carries past. On
   // land the answer is the ground, at rest.
   void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-             std::span<QueryAnswer> answers, const QueryOptions& options = {}) const;
+             std::span<QueryAnswer> answers, const QueryOptions& options = {},
+             const DynamicSurface* dynamic = nullptr) const;
 
  private:
   // A pattern of waves: where in its own places it is taken, and what it counts for.
@@ -65,11 +69,13 @@ class PlaceSea {
     glm::dvec2 rest{0.0};
     bool flat_clipped = false;  // by flat inputs; over a bed
     glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
+    DynamicSample dynamic;
   };
   // What is known of places at one time of the sea; what there is none of is not read.
   struct Readers {
-    Readers(const PlaceSea& sea, double time_s);
-    double time_s;
+    Readers(const PlaceSea& sea, double time_s, const DynamicSurface* dynamic);
+    double flow_time_s;  // for which patterns of waves are carried by the current
+    const DynamicSurface* dynamic;
     std::optional<PlaceReader<glm::vec4>> level, flow, clip;
     std::optional<PlaceReader<BedTexel>> bed;
     std::optional<PlaceReader<ShoreTexel>> shore;
@@ -85,12 +91,15 @@ class PlaceSea {
   void add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
+  bool clipped(glm::dvec3 point_m, Readers& readers) const;
   // Clipped over a bed: that is the surface.
   bool dry(const Here& here, glm::dvec3 displacement) const;
   PlaceReading reading(const Asked& asked) const {
     return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
   }
   glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;
+  void add_velocity(const WaveField& field, const WaveTiles& tiles, const Asked& found, const WaveField::Filter& filter,
+                    const SeaSample& surface, Readers& readers, QueryAnswer& answer) const;
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
   QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place,
                      const QueryOptions& options, Readers& readers) const;

@@ -21,7 +21,12 @@ struct QueryAnswer {
   // condition of a free surface (Lamb 1932, article 9), d eta/dt = v_y - v_x d eta/dx - v_z d eta/dz, v being the
   // orbital velocity.
   double eulerian_velocity_mps = 0.0;
-  double residual_m = 0.0;  // horizontal distance between the point found and the place asked
+  glm::dvec2 flow_mps{0.0};  // the current there
+  double still_m = 0.0;      // height of the still water there
+  double depth_m = 0.0;      // of the still water over the bed, or of the open sea
+  bool clipped = false;      // there is no water: an input or a volume of clip takes it away
+  double left_out_m = 0.0;   // SeaView::left_out_m
+  double residual_m = 0.0;   // horizontal distance between the point found and the place asked
   // Spectral norm of grad D at the point found: what a step of the search multiplies its residual by, near there. From
   // 1 on the search need not end.
   double contraction = 0.0;
@@ -36,6 +41,8 @@ struct QueryOptions {
   // Answers of a moment ago for the same objects, in the same order, near where they are asked now; empty: none. The
   // search starts from their displacements, and saves a step or two. May be the memory of the new answers.
   std::span<const QueryAnswer> previous = {};
+  // Whether dynamic waves are in the answers, which depend on what came before (SeaView).
+  bool history = true;
 };
 
 // Answers for world places (x, z in metres), `answers` as long as `places`, at the time of the tiles. For another time

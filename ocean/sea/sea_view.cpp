@@ -8,11 +8,12 @@
 namespace seascape {
 
 SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
-  return places().sea(field(), tiles(), rest, footprint);
+  return places().sea(field(), tiles(), rest, footprint, nullptr, dynamic());
 }
 
 void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
-  places().query(field(), tiles(), points, answers, options);
+  places().query(field(), tiles(), points, answers, options, options.history ? dynamic() : nullptr);
+  for (QueryAnswer& answer : answers) answer.left_out_m = left_out_m();
 }
 
 QueryAnswer SeaView::query(glm::dvec2 place, const QueryOptions& options) const {
