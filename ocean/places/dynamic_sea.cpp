@@ -109,7 +109,7 @@ std::shared_ptr<const DynamicSurface> DynamicSea::shared_surface() {
   if (!stale_) return surfaces_[current_];
   for (current_ = 0; current_ < surfaces_.size() && surfaces_[current_].use_count() > 1;) ++current_;
   if (current_ == surfaces_.size()) surfaces_.push_back(std::make_shared<DynamicSurface>(settings_.waves));
-  surfaces_[current_]->evaluate(waves_, ahead_s_);
+  surfaces_[current_]->evaluate(waves_, ahead_s_, velocity_);
   stale_ = false;
   return surfaces_[current_];
 }

@@ -37,6 +37,8 @@ class DynamicSea {
   const DynamicSurface& surface() { return *shared_surface(); }
   // The same to keep: it stays as it is, whatever steps follow.
   std::shared_ptr<const DynamicSurface> shared_surface();
+  // Whether surfaces, from the next on, know how fast they move.
+  void know_velocity(bool known) { velocity_ = known; }
   // Counts up whenever surface() changes.
   std::uint64_t surface_version() const { return version_; }
   double rate_hz() const { return settings_.waves.rate_hz; }
@@ -54,6 +56,7 @@ class DynamicSea {
   std::vector<std::shared_ptr<DynamicSurface>> surfaces_;  // the current one, and those that somebody keeps
   std::size_t current_ = 0;
   bool stale_ = false;  // the current one is of another state than the waves
+  bool velocity_ = false;
   double ahead_s_ = 0.0;
   std::uint64_t version_ = 1;
   std::vector<WaveSource> sources_;

@@ -52,7 +52,7 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
               settings_.sharpening * orbit_width(k, waves.depth_m()) / k;
       }
   }
-  for (int pair = 0; pair < 4; ++pair) {
+  for (int pair = 0; pair < (velocity_ ? 6 : 4); ++pair) {
     for (int j = 0; j < band; ++j)
       for (int i = 0; i < band; ++i) {
         const std::size_t at = std::size_t(j) * std::size_t(band) + std::size_t(i);
@@ -61,14 +61,21 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
           // The height h is the field's real part: of each wave and its opposite the mean. Two real fields f and g are
           // sent as f + i g; D = i k (width / |k|) h.
           const std::size_t opposite = std::size_t(band - j) * std::size_t(band) + std::size_t(band - i);
-          const double h_re = 0.5 * (modes[at].real() + modes[opposite].real()),
-                       h_im = 0.5 * (modes[at].imag() - modes[opposite].imag());
+          const bool rate = pair >= 4;
+          const auto mode = [&](std::size_t wave) {
+            return rate ? modes[wave] * std::complex<double>(-0.5 * settings_.damping_per_s, -waves.frequency()[wave])
+                        : modes[wave];
+          };
+          const std::complex<double> one = mode(at), other = mode(opposite);
+          const double h_re = 0.5 * (one.real() + other.real()), h_im = 0.5 * (one.imag() - other.imag());
           const double kx = step * (i - band / 2), kz = step * (j - band / 2), width = level.widths[at];
-          if (pair == 0)
+          if (pair == 0 || pair == 4)
             re = -kx * width * h_im - h_im, im = kx * width * h_re + h_re;  // Dx, h
           else if (pair == 1)
             re = -kz * width * h_im + kx * kz * width * h_im,
             im = kz * width * h_re - kx * kz * width * h_re;  // Dz, dDx/dz
+          else if (pair == 5)
+            re = -kz * width * h_im, im = kz * width * h_re;  // Dz
           else if (pair == 2)
             re = -kx * h_im - kz * h_re, im = kx * h_re - kz * h_im;  // dh/dx, dh/dz
           else
@@ -79,7 +86,7 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
       }
     inverse_fft(plan_, level.spectrum_re.data(), level.spectrum_im.data(), level.re.data(), level.im.data(), stride,
                 level.workspace);
-    std::vector<glm::vec4>& plane = pair < 2 ? level.shift : level.slope;
+    std::vector<glm::vec4>& plane = pair < 2 ? level.shift : pair < 4 ? level.slope : level.velocity;
     const int first = pair % 2 * 2;
     for (int z = 0; z < n; ++z)
       for (int x = 0; x < n; ++x) {
@@ -115,7 +122,8 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
   level.squeeze = double(squeeze) + std::sqrt(double(farthest)) / border_m;
 }
 
-void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s) {
+void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s, bool velocity) {
+  velocity_ = velocity;
   placement_ = waves.placement();
   windows_ = lod_windows(settings_.windows, placement_, placement_.viewer);
   tbb::parallel_for(0, int(levels_.size()), [&](int i) {
@@ -124,6 +132,7 @@ void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s) {
     level.still = waves.level(i).still();
     level.squeeze = 0.0;
     level.extent = {};
+    if (velocity) level.velocity.resize(level.shift.size());
     if (!level.still) evaluate(waves.level(i), level, gpu::lod_border * windows_.reach.x * std::exp2(i), ahead_s);
   });
   double squeeze = 0.0;

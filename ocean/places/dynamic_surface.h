@@ -27,8 +27,9 @@ class DynamicSurface {
   explicit DynamicSurface(const DynamicWavesSettings& settings);
 
   // Takes the waves as they are, or as they are `ahead_s` seconds later if nothing pushes them meanwhile (exact but for
-  // what pushes and for the border). Costs four transforms a level that moves; none where all rest. Levels in parallel.
-  void evaluate(const DynamicWaves& waves, double ahead_s = 0.0);
+  // what pushes and for the border). Costs four transforms a level that moves, with its `velocity` six; none where all
+  // rest. Levels in parallel.
+  void evaluate(const DynamicWaves& waves, double ahead_s = 0.0, bool velocity = false);
 
   // At a rest position (m), for a footprint (m): the sum of the levels, each fading out towards its window's end
   // (lod_present), the finest with the viewer's height, and with footprints from 4 to 8 of its texels, half and all of
@@ -55,6 +56,11 @@ class DynamicSurface {
   // dDx/dz and dh/dx, dh/dz, dDx/dx, dDz/dz. Of Dx and Dz before `share`.
   std::span<const glm::vec4> shift(int level) const { return levels_[std::size_t(level)].shift; }
   std::span<const glm::vec4> slope(int level) const { return levels_[std::size_t(level)].slope; }
+  // dDx/dt (before `share`), dh/dt, dDz/dt, 0 of waves that nothing pushes; empty where it was not wanted.
+  std::span<const glm::vec4> velocity(int level) const { return levels_[std::size_t(level)].velocity; }
+  bool has_velocity() const { return velocity_; }
+  int samples() const { return plan_.n; }  // a side of a level
+  glm::dvec2 viewer() const { return placement_.viewer; }
   bool still(int level) const { return levels_[std::size_t(level)].still; }
 
  private:
@@ -63,12 +69,13 @@ class DynamicSurface {
     Extent extent;  // its shift before `share`
     double texel_m = 1.0, squeeze = 0.0, widths_texel_m = 0.0, widths_depth_m = 0.0;
     std::vector<double> widths;  // of each wave: how far the water moves sideways, of its height, over its wave number
-    std::vector<glm::vec4> shift, slope;
+    std::vector<glm::vec4> shift, slope, velocity;
     std::vector<float> re, im, spectrum_re, spectrum_im, workspace;
     std::vector<std::complex<double>> ahead;  // the waves of a later time
   };
   void evaluate(const WaveLevel& waves, Level& level, double border_m, double ahead_s);
   DynamicWavesSettings settings_;
+  bool velocity_ = false;
   FftPlan plan_;
   std::vector<Level> levels_;
   LodPlacement placement_;

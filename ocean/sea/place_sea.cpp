@@ -1,11 +1,7 @@
 #include "ocean/sea/place_sea.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ocean/places/flow_phase.h"
@@ -39,10 +35,11 @@ void PlaceSea::follow(ShallowsMix shallows) {
   shallows_ = std::move(shallows);
   if (shallows_) bed_ = bed_values(shallows_, shallows_.from->depth_m());
   if (shore_ != nullptr) along_curves_ = shore_values(shore_, shallows_.from);
+  renew();
 }
 
 PlaceSea::Readers::Readers(const PlaceSea& sea, double time, const DynamicSurface* waves)
-    : flow_time_s(time), dynamic(waves) {
+    : time_s(time), dynamic(waves) {
   if (sea.level_) level.emplace(*sea.level_, sea.settings_, time);
   if (sea.flow_) flow.emplace(*sea.flow_, sea.settings_, time);
   if (sea.clip_) clip.emplace(*sea.clip_, sea.settings_, time);
@@ -58,18 +55,6 @@ double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
   return flow_ ? glm::dvec2(PlaceReader(*flow_, settings_, time)(reading({rest, footprint, nullptr, false}), rest))
                : glm::dvec2(0.0);
-}
-
-bool PlaceSea::clipped(glm::dvec3 point, double time) const {
-  Readers readers(*this, time, nullptr);
-  return clipped(point, readers);
-}
-
-bool PlaceSea::clipped(glm::dvec3 point, Readers& readers) const {
-  if (!clips() || !std::isfinite(point.x + point.z)) return false;
-  const glm::dvec2 place(point.x, point.z);
-  const bool flat = readers.clip && (*readers.clip)(reading({place, 0.0, nullptr, false}), place).x > 0.5f;
-  return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
 }
 
 bool PlaceSea::dry(const Here& here, glm::dvec3 d) const {
@@ -116,7 +101,7 @@ PlaceSea::Here PlaceSea::here(const WaveField& field, const WaveField::Filter& f
                               Readers& readers) const {
   Here result;
   result.rest = asked.rest;
-  result.parts.push_back({asked.rest, filter});
+  result.parts.push_back({.place = asked.rest, .filter = filter});
   if (readers.level) {
     const PlaceReading at = reading(asked);
     result.level_m = double((*readers.level)(at, asked.rest).x);
@@ -145,11 +130,11 @@ void PlaceSea::add_shallows(const WaveField& field, Here& here, const Asked& ask
     here.bed_gradient = beside.gradient([](const BedTexel& texel) { return texel.bed.x; });
   }
   const int cascades = field.quality().cascades;
-  const WaveField::Filter all = here.parts.front().filter;
+  const WaveField::Filter all = here.parts[0].filter;
   here.parts.clear();
   for (int i = 0; i <= cascades; ++i) {
     if (i == cascades && field.places().size() == std::size_t(cascades)) break;
-    Part part{asked.rest, all};
+    Part part{.place = asked.rest, .filter = all};
     for (std::size_t place = 0; place < field.places().size(); ++place)
       if (std::min(int(place), cascades) != i) part.filter.share[place] = 0.0f;
     part.share = share_of(waves, i, cascades);
@@ -181,7 +166,7 @@ void PlaceSea::add_shore(Here& here, const WaveField::Filter& filter, const Aske
 void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const {
   const glm::dvec2 velocity((*readers.flow)(reading(asked), asked.rest));
   const double period = settings_.flow_period_s;
-  const FlowPhase phase = flow_phase(readers.flow_time_s, period);
+  const FlowPhase phase = flow_phase(readers.time_s, period);
   const std::size_t count = here.parts.size();
   for (std::size_t n = 0; n < count; ++n) {
     Part second = here.parts[n];
@@ -202,17 +187,6 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
     here.shore[n] = first;
     here.shore.push_back(second);
   }
-}
-
-glm::dvec3 PlaceSea::displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const {
-  glm::dvec3 sum(0.0, here.level_m, 0.0);
-  for (const Part& part : here.parts)
-    sum += glm::dvec3(part.share, part.lift, part.share) * field.displacement(tiles, part.place, part.filter);
-  for (const ShorePart& part : here.shore) sum += part.displacement(field, tiles);
-  sum += here.dynamic.displacement;
-  if (!shallows_) return sum;
-  sum = {here.wet * sum.x, std::max(sum.y, here.bed_m), here.wet * sum.z};
-  return dry(here, sum) ? glm::dvec3(0.0, here.bed_m, 0.0) : sum;
 }
 
 SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint,
@@ -254,94 +228,6 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const As
   result.displacement.y = here.bed_m;
   result.height_gradient = here.bed_gradient;
   return result;
-}
-
-QueryAnswer PlaceSea::answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter,
-                             glm::dvec2 place, const QueryOptions& options, Readers& readers) const {
-  QueryAnswer answer;
-  answer.depth_m = field.state().depth_m;
-  if (!std::isfinite(place.x + place.y)) return answer;
-  const double footprint = options.footprint_m;
-  glm::dvec2 rest = place, nearest = place;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= options.most_iterations; ++i) {
-    const glm::dvec3 d = displacement(field, tiles, here(field, filter, {rest, footprint, nullptr, false}, readers));
-    const double residual = glm::length(rest + glm::dvec2(d.x, d.z) - place);
-    if (residual < least) least = residual, nearest = rest;
-    answer.iterations = i;
-    if (residual <= options.tolerance_m) break;
-    rest = place - glm::dvec2(d.x, d.z);
-  }
-  const SeaSample s = sea(field, tiles, {nearest, footprint, nullptr, true}, readers);
-  const glm::dvec2 slope = s.slope(), missed = place - nearest - glm::dvec2(s.displacement.x, s.displacement.z);
-  answer.displacement = s.displacement;
-  answer.residual_m = least;
-  // Over the residual along the slope, by at most the residual.
-  answer.height_m = s.displacement.y + std::clamp(glm::dot(slope, missed), -least, least);
-  answer.normal = glm::normalize(glm::dvec3(-slope.x, 1.0, -slope.y));
-  const double half = 0.5 * (s.shift_gradient.x - s.shift_gradient.y),
-               middle = 0.5 * (s.shift_gradient.x + s.shift_gradient.y);
-  answer.contraction = std::abs(middle) + std::hypot(half, s.shift_gradient.z);
-  answer.converged = least <= options.tolerance_m && s.jacobian() > 0.0;
-  add_velocity(field, tiles, {nearest, footprint, nullptr, false}, filter, s, readers, answer);
-  return answer;
-}
-
-void PlaceSea::add_velocity(const WaveField& field, const WaveTiles& tiles, const Asked& found,
-                            const WaveField::Filter& filter, const SeaSample& surface, Readers& readers,
-                            QueryAnswer& answer) const {
-  const Here there = here(field, filter, found, readers);
-  if (readers.flow) answer.flow_mps = glm::dvec2((*readers.flow)(reading(found), found.rest));
-  answer.still_m = there.level_m;
-  if (shallows_) answer.depth_m = there.level_m - there.bed_m;
-  if (!tiles.has_velocity()) return;
-  if (shallows_ && surface.displacement.y <= there.bed_m) return;  // land stands still
-  glm::dvec3 water(0.0);
-  for (const Part& part : there.parts)
-    water += glm::dvec3(there.wet * part.share, part.lift, there.wet * part.share) *
-             field.velocity(tiles, part.place, part.filter);
-  for (const ShorePart& part : there.shore)
-    water += glm::dvec3(there.wet, 1.0, there.wet) * part.velocity(field, tiles);
-  // How the surface moves at a fixed rest position: as its waves do, and as the current carries their patterns and lets
-  // one pass into the next, by differences of the patterns' places at this moment's waves.
-  glm::dvec3 surface_moves = water;
-  if (readers.flow) {
-    constexpr double apart_s = 1e-3;
-    const double now_s = readers.flow_time_s;
-    readers.flow_time_s = now_s + apart_s;
-    const glm::dvec3 later = displacement(field, tiles, here(field, filter, found, readers));
-    readers.flow_time_s = now_s - apart_s;
-    const glm::dvec3 earlier = displacement(field, tiles, here(field, filter, found, readers));
-    readers.flow_time_s = now_s;
-    surface_moves += (later - earlier) / (2.0 * apart_s);
-  }
-  const glm::dvec2 slope = surface.slope();
-  const double rises = surface_moves.y - surface_moves.x * slope.x - surface_moves.z * slope.y;
-  // The water goes along with the current, and up and down with the surface.
-  const glm::dvec2 along = glm::dvec2(water.x, water.z) + answer.flow_mps;
-  answer.eulerian_velocity_mps = rises;
-  answer.orbital_velocity_mps = {along.x, readers.flow ? rises + glm::dot(along, slope) : water.y, along.y};
-}
-
-void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-                     std::span<QueryAnswer> answers, const QueryOptions& options, const DynamicSurface* dynamic) const {
-  assert(places.size() == answers.size());
-  const double time_s = seconds(tiles);
-  const bool waves_alone = !moves() && dynamic == nullptr;
-  if (waves_alone) {
-    seascape::query(field, tiles, places, answers, options);
-    for (QueryAnswer& answer : answers) answer.depth_m = field.state().depth_m;
-    if (!clips()) return;
-  }
-  const WaveField::Filter filter = field.filter(options.footprint_m);
-  constexpr std::size_t block = 64;
-  tbb::parallel_for(std::size_t(0), (places.size() + block - 1) / block, [&](std::size_t n) {
-    Readers readers(*this, time_s, dynamic);
-    for (std::size_t i = n * block; i < std::min(places.size(), (n + 1) * block); ++i) {
-      if (!waves_alone) answers[i] = answer(field, tiles, filter, places[i], options, readers);
-      if (clips()) answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, readers);
-    }
-  });
 }
 
 }  // namespace seascape

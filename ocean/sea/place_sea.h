@@ -1,19 +1,22 @@
 // The sea with what belongs to places, on the processor: levels, currents and the bed, without windows and without a
 // GPU.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "ocean/places/bed_field.h"
 #include "ocean/places/dynamic_surface.h"
+#include "ocean/places/place_pages.h"
 #include "ocean/places/place_reader.h"
 #include "ocean/places/shore_field.h"
 #include "ocean/sea/query.h"
 #include "ocean/sea/shore_sea.h"
 
 namespace seascape {
+
+struct PlacePlan;  // ocean/sea/place_query_simd.h
 
 // The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl). Data of places are what lies between
 // texels (PlaceReader), for queries as for pictures: a query has the finest, a picture those of its windows. Immutable
@@ -30,11 +33,16 @@ class PlaceSea {
 
   // Whether the surface moves otherwise than the waves alone.
   bool moves() const { return level_ || flow_ || bool(shallows_) || shore_ != nullptr; }
+  // Whether the still water or the ground may stand at any height.
+  bool rises() const { return level_ || bool(shallows_); }
+  // The most by which a bed multiplies any waves.
+  double most_share() const { return shallows_ ? shallows_.most_share() : 1.0; }
   bool clips() const { return clip_ || volumes_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
-  // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away.
-  bool clipped(glm::dvec3 point_m, double time_s) const;
+  // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away, by flat
+  // inputs as texels of this side have them; 0: the finest of windows.
+  bool clipped(glm::dvec3 point_m, double time_s, double texel_m = 0.0) const;
 
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.from.get(); }
@@ -45,14 +53,43 @@ class PlaceSea {
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
                 const LodPlacement* seen = nullptr, const DynamicSurface* dynamic = nullptr) const;
 
-  // As query() of the waves alone (query.h) with all its promises but speed: a thousand points take some milliseconds,
-  // over a bed some tens of them. Velocities have the current in them, and what comes of waves that it carries past. On
-  // land the answer is the ground, at rest.
+  // What questions have beside the waves.
+  struct Beside {
+    const DynamicSurface* dynamic = nullptr;  // null: no dynamic waves
+    double finest_m = 0.0;                    // no texels of places finer than this are read; 0: than windows have
+    double left_out_m = 0.0;                  // SeaView::left_out_m
+  };
+  // As query() of the waves alone (query.h), with all its promises. Velocities have the current in them, and what comes
+  // of waves that it carries past. On land the answer is the ground, at rest.
   void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-             std::span<QueryAnswer> answers, const QueryOptions& options = {},
-             const DynamicSurface* dynamic = nullptr) const;
+             std::span<QueryAnswer> answers, const QueryOptions& options, const Beside& beside) const;
+  void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+             std::span<QueryAnswer> answers, const QueryOptions& options = {}) const {
+    query(field, tiles, places, answers, options, Beside{});
+  }
+  // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
+  bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double texel_m, double time_s) const;
+  // Whether many places were asked for, and this had better begin with new memory of them (renew).
+  bool worn() const { return (pages_ && pages_->worn()) || (clip_pages_ && clip_pages_->worn()); }
+  // Not while anybody asks.
+  void renew();
 
  private:
+  // As many as there can be.
+  template <class T, std::size_t most>
+  class Few {
+   public:
+    void push_back(const T& value) { values_[count_++] = value; }
+    void clear() { count_ = 0; }
+    std::size_t size() const { return count_; }
+    T& operator[](std::size_t i) { return values_[i]; }
+    const T* begin() const { return values_.data(); }
+    const T* end() const { return values_.data() + count_; }
+
+   private:
+    std::array<T, most> values_;
+    std::size_t count_ = 0;
+  };
   // A pattern of waves: where in its own places it is taken, and what it counts for.
   struct Part {
     glm::dvec2 place;
@@ -63,8 +100,8 @@ class PlaceSea {
   };
   // All of a rest position's, and what stands still there.
   struct Here {
-    std::vector<Part> parts;
-    std::vector<ShorePart> shore;  // of waves along curves
+    Few<Part, 2 * (gpu::max_cascades + 1)> parts;
+    Few<ShorePart, 2> shore;  // of waves along curves
     double level_m = 0.0, bed_m = 0.0, wet = 1.0;
     glm::dvec2 rest{0.0};
     bool flat_clipped = false;  // by flat inputs; over a bed
@@ -74,7 +111,7 @@ class PlaceSea {
   // What is known of places at one time of the sea; what there is none of is not read.
   struct Readers {
     Readers(const PlaceSea& sea, double time_s, const DynamicSurface* dynamic);
-    double flow_time_s;  // for which patterns of waves are carried by the current
+    double time_s;
     const DynamicSurface* dynamic;
     std::optional<PlaceReader<glm::vec4>> level, flow, clip;
     std::optional<PlaceReader<BedTexel>> bed;
@@ -91,18 +128,15 @@ class PlaceSea {
   void add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
-  bool clipped(glm::dvec3 point_m, Readers& readers) const;
+  bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s) const;
   // Clipped over a bed: that is the surface.
   bool dry(const Here& here, glm::dvec3 displacement) const;
   PlaceReading reading(const Asked& asked) const {
     return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
   }
-  glm::dvec3 displacement(const WaveField& field, const WaveTiles& tiles, const Here& here) const;
-  void add_velocity(const WaveField& field, const WaveTiles& tiles, const Asked& found, const WaveField::Filter& filter,
-                    const SeaSample& surface, Readers& readers, QueryAnswer& answer) const;
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
-  QueryAnswer answer(const WaveField& field, const WaveTiles& tiles, const WaveField::Filter& filter, glm::dvec2 place,
-                     const QueryOptions& options, Readers& readers) const;
+  PlacePlan plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
+                 const Beside& beside) const;
   PlaceSettings settings_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
   std::shared_ptr<const ClipVolumes> volumes_;  // null: none
@@ -110,6 +144,7 @@ class PlaceSea {
   ShallowsMix shallows_;
   std::optional<PlaceValues<BedTexel>> bed_;
   std::optional<PlaceValues<ShoreTexel>> along_curves_;
+  std::shared_ptr<const PlacePages> pages_, clip_pages_;  // of PlaceTexel, of flat clip; null: none
 };
 
 // How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts

@@ -11,7 +11,7 @@
 
 namespace seascape {
 
-QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options) {
+QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options, bool curved) {
   const WaveField::Filter filter = field.filter(options.footprint_m);
   QueryPlan plan;
   plan.most_iterations = options.most_iterations;
@@ -19,13 +19,16 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
   plan.tolerance_m = float(options.tolerance_m);
   if (double(plan.tolerance_m) > options.tolerance_m) plan.tolerance_m = std::nextafter(plan.tolerance_m, -1.0f);
   plan.velocity = tiles.has_velocity();
-  for (std::size_t c = 0; c < field.places().size(); ++c) {
-    const WaveField::Place& place = field.places()[c];
+  plan.depth_m = field.state().depth_m;
+  const std::size_t places = field.curved() + (curved && field.has_curved() ? 1 : 0);
+  for (std::size_t c = 0; c < places; ++c) {
+    const WaveField::Place& place = c == field.curved() ? field.curved_place() : field.places()[c];
     const int i = place.tile;
     if (filter.level[c] >= tiles.levels(i) - 1 || filter.share[c] <= 0.0f) continue;
     for (int step = 0; step < (filter.between[c] > 0.0f ? 2 : 1); ++step) {
       const int level = filter.level[c] + step, size = tiles.samples(i) >> level;
       const auto plane = [&](WavePlane p) { return &tiles.texels(i, p, level)->x; };
+      plan.place[std::size_t(plan.count)] = std::int8_t(c);
       QueryLayer& layer = plan.layers[std::size_t(plan.count++)];
       layer.cosine = place.cosine;
       layer.sine = place.sine;
@@ -42,8 +45,8 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
       const float laid = float(place.size);
       layer.laid = {laid, laid, laid, 1.0f};
       layer.plain = laid == 1.0f;
+      layer.alone = false;
       layer.shift = plane(WavePlane::shift);
-      layer.slope = plane(WavePlane::slope);
       layer.velocity = plan.velocity ? plane(WavePlane::velocity) : nullptr;
     }
   }
@@ -51,11 +54,12 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
 }
 
 void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-           std::span<QueryAnswer> answers, const QueryOptions& options) {
+           std::span<QueryAnswer> answers, const QueryOptions& options, double left_out_m) {
   constexpr std::size_t block = 1024;  // points that a core takes at a time: some 0.1 ms
   assert(places.size() == answers.size());
   assert(options.previous.empty() || options.previous.size() == places.size());
-  const QueryPlan plan = plan_queries(field, tiles, options);
+  QueryPlan plan = plan_queries(field, tiles, options);
+  plan.left_out_m = left_out_m;
   const QueryAnswer* previous = options.previous.empty() ? nullptr : options.previous.data();
   const auto answer = [&](std::size_t first, std::size_t count) {
     answer_points(plan, places.data() + first, previous ? previous + first : nullptr, answers.data() + first, count);

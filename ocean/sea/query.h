@@ -17,10 +17,12 @@ struct QueryAnswer {
   // Orbital velocity: dD/dt at a fixed rest position, of the water particle that is at the surface there now. What
   // floats without a will of its own moves so; drag is against this.
   glm::dvec3 orbital_velocity_mps{0.0};
-  // Eulerian rate of change of the surface's height at the fixed place, as a wave staff reads it: the kinematic
-  // condition of a free surface (Lamb 1932, article 9), d eta/dt = v_y - v_x d eta/dx - v_z d eta/dz, v being the
-  // orbital velocity.
-  double eulerian_velocity_mps = 0.0;
+  // How fast `displacement` changes at the fixed place; y is the rate of change of the surface's height there, as a
+  // wave staff reads it. The displacement D of the point that is there obeys r + D(r, t) = place, so with v = dD/dt at
+  // fixed r its sideways parts are u = (I + grad D)^-1 v, and its height has v_y - u . grad D_y, which is the kinematic
+  // condition of a free surface (Lamb 1932, article 9), d eta/dt = v_y - v_x d eta/dx - v_z d eta/dz. In a current v is
+  // the pattern's, which is carried along, and not the water's.
+  glm::dvec3 eulerian_velocity_mps{0.0};
   glm::dvec2 flow_mps{0.0};  // the current there
   double still_m = 0.0;      // height of the still water there
   double depth_m = 0.0;      // of the still water over the bed, or of the open sea
@@ -53,6 +55,6 @@ struct QueryOptions {
 // any thread and at any width of vectors. A place that is no finite number gets an answer that says it did not
 // converge.
 void query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
-           std::span<QueryAnswer> answers, const QueryOptions& options = {});
+           std::span<QueryAnswer> answers, const QueryOptions& options = {}, double left_out_m = 0.0);
 
 }  // namespace seascape

@@ -6,8 +6,12 @@
 #include <glm/glm.hpp>
 
 #include "ocean/sea/query.h"
+#include "shaders/shared/sea_data.h"
 
 namespace seascape {
+
+// Two levels of each place's tile, of two patterns each where a current carries them, and the dynamic waves' levels.
+inline constexpr int most_query_layers = 4 * WaveField::most_places + gpu::max_dynamic_levels;
 
 // One mip level of one tile in one place as a query samples it.
 struct QueryLayer {
@@ -19,19 +23,24 @@ struct QueryLayer {
   std::array<float, 4>
       laid;    // what the texels' displacements, velocities and their last number are to be multiplied with
   bool plain;  // by 1: a cascade
-  const float *shift, *slope, *velocity;  // first texel of each plane; velocity null where there is none
+  bool alone;  // taken where its pattern says alone (Patterns), wherever the point is
+  const float *shift, *velocity;  // first texel of each plane; velocity null where there is none
 };
 
 // What all points of a batch share.
 struct QueryPlan {
-  std::array<QueryLayer, 2 * WaveField::most_places> layers;
+  std::array<QueryLayer, most_query_layers> layers;
+  std::array<std::int8_t, most_query_layers> place;  // of the field's places whose each is
   int count = 0;
   int most_iterations = 0;
   float tolerance_m = 0.0f;
   bool velocity = false;
+  double depth_m = 0.0, left_out_m = 0.0;  // for every answer
 };
 
-QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options);
+// All waves of the field, or with `curved` those besides that are laid along curves.
+QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
+                       bool curved = false);
 
 // `count` answers on this thread. `previous` (null: none) may be `answers`. The operations of a point are the same, in
 // the same order and rounded the same, whatever stands beside it and however wide the vectors are.

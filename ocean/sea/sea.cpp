@@ -60,6 +60,7 @@ Sea::Sea(SeaSpec spec)
   shallows_.from = make_shallows(spec_.state, bins(), spec_.sources, spec_.place);
   make_field(SeaDetail::drawn);
   places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+  know_dynamic_velocity();
 }
 
 void Sea::make_field(SeaDetail detail) {
@@ -76,6 +77,10 @@ void Sea::make_field(SeaDetail detail) {
 SeaView Sea::view(std::int64_t ticks, SeaDetail detail) {
   make_field(detail);
   const auto i = std::size_t(detail);
+  if (places_->worn()) {
+    if (places_.use_count() > 1) places_ = std::make_shared<PlaceSea>(*places_);
+    places_->renew();
+  }
   return SeaView(moments_.moment({ticks, detail, spec_.velocity(detail), waves_version_}, fields_[i], places_,
                                  surface_of(ticks), left_out_m_[i]));
 }
@@ -237,6 +242,11 @@ void Sea::know_velocity(SeaDetail detail, bool known) {
   (detail == SeaDetail::drawn    ? spec_.drawn_velocity
    : detail == SeaDetail::crests ? spec_.crests_velocity
                                  : spec_.felt_velocity) = known;
+  know_dynamic_velocity();
+}
+
+void Sea::know_dynamic_velocity() {
+  if (dynamic_) dynamic_->know_velocity(spec_.drawn_velocity || spec_.crests_velocity || spec_.felt_velocity);
 }
 
 void Sea::keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout) {

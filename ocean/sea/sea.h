@@ -88,6 +88,7 @@ class Sea {
   void take_waves(std::int64_t ticks);
   void make_field(SeaDetail detail);
   void draw_other_waves();
+  void know_dynamic_velocity();
   std::shared_ptr<const DynamicSurface> surface_of(std::int64_t ticks);
   SeaSpec spec_;
   WaveQuality made_in_;

@@ -18,6 +18,8 @@ enum class SeaDetail {
   felt,    // what bodies, swimmers, cameras and culling feel: the same at every preset and on every device
 };
 inline constexpr int sea_details = 3;
+// The finest texels of places that `felt` answers read; `drawn` and `crests` have those of the picture's windows.
+inline constexpr double felt_place_texel_m = 0.5;
 
 struct SeaSpec {
   SeaState state;

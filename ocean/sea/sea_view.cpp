@@ -12,8 +12,10 @@ SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
 }
 
 void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
-  places().query(field(), tiles(), points, answers, options, options.history ? dynamic() : nullptr);
-  for (QueryAnswer& answer : answers) answer.left_out_m = left_out_m();
+  places().query(field(), tiles(), points, answers, options,
+                 {.dynamic = options.history ? dynamic() : nullptr,
+                  .finest_m = detail() == SeaDetail::felt ? felt_place_texel_m : 0.0,
+                  .left_out_m = left_out_m()});
 }
 
 QueryAnswer SeaView::query(glm::dvec2 place, const QueryOptions& options) const {

@@ -9,6 +9,12 @@
 
 namespace seascape {
 
+// How far the water goes from where it rests.
+struct SeaBounds {
+  double height_m = 0.0;  // above or below the still water: nearly nowhere more (SeaStatistics)
+  double shift_m = 0.0;   // sideways, alike
+};
+
 // Where a ray meets the surface first.
 struct RayAnswer {
   bool hit = false;
@@ -36,9 +42,13 @@ class SeaView {
   // At world places (x and z, m); see query.h.
   void query(std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, QueryOptions options = {}) const;
   QueryAnswer query(glm::dvec2 place, const QueryOptions& options = {}) const;
-  // The first meeting of a ray (m, and a direction of any length but 0) with the surface, from either side, within some
-  // millimetres. Of waves that stand over each other it may pass one thinner than 5 cm.
+  // The first meeting of a ray (m, and a direction of any length but 0) with the surface or with land, from either
+  // side, to a millimetre or a millionth of the distance. What is clipped is no surface. A crest or a trough that the
+  // ray passes through in less than 5 cm or a five-thousandth of its way may be missed, and so may water steeper
+  // than 2. Of a ray that is no number: no hit.
   RayAnswer ray(const glm::dvec3& origin_m, const glm::dvec3& direction, const RayOptions& options = {}) const;
+  // Of all waves of this detail, dynamic ones as they are now, without levels and land.
+  SeaBounds bounds() const;
   // Whether a point of the world (m) is in the water of the waves alone (water_side.h).
   WaterSide side(const glm::dvec3& at_m) const { return water_side(*moment_->field, tiles(), at_m); }
   // Standard deviation, m, of the waves that this detail lacks.

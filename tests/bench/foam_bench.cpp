@@ -8,6 +8,7 @@
 
 #include "ocean/foam/foam_pattern.h"
 #include "ocean/foam/foam_sea.h"
+#include "tests/support/own_sea.h"
 
 namespace seascape {
 namespace {
@@ -26,8 +27,9 @@ void foam_step(benchmark::State& state) {
   if (state.range(2) != 0) spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&vortex, 1));
   SeaState sea;
   sea.wind_speed_mps = 15.0;
-  FoamSea foam(spec, sea, WaveQuality{});
-  Breaking breaking(sea, WaveQuality{}, {}, spec.settings.life_s);
+  test::OwnFoam foam(spec, sea, WaveQuality{});
+  Sea waves_alone(test::spec_of(sea, WaveQuality{}));
+  Breaking breaking(waves_alone, spec.settings.life_s);
   double step = 1e30, waves = 1e30, time_s = 100.0;
   tbb::task_arena one(1);
   one.execute([&] {

@@ -20,7 +20,8 @@ namespace {
 auto all_of(const QueryAnswer& a) {
   return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y,
                     a.normal.z, a.orbital_velocity_mps.x, a.orbital_velocity_mps.y, a.orbital_velocity_mps.z,
-                    a.eulerian_velocity_mps, a.residual_m, a.contraction, a.iterations, a.converged);
+                    a.eulerian_velocity_mps.x, a.eulerian_velocity_mps.y, a.eulerian_velocity_mps.z, a.residual_m,
+                    a.contraction, a.iterations, a.converged);
 }
 
 int different(std::span<const QueryAnswer> a, std::span<const QueryAnswer> b) {

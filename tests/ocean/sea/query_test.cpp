@@ -172,7 +172,7 @@ TEST(Query, velocities_are_those_of_direct_sums) {
     const glm::dvec3 miss = answers[i].orbital_velocity_mps - v;
     orbital += glm::dot(miss, miss), orbital_size += glm::dot(v, v);
     const double rate = (height(places[i], t + step) - height(places[i], t - step)) / (2 * step);
-    eulerian += std::pow(answers[i].eulerian_velocity_mps - rate, 2), eulerian_size += rate * rate;
+    eulerian += std::pow(answers[i].eulerian_velocity_mps.y - rate, 2), eulerian_size += rate * rate;
     plain += std::pow(answers[i].orbital_velocity_mps.y - rate, 2);
   }
   EXPECT_LE(std::sqrt(orbital / orbital_size), 0.002);
@@ -215,7 +215,7 @@ TEST(Query, each_step_brings_it_nearer) {
       residual += std::pow(answers[i].residual_m, 2);
     }
     const double error = std::sqrt(sum / 500) / hs;
-    EXPECT_LE(error, before / 3) << steps;
+    EXPECT_LE(error, std::max(before / 3, 1e-7)) << steps;  // floats
     EXPECT_LE(residual, before_residual / 9) << steps;
     if (steps >= 1) {
       EXPECT_LE(error, std::sqrt(plain / 500) / hs / 1.5) << steps;

@@ -1,0 +1,217 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "ocean/places/flow_phase.h"
+#include "ocean/sea/place_query_simd.h"
+#include "ocean/sea/place_sea.h"
+#include "ocean/waves/wave_tiles.h"
+
+namespace seascape {
+
+namespace {
+void put(float* to, glm::vec4 value) {
+  for (int i = 0; i < 4; ++i) to[i] = value[i];
+}
+}  // namespace
+
+void PlaceSea::renew() {
+  pages_.reset();
+  clip_pages_.reset();
+  const auto time_of = [](const auto& values, double time) { return values->still ? 0.0 : time; };
+  if (clip_)
+    clip_pages_ = std::make_shared<PlacePages>(1, [clip = clip_](glm::dvec2 at, double texel, double time, float* to) {
+      put(to, clip->value(at, texel, clip->still ? 0.0 : time));
+    });
+  const int vectors = along_curves_ ? PlaceTexel::shore_way + 1 : bed_ ? PlaceTexel::share_more + 1 : 1;
+  if (vectors == 1 && !level_ && !flow_) return;
+  pages_ = std::make_shared<PlacePages>(
+      vectors, [=, level = level_, flow = flow_, bed = bed_, shore = along_curves_](glm::dvec2 at, double texel,
+                                                                                    double time, float* to) {
+        glm::vec4 water(0.0f);
+        if (level) water.x = level->value(at, texel, time_of(level, time)).x;
+        if (flow) {
+          const glm::vec4 velocity = flow->value(at, texel, time_of(flow, time));
+          water.z = velocity.x, water.w = velocity.y;
+        }
+        if (vectors > 1) {
+          const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
+          water.y = ground.bed.x;
+          put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
+          put(to + 4 * PlaceTexel::share, ground.share);
+          put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
+        }
+        put(to + 4 * PlaceTexel::water, water);
+        if (!shore) return;
+        const ShoreTexel line = shore->value(at, texel, time_of(shore, time));
+        put(to + 4 * PlaceTexel::shore, line.line);
+        put(to + 4 * PlaceTexel::shore_way, {line.way.x, line.way.y, 0.0f, 0.0f});
+      });
+}
+
+bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
+  if (!clip_pages_) return false;
+  if (!(std::abs(place.x) + std::abs(place.y) < 0x1p40 * texel)) return false;
+  const glm::dvec2 at = place / texel - 0.5, first = glm::floor(at);
+  PlacePages::Own own;
+  std::uint32_t slot = 0;
+  const PlacePages::Cell cell =
+      clip_pages_->cell(std::int64_t(first.x), std::int64_t(first.y), texel,
+                        place_time_s(settings_, clip_->still, time), slot, own);
+  return lod_bilinear(glm::vec2(at - first),
+                      [&](LodIndex from) { return cell.first[from.x * cell.right + from.y * cell.below]; }) > 0.5f;
+}
+
+bool PlaceSea::clipped(glm::dvec3 point, double time, double texel) const {
+  if (!clips() || !std::isfinite(point.x + point.z)) return false;
+  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time);
+  return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
+}
+
+bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time) const {
+  const bool flat = flat_clipped(rest, texel, time);
+  return volumes_ == nullptr ? flat : volumes_->clipped({rest.x + d.x, d.y, rest.y + d.z}, flat);
+}
+
+namespace {
+// The layers of one place as a bed and a current have them: once, or once for each of two patterns.
+void place_layers(PlacePlan& plan, const QueryLayer& layer, PlacedLayer placed, const WaveField::Place& place) {
+  const double k = 2.0 * std::numbers::pi / std::sqrt(place.longest_m * place.shortest_m);
+  placed.flow_height = float(0.5 * std::pow(0.5 * k * plan.period_s, 2));
+  placed.laid = layer.laid;
+  for (int pattern = plan.flow ? 0 : -1; pattern <= (plan.flow ? 1 : -1); ++pattern) {
+    placed.pattern = std::int8_t(pattern);
+    const auto at = std::size_t(plan.waves.count++);
+    plan.waves.layers[at] = layer;
+    plan.placed[at] = placed;
+  }
+}
+
+void place_dynamic(PlacePlan& plan, const DynamicSurface& dynamic, double footprint_m) {
+  const gpu::LodWindows windows = dynamic.windows(plan.viewer);
+  const int size = dynamic.samples();
+  for (int i = 0; i < dynamic.levels(); ++i) {
+    const double texel = dynamic.texel_m(i), kept = std::clamp(2.0 - footprint_m / (4.0 * texel), 0.0, 1.0);
+    if (dynamic.still(i) || !(kept > 0.0)) continue;
+    const auto at = std::size_t(plan.waves.count++);
+    const float end = std::min(windows.reach.x * float(1 << i), windows.reach.y);
+    plan.placed[at] = {.kind = PlacedLayer::dynamic,
+                       .share = 0,
+                       .bent = -1,
+                       .runs_up = false,
+                       .pattern = -1,
+                       .flow_height = 0.0f,
+                       .laid = {1.0f, 1.0f, 1.0f, 1.0f},
+                       .end_m = end,
+                       .per_border = 1.0f / (gpu::lod_border * end),
+                       .counts = float(kept * (i == 0 ? 1.0 - double(windows.reach.z) : 1.0)),
+                       .sharpened = float(dynamic.share())};
+    QueryLayer& layer = plan.waves.layers[at];
+    layer = {};
+    layer.cosine = 1.0;
+    layer.inverse_side = 1.0 / (texel * size);
+    layer.size = size;
+    layer.first = size - 0.5;
+    layer.cosine_a_texel = float(1.0 / texel);
+    layer.mask = size - 1;
+    layer.stride = size;
+    layer.share = 1.0f;
+    layer.shift = &dynamic.shift(i).data()->x;
+    layer.velocity = dynamic.has_velocity() ? &dynamic.velocity(i).data()->x : nullptr;
+  }
+}
+}  // namespace
+
+PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
+                         const Beside& beside) const {
+  PlacePlan plan;
+  const QueryPlan waves = plan_queries(field, tiles, options, along_curves_.has_value());
+  plan.waves.most_iterations = waves.most_iterations;
+  plan.waves.tolerance_m = waves.tolerance_m;
+  plan.waves.velocity = waves.velocity;
+  plan.waves.depth_m = waves.depth_m;
+  plan.waves.left_out_m = beside.left_out_m;
+  plan.places = this;
+  plan.pages = pages_.get();
+  plan.vectors = pages_ ? pages_->vectors() : 0;
+  plan.bed = bed_.has_value();
+  plan.shore = along_curves_.has_value();
+  plan.flow = flow_.has_value();
+  plan.dries = plan.bed && clips();
+  plan.time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
+  plan.period_s = settings_.flow_period_s;
+  plan.phase = flow_phase(plan.time_s, plan.period_s);
+  const bool still = (!level_ || level_->still) && (!flow_ || flow_->still) && (!bed_ || bed_->still) &&
+                     (!along_curves_ || along_curves_->still);
+  plan.place_time_s = place_time_s(settings_, still, plan.time_s);
+  LodWindowSettings windows = settings_.windows;
+  if (beside.finest_m > 0.0) windows.texel_m = beside.finest_m, windows.slices = gpu::max_lod_slices;
+  const PlaceReading reading = place_reading(windows, glm::dvec2(0.0), options.footprint_m, nullptr);
+  plan.clip_texel_m = reading.texel_m;
+  plan.texel_m = reading.fine_texel_m();
+  plan.coarser = reading.read.coarser;
+  for (int i = 0; plan.bed && i < 3; ++i) plan.along[std::size_t(i)] = shallows_.direction(i);
+  if (plan.shore) plan.shore_period_m = shore_->period_m();
+  const int cascades = field.quality().cascades;
+  const bool others = field.places().size() > std::size_t(cascades);
+  if (plan.bed && !plan.shore && !others && cascades <= 4) plan.vectors = PlaceTexel::share_more;
+  for (int l = 0; l < waves.count; ++l) {
+    const QueryLayer& layer = waves.layers[std::size_t(l)];
+    const int place = waves.place[std::size_t(l)];
+    if (std::size_t(place) == field.curved()) continue;
+    const bool cascade = place < cascades;
+    place_layers(plan, layer,
+                 {.kind = PlacedLayer::waves,
+                  .share = std::int8_t(cascade ? place : gpu::max_cascades),
+                  .bent = std::int8_t(cascade && place < Refraction::bent_cascades ? place : -1),
+                  .runs_up = cascade && place < Shallows::swash_cascades},
+                 field.places()[std::size_t(place)]);
+  }
+  if (beside.dynamic != nullptr) {
+    plan.viewer = beside.dynamic->viewer();
+    place_dynamic(plan, *beside.dynamic, options.footprint_m);
+  }
+  plan.curved = plan.waves.count;
+  if (!plan.shore) return plan;
+  const WaveField::Place& place = field.curved_place();
+  for (int l = 0; l < waves.count; ++l) {
+    if (std::size_t(waves.place[std::size_t(l)]) != field.curved()) continue;
+    QueryLayer layer = waves.layers[std::size_t(l)];
+    layer.cosine = layer.sine = 0.0;  // its pattern lies where the curve has it
+    layer.alone = true;
+    place_layers(plan, layer, {.kind = PlacedLayer::curved, .share = 0, .bent = -1, .runs_up = false}, place);
+  }
+  return plan;
+}
+
+void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,
+                     std::span<QueryAnswer> answers, const QueryOptions& options, const Beside& beside) const {
+  constexpr std::size_t block = 512;
+  assert(places.size() == answers.size());
+  const auto for_blocks = [&](const auto& answer) {
+    if (places.size() < 2 * block) return answer(std::size_t{0}, places.size());
+    tbb::parallel_for(std::size_t{0}, (places.size() + block - 1) / block,
+                      [&](std::size_t n) { answer(n * block, std::min(block, places.size() - n * block)); });
+  };
+  if (!moves() && beside.dynamic == nullptr) {
+    seascape::query(field, tiles, places, answers, options, beside.left_out_m);
+  } else {
+    const PlacePlan plan = this->plan(field, tiles, options, beside);
+    const QueryAnswer* previous = options.previous.empty() ? nullptr : options.previous.data();
+    for_blocks([&](std::size_t first, std::size_t count) {
+      answer_placed_points(plan, places.data() + first, previous ? previous + first : nullptr,
+                           answers.data() + first, count);
+    });
+  }
+  if (!clips()) return;
+  const double time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
+  for_blocks([&](std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i)
+      answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m);
+  });
+}
+
+}  // namespace seascape

@@ -1,0 +1,393 @@
+// The search of queries for a group of points at once: where they lie in tiles, what they read there and the steps from
+// one to the next, for the instruction set that Highway compiles this for.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "ocean/sea/query_simd.h"
+
+#if defined(SEASCAPE_QUERY_GROUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SEASCAPE_QUERY_GROUP_INL_H
+#undef SEASCAPE_QUERY_GROUP_INL_H
+#else
+#define SEASCAPE_QUERY_GROUP_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace seascape {
+namespace HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// No multiplication is fused with an addition anywhere here: not every instruction set can, and all have to give the
+// same bits.
+
+// Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
+// cache.
+constexpr int group = 32;
+constexpr int most_layers = most_query_layers;
+
+// A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a
+// displacement turned about: a float holds it as well as the tiles do, so that only where the place is in a tile needs
+// double.
+struct Group {
+  alignas(64) double x[group], z[group];
+  alignas(64) float way_x[group], way_z[group];
+  alignas(64) float miss_x[group], miss_z[group],
+      residual[group];  // from the point that stands there to the place asked
+  alignas(64) std::int32_t iterations[group];
+  alignas(64) std::int32_t whole_x[most_layers][group], whole_z[most_layers][group];  // texel of the place, and
+  alignas(64) float part_x[most_layers][group], part_z[most_layers][group];           // how far into it
+  // Of the four texels that a sample blends, in the order (x, z), (x + 1, z), (x, z + 1), (x + 1, z + 1): where the
+  // first of each row is, in floats from the plane's first, its bits turned over where the second is the row's first;
+  // and their weights.
+  alignas(64) std::int32_t upper[most_layers][group], lower[most_layers][group];
+  alignas(64) float weight[most_layers][4 * group];
+  alignas(64) float right[most_layers][group], below[most_layers][group];  // how far between the four, 0 to 1
+  // Derivatives of the weights along the world's x and z, 1 / m (locate_slopes).
+  alignas(64) float weight_x[most_layers][4 * group], weight_z[most_layers][4 * group];
+  // Four floats a point: Dx, h, Dz of the point, their derivatives over the rest position's x and z, and the velocity.
+  alignas(64) float shift[4 * group], along_x[4 * group], along_z[4 * group], velocity[4 * group];
+};
+
+// Where the patterns of a group's points lie beside them, and what they count for: of each layer.
+struct Patterns {
+  alignas(64) float off_x[most_layers][group], off_z[most_layers][group];  // m, to add to the point's own place
+  alignas(64) float scale[most_layers][4 * group];                         // of Dx, h, Dz; 0
+};
+
+// In double, so that a sample a thousand kilometres out is as exact as one at the origin.
+void place_in_tiles(const QueryPlan& plan, Group& g, int count) {
+  const hn::CappedTag<double, 8> d;
+  const hn::Rebind<float, decltype(d)> df;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  const int lanes = int(hn::Lanes(d));
+  for (int l = 0; l < plan.count; ++l) {
+    const QueryLayer& layer = plan.layers[std::size_t(l)];
+    const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine),
+               inverse_side = hn::Set(d, layer.inverse_side);
+    const auto size = hn::Set(d, layer.size), first = hn::Set(d, layer.first);
+    for (int i = 0; i < count; i += lanes) {
+      const auto x = hn::Load(d, g.x + i), z = hn::Load(d, g.z + i);
+      const auto u = hn::Mul(hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z)), inverse_side);
+      const auto v = hn::Mul(hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x)), inverse_side);
+      const auto texel_x = hn::Add(hn::Mul(hn::Sub(u, hn::Floor(u)), size), first);
+      const auto texel_z = hn::Add(hn::Mul(hn::Sub(v, hn::Floor(v)), size), first);
+      const auto whole_x = hn::DemoteTo(di, texel_x), whole_z = hn::DemoteTo(di, texel_z);  // positive: the floor
+      hn::Store(whole_x, di, g.whole_x[l] + i);
+      hn::Store(whole_z, di, g.whole_z[l] + i);
+      hn::Store(hn::DemoteTo(df, hn::Sub(texel_x, hn::PromoteTo(d, whole_x))), df, g.part_x[l] + i);
+      hn::Store(hn::DemoteTo(df, hn::Sub(texel_z, hn::PromoteTo(d, whole_z))), df, g.part_z[l] + i);
+    }
+  }
+}
+
+// Of points i to i + lanes - 1 the column and row of the first texel that a layer's sample blends, and how far into the
+// four it lies. `placed`: where its pattern is, or else at the point itself,
+// without patterns.
+template <class D>
+struct Spot {
+  hn::Vec<hn::RebindToSigned<D>> column, row;
+  hn::Vec<D> right, below;
+};
+template <bool placed, class D>
+HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, const Patterns* patterns, int i) {
+  const hn::RebindToSigned<D> di;
+  auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
+  if constexpr (placed) {
+    const auto off_x = hn::Load(d, patterns->off_x[l] + i), off_z = hn::Load(d, patterns->off_z[l] + i);
+    way_x = layer.alone ? off_x : hn::Add(way_x, off_x);
+    way_z = layer.alone ? off_z : hn::Add(way_z, off_z);
+  }
+  const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel);
+  const auto x = hn::Add(hn::Add(hn::Mul(cosine, way_x), hn::Mul(sine, way_z)), hn::Load(d, g.part_x[l] + i));
+  const auto z = hn::Add(hn::Sub(hn::Mul(cosine, way_z), hn::Mul(sine, way_x)), hn::Load(d, g.part_z[l] + i));
+  const auto floor_x = hn::Floor(x), floor_z = hn::Floor(z);
+  return {hn::Add(hn::ConvertTo(di, floor_x), hn::Load(di, g.whole_x[l] + i)),
+          hn::Add(hn::ConvertTo(di, floor_z), hn::Load(di, g.whole_z[l] + i)), hn::Sub(x, floor_x), hn::Sub(z, floor_z)};
+}
+
+// The texels around the rest positions of points i to i + lanes - 1.
+template <bool placed, class D>
+HWY_INLINE void locate(D d, const QueryPlan& plan, Group& g, const Patterns* patterns, int i) {
+  const hn::RebindToSigned<D> di;
+  const auto one = hn::Set(d, 1.0f);
+  const auto next = hn::Set(di, 1);
+  for (int l = 0; l < plan.count; ++l) {
+    const QueryLayer& layer = plan.layers[std::size_t(l)];
+    const Spot<D> at = spot<placed>(d, layer, l, g, patterns, i);
+    const auto share = hn::Set(d, layer.share);
+    const auto mask = hn::Set(di, layer.mask), stride = hn::Set(di, layer.stride);
+    // The mask wraps, and keeps the reads of a place that is no number in the tile.
+    const auto x0 = hn::And(at.column, mask);
+    const auto z0 = hn::And(at.row, mask), z1 = hn::And(hn::Add(at.row, next), mask);
+    const auto last = hn::VecFromMask(di, hn::Eq(x0, mask));
+    hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z0, stride), x0)), last), di, g.upper[l] + i);
+    hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z1, stride), x0)), last), di, g.lower[l] + i);
+    if constexpr (placed) {
+      hn::Store(at.right, d, g.right[l] + i);
+      hn::Store(at.below, d, g.below[l] + i);
+    }
+    const auto left = hn::Sub(one, at.right), under = hn::Mul(at.below, share),
+               above = hn::Mul(hn::Sub(one, at.below), share);
+    hn::StoreInterleaved4(hn::Mul(left, above), hn::Mul(at.right, above), hn::Mul(left, under),
+                          hn::Mul(at.right, under), d, g.weight[l] + 4 * i);
+  }
+}
+
+// How these texels' weights change along x and z: derivatives of what is read, to the bit those of the surface that the
+// weights make.
+template <class D>
+HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
+  const auto one = hn::Set(d, 1.0f);
+  for (int l = 0; l < plan.count; ++l) {
+    const QueryLayer& layer = plan.layers[std::size_t(l)];
+    const Spot<D> at = spot<false>(d, layer, l, g, nullptr, i);
+    const auto left = hn::Sub(one, at.right), above = hn::Sub(one, at.below);
+    const auto store = [&](float along_column, float along_row, float* to) HWY_ATTR {
+      const auto u = hn::Set(d, along_column * layer.share), v = hn::Set(d, along_row * layer.share);
+      const auto u_above = hn::Mul(u, above), u_below = hn::Mul(u, at.below);
+      const auto v_left = hn::Mul(v, left), v_right = hn::Mul(v, at.right);
+      hn::StoreInterleaved4(hn::Neg(hn::Add(u_above, v_left)), hn::Sub(u_above, v_right), hn::Sub(v_left, u_below),
+                            hn::Add(u_below, v_right), d, to);
+    };
+    store(layer.cosine_a_texel, -layer.sine_a_texel, g.weight_x[l] + 4 * i);
+    store(layer.sine_a_texel, layer.cosine_a_texel, g.weight_z[l] + 4 * i);
+  }
+}
+
+// Two texels of a row.
+template <class D8>
+HWY_INLINE hn::Vec<D8> pair(D8 d, const float* texels, std::ptrdiff_t at, std::int32_t mask) {
+  if (HWY_LIKELY(at >= 0)) return hn::LoadU(d, texels + at);
+  const hn::Half<D8> half;
+  return hn::Combine(d, hn::LoadU(half, texels + ~at - 4 * std::ptrdiff_t(mask)), hn::LoadU(half, texels + ~at));
+}
+
+using Plane = const float* QueryLayer::*;
+
+// What to sum up: a plane's texels by these weights, four floats a point.
+struct Take {
+  const float (*weight)[4 * group];
+  Plane plane;
+  float* to;
+};
+
+// The four floats of each plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and then
+// over these: two at a time where vectors are wide enough. `placed`: times what
+// their patterns count for.
+template <bool placed, std::size_t count>
+HWY_INLINE void sample(const QueryPlan& plan, const Group& g, const Patterns* patterns, int first, int end, int point,
+                       const Take (&take)[count]) {
+  const hn::FixedTag<float, 4> d4;
+#if HWY_MAX_BYTES >= 32
+  const hn::FixedTag<float, 8> d;
+  alignas(32) static constexpr std::int32_t spread_upper[8] = {0, 0, 0, 0, 1, 1, 1, 1},
+                                            spread_lower[8] = {2, 2, 2, 2, 3, 3, 3, 3};
+  const auto of_upper = hn::SetTableIndices(d, spread_upper), of_lower = hn::SetTableIndices(d, spread_lower);
+  hn::Vec<decltype(d)> upper[count], lower[count];
+  for (std::size_t p = 0; p < count; ++p) upper[p] = lower[p] = hn::Zero(d);
+#else
+  hn::Vec<decltype(d4)> upper_left[count], upper_right[count], lower_left[count], lower_right[count];
+  for (std::size_t p = 0; p < count; ++p)
+    upper_left[p] = upper_right[p] = lower_left[p] = lower_right[p] = hn::Zero(d4);
+#endif
+  for (int l = first; l < end; ++l) {
+    const QueryLayer& layer = plan.layers[std::size_t(l)];
+    if (placed && patterns->scale[l][4 * point + 1] == 0.0f) continue;
+    const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
+    const bool scaled = placed || !layer.plain;
+    const float* const scale = placed ? patterns->scale[l] + 4 * point : layer.laid.data();
+    for (std::size_t p = 0; p < count; ++p) {
+      const float* const texels = layer.*take[p].plane;
+      if (placed && texels == nullptr) continue;
+#if HWY_MAX_BYTES >= 32
+      const auto weight = hn::LoadDup128(d, take[p].weight[l] + 4 * point);
+      auto above = pair(d, texels, at_upper, layer.mask), below = pair(d, texels, at_lower, layer.mask);
+      if (placed || HWY_UNLIKELY(scaled)) {
+        const auto laid = hn::LoadDup128(d, scale);
+        above = hn::Mul(laid, above);
+        below = hn::Mul(laid, below);
+      }
+      upper[p] = hn::Add(upper[p], hn::Mul(hn::TableLookupLanes(weight, of_upper), above));
+      lower[p] = hn::Add(lower[p], hn::Mul(hn::TableLookupLanes(weight, of_lower), below));
+#else
+      const float* const weight = take[p].weight[l] + 4 * point;
+      const std::ptrdiff_t right = at_upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
+      const float* const above = texels + (at_upper >= 0 ? at_upper : ~at_upper);
+      const float* const below = texels + (at_lower >= 0 ? at_lower : ~at_lower);
+      const auto laid = hn::LoadU(d4, scale);
+      const auto add = [&](auto& sum, float share, const float* at) HWY_ATTR {
+        const auto value = hn::LoadU(d4, at);
+        sum = hn::Add(sum, hn::Mul(hn::Set(d4, share), scaled ? hn::Mul(laid, value) : value));
+      };
+      add(upper_left[p], weight[0], above);
+      add(upper_right[p], weight[1], above + right);
+      add(lower_left[p], weight[2], below);
+      add(lower_right[p], weight[3], below + right);
+#endif
+    }
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+#if HWY_MAX_BYTES >= 32
+    hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper[p]), hn::UpperHalf(d4, upper[p])),
+                      hn::Add(hn::LowerHalf(d4, lower[p]), hn::UpperHalf(d4, lower[p]))),
+              d4, take[p].to);
+#else
+    hn::Store(hn::Add(hn::Add(upper_left[p], upper_right[p]), hn::Add(lower_left[p], lower_right[p])), d4, take[p].to);
+#endif
+  }
+}
+
+// Steps from the rest positions in g.way, until each point's residual is within the tolerance; leaves the last points'
+// displacements in g.shift. `displace(left, iteration)` puts there those of the points whose bits are set.
+template <class D, class Displace>
+HWY_INLINE void search(D d, const QueryPlan& plan, Group& g, int count, const Displace& displace) {
+  static_assert(group <= 64);
+  const hn::RebindToSigned<D> di;
+  const int lanes = int(hn::Lanes(d));
+  const auto enough = hn::Set(d, plan.tolerance_m);
+  const std::uint64_t some = (std::uint64_t{1} << lanes) - 1;
+  std::uint64_t left = ~std::uint64_t{0} >> (64 - count);  // the points still searched for
+  for (int iteration = 0; left != 0; ++iteration) {
+    displace(left, iteration);
+    const bool more = iteration < plan.most_iterations;
+    for (int i = 0; i < count; i += lanes) {
+      if ((left >> i & some) == 0) continue;
+      hn::Vec<D> shift_x, height, shift_z, shear;
+      hn::LoadInterleaved4(d, g.shift + 4 * i, shift_x, height, shift_z, shear);
+      const auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
+      const auto miss_x = hn::Neg(hn::Add(shift_x, way_x)), miss_z = hn::Neg(hn::Add(shift_z, way_z));
+      const auto residual = hn::Sqrt(hn::Add(hn::Mul(miss_x, miss_x), hn::Mul(miss_z, miss_z)));
+      hn::Store(miss_x, d, g.miss_x + i);
+      hn::Store(miss_z, d, g.miss_z + i);
+      hn::Store(residual, d, g.residual + i);
+      // A point that was found before comes to the same again, and stays.
+      const auto found = hn::Le(residual, enough);
+      if (more) {
+        hn::Store(hn::IfThenElse(found, way_x, hn::Neg(shift_x)), d, g.way_x + i);
+        hn::Store(hn::IfThenElse(found, way_z, hn::Neg(shift_z)), d, g.way_z + i);
+        const auto iterations = hn::Load(di, g.iterations + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(di, found), iterations, hn::Add(iterations, hn::Set(di, 1))), di,
+                  g.iterations + i);
+      }
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, found, bytes);
+      std::uint64_t bits;
+      std::memcpy(&bits, bytes, sizeof bits);
+      left &= ~((bits & some) << i);
+    }
+    if (!more) break;
+  }
+}
+
+// Where a group begins: at the places asked, or where it was a moment ago.
+template <class D>
+HWY_INLINE void begin(D d, const QueryPlan& plan, const glm::dvec2* places, const QueryAnswer* previous, Group& g,
+                      int count) {
+  const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
+  for (int i = 0; i < padded; ++i) {
+    const int p = std::min(i, count - 1);
+    g.x[i] = places[p].x;
+    g.z[i] = places[p].y;
+    float x = 0.0f, z = 0.0f;
+    if (previous) {
+      x = -float(previous[p].displacement.x);
+      z = -float(previous[p].displacement.z);
+      if (!(std::abs(x) + std::abs(z) < 1e6f)) x = z = 0.0f;
+    }
+    g.way_x[i] = x;
+    g.way_z[i] = z;
+    g.iterations[i] = 0;
+  }
+  // What is never sampled is computed with all the same, and denormals would be slow.
+  for (float* texels : {g.shift, g.along_x, g.along_z, g.velocity})
+    std::fill(texels + 4 * count, texels + 4 * padded, 0.0f);
+  place_in_tiles(plan, g, padded);
+}
+
+// What a group's answers say, of points whose displacement, derivatives and velocity are known.
+template <class D>
+HWY_INLINE void finish(D d, const QueryPlan& plan, const Group& g, int count, QueryAnswer* answers) {
+  const hn::Rebind<double, hn::Half<D>> dd;
+  const hn::Half<D> half_d;
+  const int lanes = int(hn::Lanes(d));
+  const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+  alignas(64) float height_at[hn::MaxLanes(D())], eulerian[3][hn::MaxLanes(D())], contraction[hn::MaxLanes(D())];
+  alignas(64) float folded[hn::MaxLanes(D())];
+  alignas(64) double normal_x[hn::MaxLanes(D())], normal_y[hn::MaxLanes(D())], normal_z[hn::MaxLanes(D())];
+  for (int i = 0; i < count; i += lanes) {
+    hn::Vec<D> xx, h_x, zx, xz, h_z, zz, shift_x, height, shift_z, unused;  // xz: dDx/dz
+    hn::LoadInterleaved4(d, g.along_x + 4 * i, xx, h_x, zx, unused);
+    hn::LoadInterleaved4(d, g.along_z + 4 * i, xz, h_z, zz, unused);
+    hn::LoadInterleaved4(d, g.shift + 4 * i, shift_x, height, shift_z, unused);
+    const auto one_xx = hn::Add(one, xx), one_zz = hn::Add(one, zz);
+    const auto jacobian = hn::Sub(hn::Mul(one_xx, one_zz), hn::Mul(xz, zx));
+    // Where it is singular the slope is without bound: the sign of the fold is kept and the size held.
+    const auto held = hn::CopySign(hn::Max(hn::Abs(jacobian), hn::Set(d, 1e-3f)), jacobian);
+    const auto slope_x = hn::Div(hn::Sub(hn::Mul(one_zz, h_x), hn::Mul(zx, h_z)), held);
+    const auto slope_z = hn::Div(hn::Sub(hn::Mul(one_xx, h_z), hn::Mul(xz, h_x)), held);
+    // From the point found along the surface to the place asked, by no more than the way between them.
+    const auto residual = hn::Load(d, g.residual + i);
+    const auto rise = hn::Add(hn::Mul(slope_x, hn::Load(d, g.miss_x + i)), hn::Mul(slope_z, hn::Load(d, g.miss_z + i)));
+    hn::Store(hn::Add(height, hn::Max(hn::Neg(residual), hn::Min(rise, residual))), d, height_at);
+    // Singular values of grad D: half the sum and half the difference of its two rotations' sizes.
+    const auto size = [&](auto a, auto b) HWY_ATTR { return hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b))); };
+    hn::Store(hn::Mul(half, hn::Add(size(hn::Add(xx, zz), hn::Sub(zx, xz)), size(hn::Sub(xx, zz), hn::Add(xz, zx)))), d,
+              contraction);
+    hn::Store(hn::Min(jacobian, hn::Add(one_xx, one_zz)), d, folded);
+    if (plan.velocity) {
+      hn::Vec<D> v_x, v_y, v_z;
+      hn::LoadInterleaved4(d, g.velocity + 4 * i, v_x, v_y, v_z, unused);
+      hn::Store(hn::Div(hn::Sub(hn::Mul(one_zz, v_x), hn::Mul(xz, v_z)), held), d, eulerian[0]);
+      hn::Store(hn::Sub(v_y, hn::Add(hn::Mul(slope_x, v_x), hn::Mul(slope_z, v_z))), d, eulerian[1]);
+      hn::Store(hn::Div(hn::Sub(hn::Mul(one_xx, v_z), hn::Mul(zx, v_x)), held), d, eulerian[2]);
+    }
+    const auto unit = [&](auto s_x, auto s_z, int at) HWY_ATTR {
+      const auto x = hn::PromoteTo(dd, s_x), z = hn::PromoteTo(dd, s_z), y = hn::Set(dd, 1.0);
+      const auto inverse = hn::Div(y, hn::Sqrt(hn::Add(y, hn::Add(hn::Mul(x, x), hn::Mul(z, z)))));
+      hn::Store(hn::Neg(hn::Mul(x, inverse)), dd, normal_x + at);
+      hn::Store(inverse, dd, normal_y + at);
+      hn::Store(hn::Neg(hn::Mul(z, inverse)), dd, normal_z + at);
+    };
+    unit(hn::LowerHalf(half_d, slope_x), hn::LowerHalf(half_d, slope_z), 0);
+    unit(hn::UpperHalf(half_d, slope_x), hn::UpperHalf(half_d, slope_z), lanes / 2);
+    for (int lane = 0; lane < std::min(lanes, count - i); ++lane) {
+      const int p = i + lane;
+      const float* shift = g.shift + 4 * p;
+      const float* velocity = g.velocity + 4 * p;
+      QueryAnswer& answer = answers[p];
+      if (HWY_UNLIKELY(!std::isfinite(height_at[lane]))) {  // of a place that is no number
+        answer = {};
+        answer.depth_m = plan.depth_m;
+        answer.left_out_m = plan.left_out_m;
+        continue;
+      }
+      answer.height_m = height_at[lane];
+      answer.displacement = {shift[0], shift[1], shift[2]};
+      answer.normal = {normal_x[lane], normal_y[lane], normal_z[lane]};
+      answer.orbital_velocity_mps = plan.velocity ? glm::dvec3(velocity[0], velocity[1], velocity[2]) : glm::dvec3(0.0);
+      answer.eulerian_velocity_mps =
+          plan.velocity ? glm::dvec3(eulerian[0][lane], eulerian[1][lane], eulerian[2][lane]) : glm::dvec3(0.0);
+      answer.flow_mps = glm::dvec2(0.0);
+      answer.still_m = 0.0;
+      answer.depth_m = plan.depth_m;
+      answer.clipped = false;
+      answer.left_out_m = plan.left_out_m;
+      answer.residual_m = g.residual[p];
+      answer.contraction = contraction[lane];
+      answer.iterations = g.iterations[p];
+      answer.converged = g.residual[p] <= plan.tolerance_m && folded[lane] > 0.0f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace seascape
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,100 @@
+// Batches of queries in scenes with places: the answers of single calls to the bit, on any number of threads, with no
+// allocation.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <tuple>
+#include <vector>
+
+#include "app/scene.h"
+#include "app/sea_spec.h"
+#include "ocean/sea/sea.h"
+#include "tests/support/allocations.h"
+#include "tests/support/sanitized.h"
+
+namespace seascape {
+namespace {
+
+constexpr double time_s = 7.3;
+constexpr const char* scenes[] = {"lagoon", "rivers", "rain_pool", "whirlpool", "harbour_clip", "storm"};
+
+auto all_of(const QueryAnswer& a) {
+  return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y,
+                    a.normal.z, a.orbital_velocity_mps.x, a.orbital_velocity_mps.y, a.orbital_velocity_mps.z,
+                    a.eulerian_velocity_mps.x, a.eulerian_velocity_mps.y, a.eulerian_velocity_mps.z, a.flow_mps.x, a.flow_mps.y, a.still_m, a.depth_m, a.clipped, a.left_out_m,
+                    a.residual_m, a.contraction, a.iterations, a.converged);
+}
+
+struct SceneSea {
+  explicit SceneSea(const char* name) {
+    const Scene scene = load_scene(name, "medium");
+    SeaSpec spec = sea_spec(scene);
+    spec.drawn_velocity = spec.felt_velocity = true;
+    start = scene.start.position_m;
+    sea = std::make_unique<Sea>(std::move(spec));
+    sea->advance(time_s, start);
+  }
+  std::vector<glm::dvec2> places(std::size_t count) const {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> within(-150.0, 150.0);
+    std::vector<glm::dvec2> result;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = within(random);
+      result.push_back({start.x + x, start.z + within(random)});
+    }
+    return result;
+  }
+  glm::dvec3 start;
+  std::unique_ptr<Sea> sea;
+};
+
+// Pages of places are made anew for each of the seas, and in another order. Control seen: texels of pages made by
+// their neighbour's number (lagoon, rivers, whirlpool, harbour_clip).
+TEST(SceneQuery, AnswersDoNotDependOnBatchesOrThreads) {
+  const std::size_t count = test::sanitized ? 200 : 1500;  // from 1,024 on several threads take part
+  for (const char* name : scenes)
+    for (const SeaDetail detail : {SeaDetail::drawn, SeaDetail::felt}) {
+      const SceneSea one(name), two(name), three(name);
+      const std::vector<glm::dvec2> places = one.places(count);
+      std::vector<QueryAnswer> single(count), batch(count), reversed(count);
+      for (const double footprint : {0.0, 1.3}) {
+        const QueryOptions options{.footprint_m = footprint};
+        for (std::size_t i = 0; i < count; ++i)
+          single[i] = one.sea->view_at(time_s, detail).query(places[i], options);
+        {
+          const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+          two.sea->view_at(time_s, detail).query(places, batch, options);
+        }
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 3);
+        three.sea->view_at(time_s, detail).query(std::vector(places.rbegin(), places.rend()), reversed, options);
+        std::reverse(reversed.begin(), reversed.end());
+        int different = 0;
+        for (std::size_t i = 0; i < count; ++i)
+          different += all_of(single[i]) != all_of(batch[i]) || all_of(single[i]) != all_of(reversed[i]);
+        EXPECT_EQ(different, 0) << name << " at " << footprint << " m";
+      }
+    }
+}
+
+// Once the tiles are there, also where the points come to places that nobody has asked for. Control seen: pages that
+// are allocated when they are first needed.
+TEST(SceneQuery, AllocatesNothing) {
+  if (!test::AllocationCounter::counts) GTEST_SKIP() << "the sanitizers have an operator new of their own";
+  for (const char* name : scenes) {
+    const SceneSea one(name);
+    const std::vector<glm::dvec2> places = one.places(200);
+    std::vector<QueryAnswer> answers(places.size());
+    const SeaView view = one.sea->view_at(time_s, SeaDetail::felt);
+    (void)view.tiles();
+    const test::AllocationCounter counter;
+    view.query(places, answers);
+    (void)view.at(places.front(), 0.5);
+    EXPECT_EQ(counter.ours(), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace seascape

@@ -1,0 +1,83 @@
+// What a frame costs the processor without the GPU, by scene and preset, on one thread and on two, with the waves made on
+// the processor and on the GPU: the sea's steps, the water felt at the camera, foam, spray, culling, the selection of
+// patches, and recording. The GPU is waited for between frames and does not count. A driver that is software works at
+// rest meanwhile.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "app/experience.h"
+#include "app/frame.h"
+#include "platform/headless.h"
+#include "tests/bench/gpu.h"
+
+namespace seascape::bench {
+namespace {
+
+constexpr const char* scenes[] = {"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
+                                  "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+constexpr int warm_up = 20, frames = 90;
+constexpr double rate_hz = 72.0, pixels_per_radian = 1100.0;
+
+void cpu_frame(benchmark::State& state, const char* scene_name, const std::string& preset, WavePlace where,
+               int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  Scene scene = load_scene(scene_name, preset);
+  scene.settings.wave_place = where;
+  std::vector<double> ms;
+  for (auto _ : state) {
+    Experience experience(gpu().device, gpu().shaders, scene, {.width = 96, .height = 54, .views = 2});
+    Headless display({.width = 96, .height = 54, .views = 2});
+    Frame& frame = experience.frame();
+    for (int n = 0; n < warm_up + frames; ++n) {
+      const double time_s = scene.settings.time_start_s + n / rate_hz;
+      // Slowly ahead, so that windows move.
+      Pose pose = scene.start;
+      pose.position_m.z -= 2.0 * n / rate_hz;
+      display.begin();
+      frame.begin();
+      Viewpoint seen = display.viewpoint(pose);
+      seen.pixels_per_radian = pixels_per_radian;
+      const auto start = std::chrono::steady_clock::now();
+      experience.sea()->advance(time_s, pose.position_m);
+      benchmark::DoNotOptimize(experience.sea()
+                                   ->view_at(time_s, SeaDetail::felt)
+                                   .query({pose.position_m.x, pose.position_m.z}, {.footprint_m = 0.5}));
+      draw_frame(experience, frame, seen, time_s);
+      const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+      if (n >= warm_up) ms.push_back(took.count());
+      display.end(frame, &experience.picture());
+      frame.finish();
+    }
+  }
+  std::sort(ms.begin(), ms.end());
+  double sum = 0.0;
+  for (const double one : ms) sum += one;
+  const auto at = [&](double share) { return ms[std::size_t(share * double(ms.size() - 1))]; };
+  state.counters["mean_ms"] = sum / double(ms.size());
+  state.counters["p50_ms"] = at(0.5);
+  state.counters["p95_ms"] = at(0.95);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const char* scene : scenes)
+    for (const std::string preset : {"low", "medium", "high", "ultra"})
+      for (const auto& [where, name] : {std::pair(WavePlace::cpu, "cpu"), std::pair(WavePlace::gpu, "gpu")})
+        for (const int threads : {1, 2})
+          benchmark::RegisterBenchmark(("cpu_frame/" + std::string(scene) + "/" + preset + "/waves_on_" + name + "/" +
+                                        std::to_string(threads))
+                                           .c_str(),
+                                       [=](benchmark::State& state) {
+                                         cpu_frame(state, scene, preset, where, threads);
+                                       })
+              ->Iterations(1)
+              ->Unit(benchmark::kMillisecond);
+  return true;
+}();
+
+}  // namespace
+}  // namespace seascape::bench
