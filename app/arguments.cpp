@@ -222,10 +222,43 @@ void add_plan(Options& options, Arguments& arguments) {
                 "Frames of each two scenes that the matrix times in turn; 0: 24");
 }
 
+TimeSpan time_span(const std::string& text) {
+  std::array<double, 3> numbers{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t colon = rest.find(':');
+    const auto number = real_from(rest.substr(0, colon));
+    if (!number || (colon == std::string_view::npos) != (i == 2))
+      refuse("--times", in_quotes(text) + " is not three numbers with colons between", "write A:B:STEP, as 0:10:0.5");
+    numbers[i] = *number;
+    rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+  }
+  const TimeSpan span{numbers[0], numbers[1], numbers[2]};
+  if (!(std::abs(span.from_s) <= 1e9 && std::abs(span.to_s) <= 1e9 && span.from_s <= span.to_s))
+    refuse("--times", in_quotes(text) + " is no span of time", "give A and B from -1e9 to 1e9 s, A no later than B");
+  if (!(span.step_s > 0.0) || (span.to_s - span.from_s) / span.step_s > 1e6)
+    refuse("--times", in_quotes(text) + " has no step or more than a million",
+           "give a STEP above 0, (B - A) / 1e6 or more");
+  return span;
+}
+
 void add_query(Options& options, Arguments& arguments) {
   add_scene(options, arguments);
   options.number("--time", "s", arguments.time_s, -1e9, 1e9, "The sea's time");
+  options.option("--times", "A:B:STEP", "", "Times from A to B s instead; rows then begin with time_s",
+                 [&](const std::string& text) { arguments.times = time_span(text); });
   options.text("--points", "IN.csv", arguments.points, "Points, with the header x,z in metres");
+  options.flag(
+      "--ray", arguments.ray,
+      "The points are rays, with the header x,y,z,direction_x,direction_y,direction_z; the answers are where they "
+      "first meet the surface, with distance_m in the last column (-1: nowhere within 10 km)");
+  options.number("--footprint", "m", arguments.footprint_m, 0.0, 1e6,
+                 "Size of the object that asks: shorter waves are left out");
+  options.choice(
+      "--columns", {"basic", "all"}, "basic",
+      "all adds displacement_x,_y,_z, eulerian_x,_y,_z (how fast the displacement changes at the fixed place), "
+      "flow_x,flow_z, depth_m, still_m, clipped, contraction, residual_m, left_out_m",
+      [&](int i) { arguments.all_columns = i == 1; });
   options.text("--out", "OUT.csv", arguments.out,
                "Results: x,z,height_m,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,converged; the "
                "velocity is the water's (orbital)");
@@ -273,7 +306,10 @@ constexpr CommandRow commands[] = {
     {Command::plan, "Say what a scene would build and run, why, its memory and its cost.",
      "  seascape plan --scene storm --preset high\n  seascape plan --json", add_plan},
     {Command::query, "The surface at points of a CSV file, without a GPU.",
-     "  seascape query --scene swell --time 12.5 --points points.csv --out surface.csv", add_query},
+     "  seascape query --scene swell --time 12.5 --points points.csv --out surface.csv\n"
+     "  seascape query --scene rain_pool --times 0:10:0.1 --columns all --points points.csv --out surface.csv\n"
+     "  seascape query --scene lagoon --ray --points rays.csv --out met.csv",
+     add_query},
     {Command::validate, "Check files and tell every fault with file and place; exit status 1 if there is any.",
      "  seascape validate content/scenes/*.json content/paths/*.json\n  seascape validate boat.glb sky.exr",
      add_validate},
@@ -282,6 +318,13 @@ constexpr CommandRow commands[] = {
 };
 
 }  // namespace
+
+std::vector<double> TimeSpan::all() const {
+  std::vector<double> times;
+  const auto steps = std::int64_t(std::floor((to_s - from_s) / step_s + 1e-9));
+  for (std::int64_t i = 0; i <= steps; ++i) times.push_back(from_s + double(i) * step_s);
+  return times;
+}
 
 Arguments parse_arguments(std::span<const std::string> words) {
   Arguments arguments;

@@ -22,6 +22,12 @@ struct Override {
   std::string option, key, value;
 };
 
+// --times A:B:STEP.
+struct TimeSpan {
+  double from_s, to_s, step_s;
+  std::vector<double> all() const;
+};
+
 struct Arguments {
   Command command = Command::explore;
   std::string text;  // of Command::text: help or version, to print and exit 0
@@ -46,8 +52,12 @@ struct Arguments {
   bool recommend = false;           // lab: names settings for budget_ms
   double budget_ms = 0.0;           // lab: 0, none is given
   double time_s = 0.0;              // query
+  std::optional<TimeSpan> times;    // query: instead of time_s
+  bool all_columns = false;         // query
+  double footprint_m = 0.0;         // query
+  bool ray = false;                 // query: the points are rays
   double tile_m = 0.0;              // bake: the loop's side; 0: of the sea's own choice
-  std::string points;               // query: CSV of x,z
+  std::string points;               // query: CSV of x,z or of rays
   std::vector<std::string> files;   // validate
   std::vector<Override> overrides;  // in the order they take effect
   std::string log_level = "info";   // trace debug info warn error off

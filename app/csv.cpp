@@ -1,5 +1,6 @@
 #include "app/csv.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -27,11 +28,14 @@ std::string_view next_line(std::string_view& rest) {
   return trimmed(line);
 }
 
-// Splits a line into exactly two cells; false where it has another number of them.
-bool two_cells(std::string_view line, std::array<std::string_view, 2>& cells) {
-  const std::size_t comma = line.find(',');
-  if (comma == std::string_view::npos || line.find(',', comma + 1) != std::string_view::npos) return false;
-  cells = {trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1))};
+// Splits a line into as many cells as there are; false where it has another number of them.
+bool split(std::string_view line, std::span<std::string_view> cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t comma = line.find(',');
+    if ((comma == std::string_view::npos) != (i + 1 == cells.size())) return false;
+    cells[i] = trimmed(line.substr(0, comma));
+    line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 1);
+  }
   return true;
 }
 
@@ -40,21 +44,25 @@ double coordinate(std::string_view cell, std::string_view column, const std::str
   if (!number || std::abs(*number) > farthest_m)
     throw Error(place,
                 std::string(column) + ": " + in_quotes(cell) + (number ? " is out of range" : " is not a number"),
-                "give a number from -10000000 to 10000000 m");
+                std::string("give a number from -10000000 to 10000000") + (column.size() == 1 ? " m" : ""));
   return *number;
 }
 
 }  // namespace
 
-std::vector<glm::dvec2> parse_points(std::string_view text, const std::string& where) {
+std::vector<double> parse_table(std::string_view text, const std::string& where,
+                                std::span<const std::string_view> columns) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  std::size_t line_number = 1;
+  std::size_t line_number = 1, rows = 0;
   const auto place = [&] { return where + ":" + std::to_string(line_number); };
-  std::array<std::string_view, 2> cells;
+  std::string names;
+  for (const std::string_view column : columns) names += (names.empty() ? "" : ",") + std::string(column);
+  const std::string many = columns.size() == 2 ? "two" : std::to_string(columns.size());
+  std::vector<std::string_view> cells(columns.size());
   const std::string_view header = next_line(text);
-  if (!two_cells(header, cells) || cells[0] != "x" || cells[1] != "z")
-    throw Error(place(), "the header is " + in_quotes(header), "begin the file with the line x,z");
-  std::vector<glm::dvec2> points;
+  if (!split(header, cells) || !std::equal(cells.begin(), cells.end(), columns.begin()))
+    throw Error(place(), "the header is " + in_quotes(header), "begin the file with the line " + names);
+  std::vector<double> numbers;
   std::size_t empty_line = 0;  // the first of the empty lines just before this one
   while (!text.empty()) {
     const std::string_view line = next_line(text);
@@ -65,15 +73,24 @@ std::vector<glm::dvec2> parse_points(std::string_view text, const std::string& w
     }
     if (empty_line != 0)
       throw Error(where + ":" + std::to_string(empty_line), "an empty line among the points", "remove it");
-    if (!two_cells(line, cells))
-      throw Error(place(), in_quotes(line) + " does not have two columns", "write x,z: two numbers and one comma");
-    if (points.size() == most_csv_rows)
+    if (!split(line, cells))
+      throw Error(place(), in_quotes(line) + " does not have " + many + " columns",
+                  "write " + names + ": " + many + " numbers and " +
+                      (columns.size() == 2 ? "one comma" : std::to_string(columns.size() - 1) + " commas"));
+    if (rows++ == most_csv_rows)
       throw Error(place(), "more than " + std::to_string(most_csv_rows) + " points", "split the file");
     const std::string here = place();
-    const double x = coordinate(cells[0], "x", here);
-    points.emplace_back(x, coordinate(cells[1], "z", here));
+    for (std::size_t i = 0; i < cells.size(); ++i) numbers.push_back(coordinate(cells[i], columns[i], here));
   }
-  if (points.empty()) throw Error(place(), "no points after the header", "add a line with x,z for each point");
+  if (rows == 0) throw Error(place(), "no points after the header", "add a line with " + names + " for each point");
+  return numbers;
+}
+
+std::vector<glm::dvec2> parse_points(std::string_view text, const std::string& where) {
+  constexpr std::array<std::string_view, 2> columns{"x", "z"};
+  const std::vector<double> numbers = parse_table(text, where, columns);
+  std::vector<glm::dvec2> points(numbers.size() / 2);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {numbers[2 * i], numbers[2 * i + 1]};
   return points;
 }
 

@@ -73,6 +73,11 @@ TEST(Arguments, EveryCommandHasItsFixedNames) {
   EXPECT_EQ(query.command, Command::query);
   EXPECT_EQ(query.points, "a.csv");
   EXPECT_EQ(query.out, "b.csv");
+  EXPECT_FALSE(query.times || query.all_columns || query.ray);
+  const Arguments all = parse("query --points a --out b --times -1:1:0.5 --columns all --footprint 2 --ray");
+  EXPECT_EQ(all.times->all(), (std::vector<double>{-1.0, -0.5, 0.0, 0.5, 1.0}));
+  EXPECT_TRUE(all.all_columns && all.ray);
+  EXPECT_EQ(all.footprint_m, 2.0);
   const Arguments validate = parse("validate a.json b.gltf");
   EXPECT_EQ(validate.files, (std::vector<std::string>{"a.json", "b.gltf"}));
   EXPECT_TRUE(parse("doctor --json").json);
@@ -134,6 +139,13 @@ TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
       {"--set waves.chop", "--set: 'waves.chop' has no key and value; write --set key=value"},
       {"--set waves.chop=9", "--set: waves.chop: 9 is out of range; give a number from 0 to 2"},
       {"--seed x", "--seed: waves.seed: 'x' is not a number; give a whole number from 0 to 4294967295"},
+      {"query --points a --out b --times 0:10",
+       "--times: '0:10' is not three numbers with colons between; write A:B:STEP, as 0:10:0.5"},
+      {"query --points a --out b --times 5:1:1",
+       "--times: '5:1:1' is no span of time; give A and B from -1e9 to 1e9 s, A no later than B"},
+      {"query --points a --out b --times 0:1:0",
+       "--times: '0:1:0' has no step or more than a million; give a STEP above 0, (B - A) / 1e6 or more"},
+      {"query --points a --out b --columns some", "--columns: unknown value 'some'; take basic or all"},
       {"query", "--points: a file is needed; give both, as seascape query --points points.csv --out surface.csv"},
       {"validate", "no file to validate; give one or more, as seascape validate scene.json"},
   };

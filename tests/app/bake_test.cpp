@@ -193,7 +193,7 @@ TEST(Loops, TheShippedOneIsInTheScenesAnswers) {
   for (int i = 0; i < 400; ++i) points.emplace_back(3.7 * i, -1.3 * i);
   const auto heights = [&](double time_s) {
     std::vector<double> list;
-    const std::string text = query_csv(scene, time_s, points);
+    const std::string text = query_csv(scene, {.times_s = {time_s}}, points);
     std::size_t line = text.find('\n') + 1;
     while (line < text.size()) {
       std::size_t comma = text.find(',', text.find(',', line) + 1) + 1;
