@@ -23,7 +23,10 @@ enum class Access {
   present,
 };
 
-// Collects barriers and records them in one command; what needs none adds none. At most 32 of each kind a batch.
+// Of each kind in a batch.
+inline constexpr std::size_t most_barriers = 32;
+
+// Collects barriers and records them in one command; what needs none adds none.
 class BarrierBatch {
  public:
   // `discard`: the content before does not matter.
@@ -33,8 +36,8 @@ class BarrierBatch {
   int record(VkCommandBuffer commands);
 
  private:
-  std::array<VkImageMemoryBarrier, 32> images_;
-  std::array<VkBufferMemoryBarrier, 32> buffers_;
+  std::array<VkImageMemoryBarrier, most_barriers> images_;
+  std::array<VkBufferMemoryBarrier, most_barriers> buffers_;
   std::uint32_t image_count_ = 0, buffer_count_ = 0;
   VkPipelineStageFlags from_ = 0, to_ = 0;
 };

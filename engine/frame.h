@@ -6,6 +6,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/barrier.h"
@@ -22,18 +23,21 @@ struct Use {
 };
 inline Use use(const Image& image, Access access, bool discard = false) { return {&image, nullptr, access, discard}; }
 inline Use use(const Buffer& buffer, Access access) { return {nullptr, &buffer, access, false}; }
-// All that a pass uses; up to 16, without allocation.
+// All that a pass uses, without allocation: up to most_barriers. More throw std::length_error.
 class Uses {
  public:
   Uses(std::initializer_list<Use> uses) {
     for (const Use& u : uses) add(u);
   }
-  void add(const Use& use) { list_.at(count_++) = use; }
+  void add(const Use& use) {
+    if (count_ == list_.size()) throw std::length_error("a pass uses more images and buffers than most_barriers");
+    list_[count_++] = use;
+  }
   const Use* begin() const { return list_.data(); }
   const Use* end() const { return list_.data() + count_; }
 
  private:
-  std::array<Use, 32> list_;
+  std::array<Use, most_barriers> list_;
   std::size_t count_ = 0;
 };
 

@@ -165,13 +165,13 @@ class Soak {
   int phase_ = 0;
 };
 
-// Hard 78: Ten minutes of the sea at eight times its speed (a day with SEASCAPE_LONG), with rain, foam, spray, wave
+// Hard 59: Ten minutes of the sea at eight times its speed (a day with SEASCAPE_LONG), with rain, foam, spray, wave
 // particles, a travelling viewer, a storm and the calm after it: every number finite and in its range at every frame;
 // the heap's live bytes after it within 256 KiB of those before the storm; the waves' energy in the last quarter within
 // 5 % of that in the first, the rain's within a third, and the field to 1e-6 of its height what a field made anew is.
 // Control: 1 KiB kept a frame (1.9 MB) and amplitudes a thousandth lower a frame of a change (energy -59 %); drops that
 // grow by 1e-4 a tick, or fade by 3e-5 (the rain's energy 4.1 and 0.39 times).
-TEST(Soak, hard_78_ten_minutes_at_eight_times_the_speed) {
+TEST(Soak, hard_59_ten_minutes_at_eight_times_the_speed) {
   Soak soak;
   soak.all_s = std::getenv("SEASCAPE_LONG") ? 86400.0 : test::sanitized ? 60.0 : 600.0;
   struct Mean {
