@@ -20,7 +20,6 @@ constexpr PresetRow rows[] = {
     {"waves.resolution", "256", "256", "256", "512"},
     {"waves.cascades", "5", "5", "5", "5"},
     {"waves.half_storage", "true", "true", "false", "false"},
-    {"dynamic_waves.resolution", "128", "128", "256", "256"},
     {"foam.resolution", "128", "128", "256", "256"},
     {"spray.most", "2000", "4000", "6000", "8000"},
     {"place.resolution", "128", "128", "256", "256"},

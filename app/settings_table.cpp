@@ -589,7 +589,7 @@ const std::vector<Setting>& table() {
        64.0,
        512.0,
        {"64", "128", "256", "512"},
-       quality,
+       false,
        rebuild},
       {"dynamic_waves.levels",
        "",

@@ -6,7 +6,7 @@ namespace seascape {
 
 struct DynamicWavesSettings {
   LodWindowSettings windows{
-      .resolution = 256, .slices = 5, .texel_m = 0.125};  // resolution: a power of two from 64 to 1024
+      .resolution = 128, .slices = 6, .texel_m = 0.125};  // resolution: a power of two from 64 to 1024
   double rate_hz = 60.0;                                  // steps a second, 10 to 1000, whatever is drawn
   double damping_per_s = 0.05;                            // amplitudes fall by exp(-damping t / 2)
   double gravity_mps2 = 9.81;
