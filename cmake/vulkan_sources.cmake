@@ -1,7 +1,7 @@
 # What needs Vulkan (or a window). All else is pure: the sanitizers and fuzzers build just that. A new file that touches
 # Vulkan is named here.
 string(CONCAT VULKAN_SOURCES_REGEX "^("
-  "engine/(barrier|device|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
+  "engine/(barrier|device|device_objects|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
   "platform/.*|"
   "ocean/ocean|ocean/drawn/.*|ocean/surface/(drawn_spray|surface)|"
   "app/lab/(drawn_curves|frame_curve|lab_command)|"

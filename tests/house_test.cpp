@@ -1,10 +1,12 @@
 // The house's include rule: shaders/shared includes nothing else, engine only shared, platform and ocean only engine
 // and shared, app and tests anything; so ocean and platform never meet. Within ocean a room includes only those below
-// it. Quoted includes count; system headers do not, except FFTW, whose licence must not reach the program.
+// it. Quoted includes count; system headers do not, except FFTW, whose licence must not reach the program. And no file
+// and no function is longer than one reads at a sitting.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -109,6 +111,61 @@ Survey survey(const fs::path& root) {
   return result;
 }
 
+constexpr int kMostFileLines = 450, kMostFunctionLines = 100;
+const std::set<std::string> kMayBeLong = {"app/settings_table.cpp"};  // a table of all settings
+
+std::size_t indent_of(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+// Blocks of formatted code that are longer than a function may be: from a line that ends in a brace to that which
+// closes it, at the same indentation. Rooms of names and types are no functions.
+std::vector<std::string> long_functions(const std::string& path, const std::vector<std::string>& lines) {
+  std::vector<std::string> faults;
+  std::vector<std::pair<std::size_t, std::size_t>> open;  // indentation, line
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    const std::string& line = lines[n];
+    const std::size_t indent = indent_of(line);
+    if (indent == line.size() || line.compare(indent, 2, "//") == 0) continue;
+    if (line[indent] == '}')
+      for (std::size_t i = open.size(); i-- > 0;) {
+        if (open[i].first != indent) continue;
+        const std::string first = lines[open[i].second].substr(indent);
+        bool counts = !first.ends_with("= {");  // a table
+        for (const char* word : {"namespace", "class ", "struct ", "enum ", "union ", "extern "})
+          counts = counts && first.rfind(word, 0) != 0;
+        if (counts && n - open[i].second + 1 > kMostFunctionLines)
+          faults.push_back(path + ":" + std::to_string(open[i].second + 1) + ": " +
+                           std::to_string(n - open[i].second + 1) + " lines in one function");
+        open.resize(i);
+        break;
+      }
+    if (line.back() == '{') open.emplace_back(indent, n);
+  }
+  return faults;
+}
+
+std::vector<std::string> long_ones(const fs::path& root, std::size_t* files) {
+  const std::set<std::string> kinds = {".h", ".cpp", ".glsl", ".vert", ".frag", ".comp", ".sh", ".awk"};
+  std::vector<std::string> faults;
+  for (const char* top : {"shaders", "engine", "platform", "ocean", "app", "tests", "scripts"}) {
+    if (!fs::is_directory(root / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string kind = entry.path().extension().string();
+      if (!entry.is_regular_file() || !kinds.contains(kind)) continue;
+      const std::string path = entry.path().lexically_relative(root).generic_string();
+      if (kMayBeLong.contains(path)) continue;
+      ++*files;
+      std::vector<std::string> lines;
+      std::ifstream text(entry.path());
+      for (std::string line; std::getline(text, line);) lines.push_back(line);
+      if (lines.size() > std::size_t(kMostFileLines))
+        faults.push_back(path + ": " + std::to_string(lines.size()) + " lines");
+      if (kind == ".sh" || kind == ".awk") continue;
+      for (const std::string& fault : long_functions(path, lines)) faults.push_back(fault);
+    }
+  }
+  return faults;
+}
+
 // A tree of its own for the planted faults, removed at the end.
 class PlantedTree : public ::testing::Test {
  protected:
@@ -134,6 +191,35 @@ TEST(House, NobodyIncludesWhatTheRuleForbids) {
   EXPECT_GT(result.files, 20u);
   EXPECT_GT(result.includes, 20u);
   for (const std::string& fault : result.faults) ADD_FAILURE() << fault;
+}
+
+TEST(House, NothingIsTooLongToRead) {
+  std::size_t files = 0;
+  for (const std::string& fault : long_ones(fs::path(SEASCAPE_TEST_DIR).parent_path(), &files)) ADD_FAILURE() << fault;
+  EXPECT_GT(files, 500u);
+}
+
+// The control of the test above.
+TEST_F(PlantedTree, LongFilesAndFunctionsAreFound) {
+  const auto body = [](int lines) {
+    std::string text;
+    for (int i = 0; i < lines; ++i) text += "  if (x) {\n    y();\n  }\n";
+    return text;
+  };
+  const auto found = [&] {
+    std::size_t files = 0;
+    return long_ones(root_, &files);
+  };
+  // 3 * 33 + 2 is 101, one line too many; namespaces and classes may be longer.
+  write("ocean/sea/planted.cpp", "namespace seascape {\nvoid f() {\n" + body(33) + "}\n}  // namespace seascape\n");
+  EXPECT_EQ(found(), std::vector<std::string>{"ocean/sea/planted.cpp:2: 101 lines in one function"});
+  write("ocean/sea/planted.cpp", "namespace seascape {\nclass A {\n  void f() {\n" + body(32) + "  }\n  void g() {\n" +
+                                     body(32) + "  }\n};\n}  // namespace seascape\n");
+  EXPECT_EQ(found(), std::vector<std::string>{});
+  write("ocean/sea/planted.cpp", std::string(450, '\n'));
+  EXPECT_EQ(found(), std::vector<std::string>{});
+  write("ocean/sea/planted.cpp", std::string(451, '\n'));
+  EXPECT_EQ(found(), std::vector<std::string>{"ocean/sea/planted.cpp: 451 lines"});
 }
 
 // The control of the test above: every forbidden pair, planted, is found, with its place; the allowed ones are not.

@@ -30,6 +30,25 @@ struct SurfacePoint {
 #include "lib/foam.glsl"
 #include "lib/sea_bed_light.glsl"
 
+// The sun in the facets that mirror it (Cox and Munk 1954): slopes are Gaussian, and its disc widens them. `v` and `l`:
+// to the eye and to the sun; `var`: the slopes' variances and covariance; `seen`: of the facets, what the eye sees.
+vec3 sun_glitter(vec3 v, vec3 l, vec2 slope, vec3 var, float seen) {
+  const vec3 half_way = normalize(v + l);
+  if (half_way.y <= 0.01 || l.y <= -0.02) return vec3(0.0);
+  const vec2 d = -half_way.xz / half_way.y - slope;
+  const float disc = 6e-6;
+  const float xx = var.x + disc, zz = var.y + disc;
+  const float xz = clamp(var.z, -0.98 * sqrt(xx * zz), 0.98 * sqrt(xx * zz));
+  const float determinant = xx * zz - xz * xz;
+  const float exponent = -0.5 * (zz * d.x * d.x - 2.0 * xz * d.x * d.y + xx * d.y * d.y) / determinant;
+  if (exponent <= -16.0) return vec3(0.0);
+  const float density = exp(exponent) / (2.0 * pi * sqrt(determinant));
+  const float hidden = 1.0 + smith_lambda(max(l.y, 0.0), 0.5 * (xx + zz));
+  const float h2 = half_way.y * half_way.y;
+  return light.sun_irradiance.rgb * frame.water_backscatter.w * density * fresnel(dot(v, half_way)) /
+         (4.0 * max(seen, 0.02) * h2 * h2 * hidden) * min(seen * 50.0, 1.0);  // none from the backs of crests
+}
+
 // Radiance towards the eye, haze included; `normal` is the one it was lit by.
 vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   float above = p.height_shear.x;
@@ -69,25 +88,8 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
     mean_fresnel += f;
   }
 
-  // The sun in the facets that mirror it (Cox and Munk 1954): slopes are Gaussian, and its disc widens them.
   const vec3 l = frame.sun.xyz;
-  const vec3 half_way = normalize(v + l);
-  vec3 glitter = vec3(0.0);
-  if (half_way.y > 0.01 && l.y > -0.02) {
-    const vec2 d = -half_way.xz / half_way.y - slope;
-    const float disc = 6e-6;
-    const float xx = var.x + disc, zz = var.y + disc;
-    const float xz = clamp(var.z, -0.98 * sqrt(xx * zz), 0.98 * sqrt(xx * zz));
-    const float determinant = xx * zz - xz * xz;
-    const float exponent = -0.5 * (zz * d.x * d.x - 2.0 * xz * d.x * d.y + xx * d.y * d.y) / determinant;
-    if (exponent > -16.0) {
-      const float density = exp(exponent) / (2.0 * pi * sqrt(determinant));
-      const float hidden = 1.0 + smith_lambda(max(l.y, 0.0), 0.5 * (xx + zz));
-      const float h2 = half_way.y * half_way.y;
-      glitter = light.sun_irradiance.rgb * frame.water_backscatter.w * density * fresnel(dot(v, half_way)) /
-                (4.0 * max(seen, 0.02) * h2 * h2 * hidden) * min(seen * 50.0, 1.0);  // none from the backs of crests
-    }
-  }
+  const vec3 glitter = sun_glitter(v, l, slope, var, seen);
 
   // Light from below: irradiance that enters, scattered back and out again.
   const vec3 down = light.sky_irradiance.rgb * 0.93 + sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;

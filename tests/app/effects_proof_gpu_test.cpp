@@ -1,5 +1,6 @@
 // Only what the scene calls for, proved for every effect of the table below (truths.md, section 5): absent is as if it
-// had never been built. What an effect adds to this file is its row; what it adds to tests/CMakeLists.txt, a line of
+// had never been built. What an effect adds is its row in
+// effects_under_proof.h; what it adds to tests/CMakeLists.txt, a line of
 // the shaders that never had it.
 #include <gmock/gmock.h>
 
@@ -14,6 +15,7 @@
 #include "app/plan.h"
 #include "app/program.h"
 #include "ocean/effects.h"
+#include "tests/app/effects_under_proof.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/gpu_transform.h"
 #include "tests/support/gpu/picture.h"
@@ -23,186 +25,10 @@
 namespace seascape {
 namespace {
 
+using test::effects_under_proof;
+using test::EffectUnderProof;
 using test::pose;
 using test::SeaShot;
-
-struct EffectUnderProof {
-  std::string name;
-  std::vector<std::string> without, with;                // the scene's effects
-  std::vector<std::pair<std::string, std::string>> set;  // that let it be seen
-  std::pair<std::string, std::string> idle;              // a setting by which it is declared but not needed; none: ""
-  std::vector<std::uint32_t> bindings;                   // of the surface's shaders that are its own
-  bool variants;                       // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
-  bool objects;                        // it has objects of its own, and a pass a frame
-  std::string pass = name;             // that pass, in a frame that moves
-  std::vector<InputSpec> inputs = {};  // of the scene, with it or without
-  std::string part = name;             // where only a part of the effect is meant: its name among tests and variants
-  bool shown = false;                  // what it has aloft is drawn in every frame, whether the clock stands or not
-};
-
-InputSpec pool(InputTarget to, glm::vec4 value) {
-  InputSpec spec;
-  spec.to = to;
-  spec.value = value;
-  spec.feather_m = 2.0;
-  spec.shape = AreaInput{.round = true, .at_m = {-2.0, -12.0}, .size_m = {12.0, 12.0}};
-  return spec;
-}
-
-InputSpec bank() {
-  InputSpec spec = pool(InputTarget::sea_depth, {-0.5f, 0.0f, 0.0f, 0.0f});
-  spec.blend = InputBlend::replace;
-  spec.feather_m = 0.0;
-  return spec;
-}
-
-InputSpec drum() {
-  InputSpec spec;
-  spec.to = InputTarget::clip;
-  spec.value.x = 1.0f;
-  spec.blend = InputBlend::replace;
-  spec.shape =
-      VolumeInput{.form = VolumeInput::Form::cylinder, .at_m = {5.0, 0.0, -12.0}, .radius_m = 3.0, .length_m = 6.0};
-  return spec;
-}
-
-InputSpec strand() {
-  InputSpec spec;
-  spec.to = InputTarget::gerstner;
-  spec.value = glm::vec4(1.0f);
-  spec.feather_m = 3.0;
-  spec.shape = SplineInput{.points = {{{-30.0, -14.0}, 24.0, spec.value},
-                                      {{0.0, -10.0}, 24.0, spec.value},
-                                      {{30.0, -16.0}, 24.0, spec.value}}};
-  return spec;
-}
-
-const EffectUnderProof table[] = {
-    {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
-    {"foam",
-     {"waves"},
-     {"waves", "foam"},
-     {{"waves.wind_speed_mps", "18"},
-      {"foam.simulated", "true"},
-      {"foam.resolution", "64"},
-      {"foam.levels", "2"},
-      {"foam.settle_s", "0.5"}},
-     {"foam.breaking", "0"},
-     {34, 35},
-     true,
-     true},
-    {"spray",
-     {"waves"},
-     {"waves", "spray"},
-     {{"waves.wind_speed_mps", "23"}, {"waves.chop", "1.5"}, {"spray.range_m", "100"}, {"spray.amount", "4"}},
-     {"spray.amount", "0"},
-     {},
-     false,
-     true,
-     "spray",
-     {},
-     "spray",
-     true},
-    {"baked",
-     {"waves"},
-     {"waves", "baked"},
-     {{"baked.loop", "fresh_sea"}},
-     {"baked.weight", "0"},
-     {22, 23, 24},
-     true,
-     true},
-    {"gerstner",
-     {"waves"},
-     {"waves", "gerstner"},
-     {{"gerstner.set1_height_m", "0.5"}},
-     {"gerstner.set1_height_m", "0"},
-     {19, 20, 21},
-     true,
-     true},
-    {"gerstner",
-     {"waves"},
-     {"waves", "gerstner"},
-     {{"gerstner.set1_height_m", "0.5"}, {"gerstner.set1_wavelength_m", "12"}, {"gerstner.set1_shore", "true"}},
-     {"gerstner.set1_height_m", "0"},
-     {44, 45, 46, 47, 48},
-     true,
-     true,
-     "gerstner",
-     {strand()},
-     "shore_waves"},
-    {"wave_particles",
-     {"waves"},
-     {"waves", "wave_particles"},
-     {{"wave_particles.height_m", "0.2"}},
-     {"wave_particles.height_m", "0"},
-     {12, 13, 14},
-     true,
-     true},
-    {"dynamic_waves",
-     {"waves"},
-     {"waves", "dynamic_waves"},
-     {{"dynamic_waves.rain_per_m2_s", "0.3"},
-      {"dynamic_waves.drop_length_m", "1"},
-      {"dynamic_waves.drop_height_m", "0.1"},
-      {"dynamic_waves.resolution", "64"},
-      {"dynamic_waves.levels", "2"},
-      {"dynamic_waves.settle_s", "1"}},
-     {"dynamic_waves.rain_per_m2_s", "0"},
-     {25, 26},
-     true,
-     true},
-    {"level",
-     {"waves"},
-     {"waves", "level"},
-     {},
-     {"", ""},
-     {27},
-     true,
-     true,
-     "level",
-     {pool(InputTarget::level, {1.0f, 0.0f, 0.0f, 0.0f})}},
-    {"sea_depth", {"waves"}, {"waves", "sea_depth"}, {}, {"", ""}, {15, 28}, true, true, "sea_depth", {bank()}},
-    {"flow",
-     {"waves"},
-     {"waves", "flow"},
-     {{"flow.period_s", "1.7"}},
-     {"", ""},
-     {29},
-     true,
-     true,
-     "flow",
-     {pool(InputTarget::flow, {2.0f, 1.0f, 0.0f, 0.0f})}},
-    {"clip",
-     {"waves"},
-     {"waves", "clip"},
-     {},
-     {"", ""},
-     {30, 38, 39},
-     true,
-     true,
-     "clip",
-     {pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}), drum()}},
-    {"albedo",
-     {"waves"},
-     {"waves", "albedo"},
-     {},
-     {"", ""},
-     {31},
-     true,
-     true,
-     "albedo",
-     {pool(InputTarget::albedo, {0.8f, 0.2f, 0.1f, 0.9f})}},
-    {"shadow",
-     {"waves"},
-     {"waves", "shadow"},
-     {},
-     {"", ""},
-     {32},
-     true,
-     true,
-     "shadow",
-     {pool(InputTarget::shadow, {1.0f, 1.0f, 0.0f, 0.0f})}},
-};
 
 const Pose head = pose({0.0, 3.0, 0.0}, 20.0, -12.0), moved = pose({1.0, 3.0, 0.5}, 20.0, -12.0);
 
@@ -330,7 +156,7 @@ class EffectProof : public test::GpuTest {
 // An effect that was there and was switched off is as if it had never been: allocations, commands, SPIR-V, pipelines,
 // picture. That the effect itself fails the same comparisons shows that they see something.
 TEST_F(EffectProof, AbsentIsAsIfItHadNeverBeen) {
-  for (const EffectUnderProof& effect : table) {
+  for (const EffectUnderProof& effect : effects_under_proof) {
     SCOPED_TRACE(effect.part);
     const Evidence never = collect(effect, effect.without, effect.without);
     const Proofs absent = compare(effect, never, collect(effect, effect.with, effect.without));
@@ -371,7 +197,7 @@ std::string first_difference(const std::vector<std::string>& a, const std::vecto
 // What is loaded without an effect is what shaders are that never had a line of it, to the last instruction (compilers
 // number what they name as they come by it, and drop what nobody calls).
 TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
-  for (const EffectUnderProof& effect : table) {
+  for (const EffectUnderProof& effect : effects_under_proof) {
     if (!effect.variants) continue;
     SCOPED_TRACE(effect.part);
     const Evidence never = collect(effect, effect.without, effect.without, Leak::code),
@@ -390,7 +216,7 @@ TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
 // The negative controls that truths.md asks for: one buffer, one dispatch, one branch, each seen by its proof and by no
 // other.
 TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
-  for (const EffectUnderProof& effect : table) {
+  for (const EffectUnderProof& effect : effects_under_proof) {
     SCOPED_TRACE(effect.part);
     const Evidence never = collect(effect, effect.without, effect.without);
     const Proofs buffer = compare(effect, never, collect(effect, effect.with, effect.without, Leak::buffer));
@@ -409,7 +235,7 @@ TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
 // On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A
 // toggle builds the scene anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
 class EffectToggled : public EffectProof, public testing::WithParamInterface<EffectUnderProof> {};
-INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(table),
+INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(effects_under_proof),
                          [](const auto& effect) { return effect.param.part; });
 
 TEST_P(EffectToggled, LeavesNothingBehind) {
@@ -447,7 +273,7 @@ TEST_P(EffectToggled, LeavesNothingBehind) {
 // Declared but not needed: while the clock stands an effect's pass is not recorded from the second frame on, and back
 // in the first frame that it runs in; where a setting makes nothing of it, nothing is built.
 TEST_F(EffectProof, IdleCostsNothing) {
-  for (const EffectUnderProof& effect : table) {
+  for (const EffectUnderProof& effect : effects_under_proof) {
     if (!effect.objects) continue;
     SCOPED_TRACE(effect.part);
     SeaShot shot(options(effect, effect.with));
@@ -476,7 +302,7 @@ TEST_F(EffectProof, IdleCostsNothing) {
 // Each effect alone, every pair (a fourth of them but with SEASCAPE_LONG=1), none and all are drawn without a word of
 // the validation layer, and the plan names each and why.
 TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
-  const std::size_t count = std::size(table), all = (std::size_t{1} << count) - 1;
+  const std::size_t count = std::size(effects_under_proof), all = (std::size_t{1} << count) - 1;
   for (std::size_t set = 0; set <= all; ++set) {
     if (std::popcount(set) > 2 && set != all) continue;
     if (std::popcount(set) == 2 && std::getenv("SEASCAPE_LONG") == nullptr &&
@@ -488,9 +314,9 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
         {"waves.where", "gpu"}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}};
     for (std::size_t i = 0; i < count; ++i)
       if (set >> i & 1) {
-        effects.push_back(table[i].name);
-        settings.insert(settings.end(), table[i].set.begin(), table[i].set.end());
-        inputs.insert(inputs.end(), table[i].inputs.begin(), table[i].inputs.end());
+        effects.push_back(effects_under_proof[i].name);
+        settings.insert(settings.end(), effects_under_proof[i].set.begin(), effects_under_proof[i].set.end());
+        inputs.insert(inputs.end(), effects_under_proof[i].inputs.begin(), effects_under_proof[i].inputs.end());
       }
     SeaShot shot({.scene = "open_sea",
                   .preset = "medium",
@@ -502,15 +328,16 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
     const Plan plan = make_plan(test::device(), test::shaders(), shot.experience(), "medium");
     for (std::size_t i = 0; i < count; ++i) {
       const auto found = std::find_if(plan.effects.begin(), plan.effects.end(),
-                                      [&](const PlanEffect& e) { return e.name == table[i].name; });
-      ASSERT_EQ(found != plan.effects.end(), calls_for(effects, table[i].name)) << table[i].name;
+                                      [&](const PlanEffect& e) { return e.name == effects_under_proof[i].name; });
+      ASSERT_EQ(found != plan.effects.end(), calls_for(effects, effects_under_proof[i].name))
+          << effects_under_proof[i].name;
       if (found == plan.effects.end()) continue;
       EXPECT_EQ(found->because == "the scene names it",
-                std::find(effects.begin(), effects.end(), table[i].name) != effects.end())
+                std::find(effects.begin(), effects.end(), effects_under_proof[i].name) != effects.end())
           << found->because;
       EXPECT_FALSE(found->modules.empty()) << "its code in the surface's shaders";
-      EXPECT_EQ(!found->passes.empty(), table[i].objects);
-      EXPECT_EQ(found->bytes > 0, table[i].objects);
+      EXPECT_EQ(!found->passes.empty(), effects_under_proof[i].objects);
+      EXPECT_EQ(found->bytes > 0, effects_under_proof[i].objects);
     }
   }
 }
