@@ -1,5 +1,5 @@
-// What is known of the places of a group of points, read from pages, and how much of each layer of waves there is there,
-// for the instruction set that Highway compiles this for.
+// What is known of the places of a group of points, read from pages, and how much of each layer of waves there is
+// there, for the instruction set that Highway compiles this for.
 #include <hwy/highway.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ struct Sums {
   alignas(64) float waves[4 * group], curved[4 * group];
 };
 
-constexpr float apart_m = 1.0f / 64.0f;     // a little further: places' numbers grow evenly over it
+constexpr float apart_m = 1.0f / 64.0f;   // a little further: places' numbers grow evenly over it
 constexpr double apart_s = 1.0 / 1024.0;  // a little later
 
 // Finds between which texels the rest positions of points i to i + lanes - 1 lie.
@@ -86,7 +86,7 @@ HWY_INLINE void read(const PlacePlan& plan, Places& at, int point, bool gradient
         plan.pages->cell(std::int64_t(at.first_x[which][point]), std::int64_t(at.first_z[which][point]), texel_m,
                          plan.place_time_s, at.slot[which][point], at.own);
     const bool first = which == 0;
-    const auto put = [&](auto tag, float (*to)[4 * group], int v, auto value) HWY_ATTR {
+    const auto put = [&](auto tag, float(*to)[4 * group], int v, auto value) HWY_ATTR {
       alignas(32) float parts[8];
       hn::Store(value, tag, parts);
       for (int part = 0; part < int(hn::Lanes(tag)) / 4; ++part) {
@@ -178,8 +178,7 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const K
   hn::Vec<D> level, bed, flow_x = zero, flow_z = zero, bends[3] = {zero, zero, zero}, run_up = zero;
   hn::Vec<D> shares[gpu::max_cascades + 1], shore_share = zero, unused;
   for (auto& share : shares) share = one;
-  if (plan.pages != nullptr)
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::water] + 4 * i, level, bed, flow_x, flow_z);
+  if (plan.pages != nullptr) hn::LoadInterleaved4(d, at.value[PlaceTexel::water] + 4 * i, level, bed, flow_x, flow_z);
   if (plan.bed) {
     hn::LoadInterleaved4(d, at.value[PlaceTexel::bend] + 4 * i, bends[0], bends[1], bends[2], run_up);
     hn::LoadInterleaved4(d, at.value[PlaceTexel::share] + 4 * i, shares[0], shares[1], shares[2], shares[3]);
@@ -202,8 +201,8 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const K
     if (layer.kind == PlacedLayer::dynamic) {
       const auto x = hn::Add(hn::Load(d, places.from_viewer_x + i), way_x),
                  z = hn::Add(hn::Load(d, places.from_viewer_z + i), way_z);
-      const auto present = hn::Mul(hn::Sub(hn::Set(d, layer.end_m), hn::Max(hn::Abs(x), hn::Abs(z))),
-                                   hn::Set(d, layer.per_border));
+      const auto present =
+          hn::Mul(hn::Sub(hn::Set(d, layer.end_m), hn::Max(hn::Abs(x), hn::Abs(z))), hn::Set(d, layer.per_border));
       lift = hn::Mul(hn::Min(hn::Max(present, zero), one), hn::Set(d, layer.counts));
       flat = hn::Mul(lift, hn::Set(d, layer.sharpened));
     } else if (layer.kind == PlacedLayer::curved) {

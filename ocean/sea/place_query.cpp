@@ -28,28 +28,27 @@ void PlaceSea::renew() {
     });
   const int vectors = along_curves_ ? PlaceTexel::shore_way + 1 : bed_ ? PlaceTexel::share_more + 1 : 1;
   if (vectors == 1 && !level_ && !flow_) return;
-  pages_ = std::make_shared<PlacePages>(
-      vectors, [=, level = level_, flow = flow_, bed = bed_, shore = along_curves_](glm::dvec2 at, double texel,
-                                                                                    double time, float* to) {
-        glm::vec4 water(0.0f);
-        if (level) water.x = level->value(at, texel, time_of(level, time)).x;
-        if (flow) {
-          const glm::vec4 velocity = flow->value(at, texel, time_of(flow, time));
-          water.z = velocity.x, water.w = velocity.y;
-        }
-        if (vectors > 1) {
-          const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
-          water.y = ground.bed.x;
-          put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
-          put(to + 4 * PlaceTexel::share, ground.share);
-          put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
-        }
-        put(to + 4 * PlaceTexel::water, water);
-        if (!shore) return;
-        const ShoreTexel line = shore->value(at, texel, time_of(shore, time));
-        put(to + 4 * PlaceTexel::shore, line.line);
-        put(to + 4 * PlaceTexel::shore_way, {line.way.x, line.way.y, 0.0f, 0.0f});
-      });
+  pages_ = std::make_shared<PlacePages>(vectors, [=, level = level_, flow = flow_, bed = bed_, shore = along_curves_](
+                                                     glm::dvec2 at, double texel, double time, float* to) {
+    glm::vec4 water(0.0f);
+    if (level) water.x = level->value(at, texel, time_of(level, time)).x;
+    if (flow) {
+      const glm::vec4 velocity = flow->value(at, texel, time_of(flow, time));
+      water.z = velocity.x, water.w = velocity.y;
+    }
+    if (vectors > 1) {
+      const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
+      water.y = ground.bed.x;
+      put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
+      put(to + 4 * PlaceTexel::share, ground.share);
+      put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
+    }
+    put(to + 4 * PlaceTexel::water, water);
+    if (!shore) return;
+    const ShoreTexel line = shore->value(at, texel, time_of(shore, time));
+    put(to + 4 * PlaceTexel::shore, line.line);
+    put(to + 4 * PlaceTexel::shore_way, {line.way.x, line.way.y, 0.0f, 0.0f});
+  });
 }
 
 bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
@@ -58,9 +57,8 @@ bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
   const glm::dvec2 at = place / texel - 0.5, first = glm::floor(at);
   PlacePages::Own own;
   std::uint32_t slot = 0;
-  const PlacePages::Cell cell =
-      clip_pages_->cell(std::int64_t(first.x), std::int64_t(first.y), texel,
-                        place_time_s(settings_, clip_->still, time), slot, own);
+  const PlacePages::Cell cell = clip_pages_->cell(std::int64_t(first.x), std::int64_t(first.y), texel,
+                                                  place_time_s(settings_, clip_->still, time), slot, own);
   return lod_bilinear(glm::vec2(at - first),
                       [&](LodIndex from) { return cell.first[from.x * cell.right + from.y * cell.below]; }) > 0.5f;
 }
@@ -202,8 +200,8 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
     const PlacePlan plan = this->plan(field, tiles, options, beside);
     const QueryAnswer* previous = options.previous.empty() ? nullptr : options.previous.data();
     for_blocks([&](std::size_t first, std::size_t count) {
-      answer_placed_points(plan, places.data() + first, previous ? previous + first : nullptr,
-                           answers.data() + first, count);
+      answer_placed_points(plan, places.data() + first, previous ? previous + first : nullptr, answers.data() + first,
+                           count);
     });
   }
   if (!clips()) return;

@@ -24,8 +24,7 @@ HWY_INLINE void compose(D d, const PlacePlan& plan, const Known& at, const Sums&
                         float* to) {
   hn::Vec<D> x, y, z, level = hn::Set(d, 0.0f), bed = level, unused;
   hn::LoadInterleaved4(d, sums.waves + 4 * i, x, y, z, unused);
-  if (plan.pages != nullptr)
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::water] + 4 * i, level, bed, unused, unused);
+  if (plan.pages != nullptr) hn::LoadInterleaved4(d, at.value[PlaceTexel::water] + 4 * i, level, bed, unused, unused);
   if (plan.shore) {
     hn::Vec<D> c_x, c_y, c_z;
     hn::LoadInterleaved4(d, sums.curved + 4 * i, c_x, c_y, c_z, unused);
@@ -88,10 +87,10 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
   for (std::uint64_t rest = all; rest != 0; rest &= rest - 1) dry(plan, g, at.now, g.shift, std::countr_zero(rest));
 }
 
-// What a point's sum of layers `first` to `end` - 1 is and what it grows by: in a metre along x and along z, in a second
-// by what a current does to the patterns. By the chain rule of each layer's texels, place and share.
-HWY_INLINE void grow(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point,
-                     float* sum, float* along_x, float* along_z, float* with_time) {
+// What a point's sum of layers `first` to `end` - 1 is and what it grows by: in a metre along x and along z, in a
+// second by what a current does to the patterns. By the chain rule of each layer's texels, place and share.
+HWY_INLINE void grow(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point, float* sum,
+                     float* along_x, float* along_z, float* with_time) {
   const hn::FixedTag<float, 4> d;
   auto all = hn::Zero(d), all_x = all, all_z = all, all_time = all;
   const Patterns &now = at.now.patterns, &to_x = at.to_x.patterns, &to_z = at.to_z.patterns, &later = at.later;
@@ -109,7 +108,8 @@ HWY_INLINE void grow(const PlacePlan& plan, const Group& g, const Places& at, in
     const auto column = hn::Add(above, hn::Mul(hn::Sub(under, above), below));
     const auto share = hn::Set(d, layer.share);
     const auto value = hn::Mul(share, hn::Add(low, hn::Mul(row, below)));
-    const auto cosine = hn::Set(d, layer.cosine_a_texel * layer.share), sine = hn::Set(d, layer.sine_a_texel * layer.share);
+    const auto cosine = hn::Set(d, layer.cosine_a_texel * layer.share),
+               sine = hn::Set(d, layer.sine_a_texel * layer.share);
     const auto scale = hn::Load(d, now.scale[l] + 4 * point);
     const auto by_x = hn::Mul(scale, hn::Sub(hn::Mul(cosine, column), hn::Mul(sine, row))),
                by_z = hn::Mul(scale, hn::Add(hn::Mul(sine, column), hn::Mul(cosine, row)));

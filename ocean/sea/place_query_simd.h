@@ -46,15 +46,15 @@ struct PlacePlan {
   const PlacePages* pages = nullptr;  // null: only dynamic waves
   int vectors = 0;                    // of a texel, that are read
   bool bed = false, shore = false, flow = false, dries = false;
-  std::array<glm::vec2, 3> along;          // directions of the shifts
-  double texel_m = 1.0;                    // of the texels read, and
-  float coarser = 0.0f;                    // the share of those twice as large
-  double clip_texel_m = 1.0;               // of flat clip
+  std::array<glm::vec2, 3> along;           // directions of the shifts
+  double texel_m = 1.0;                     // of the texels read, and
+  float coarser = 0.0f;                     // the share of those twice as large
+  double clip_texel_m = 1.0;                // of flat clip
   double place_time_s = 0.0, time_s = 0.0;  // as of which places are taken; of the sea
   FlowPhase phase{};
   double period_s = 1.0;
   double shore_period_m = 1.0;
-  glm::dvec2 viewer{0.0};              // around whom the dynamic waves' windows lie
+  glm::dvec2 viewer{0.0};  // around whom the dynamic waves' windows lie
 };
 
 // As answer_points().

@@ -107,7 +107,8 @@ HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, con
   const auto z = hn::Add(hn::Sub(hn::Mul(cosine, way_z), hn::Mul(sine, way_x)), hn::Load(d, g.part_z[l] + i));
   const auto floor_x = hn::Floor(x), floor_z = hn::Floor(z);
   return {hn::Add(hn::ConvertTo(di, floor_x), hn::Load(di, g.whole_x[l] + i)),
-          hn::Add(hn::ConvertTo(di, floor_z), hn::Load(di, g.whole_z[l] + i)), hn::Sub(x, floor_x), hn::Sub(z, floor_z)};
+          hn::Add(hn::ConvertTo(di, floor_z), hn::Load(di, g.whole_z[l] + i)), hn::Sub(x, floor_x),
+          hn::Sub(z, floor_z)};
 }
 
 // The texels around the rest positions of points i to i + lanes - 1.
@@ -176,9 +177,8 @@ struct Take {
   float* to;
 };
 
-// The four floats of each plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and then
-// over these: two at a time where vectors are wide enough. `placed`: times what
-// their patterns count for.
+// The four floats of each plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and
+// then over these: two at a time where vectors are wide enough. `placed`: times what their patterns count for.
 template <bool placed, std::size_t count>
 HWY_INLINE void sample(const QueryPlan& plan, const Group& g, const Patterns* patterns, int first, int end, int point,
                        const Take (&take)[count]) {

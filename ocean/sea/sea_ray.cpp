@@ -17,8 +17,8 @@ class RayWalk {
   double above_m(double distance_m) {
     const glm::dvec3 at = origin_ + distance_m * along_;
     const QueryAnswer before = water_;
-    water_ = view_.query({at.x, at.z},
-                         {.footprint_m = footprint_m_, .previous = {&before, asked_ ? std::size_t{1} : std::size_t{0}}});
+    water_ = view_.query(
+        {at.x, at.z}, {.footprint_m = footprint_m_, .previous = {&before, asked_ ? std::size_t{1} : std::size_t{0}}});
     asked_ = true;
     return at.y - water_.height_m;
   }

@@ -24,8 +24,9 @@ constexpr const char* scenes[] = {"lagoon", "rivers", "rain_pool", "whirlpool", 
 auto all_of(const QueryAnswer& a) {
   return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y,
                     a.normal.z, a.orbital_velocity_mps.x, a.orbital_velocity_mps.y, a.orbital_velocity_mps.z,
-                    a.eulerian_velocity_mps.x, a.eulerian_velocity_mps.y, a.eulerian_velocity_mps.z, a.flow_mps.x, a.flow_mps.y, a.still_m, a.depth_m, a.clipped, a.left_out_m,
-                    a.residual_m, a.contraction, a.iterations, a.converged);
+                    a.eulerian_velocity_mps.x, a.eulerian_velocity_mps.y, a.eulerian_velocity_mps.z, a.flow_mps.x,
+                    a.flow_mps.y, a.still_m, a.depth_m, a.clipped, a.left_out_m, a.residual_m, a.contraction,
+                    a.iterations, a.converged);
 }
 
 struct SceneSea {
@@ -62,8 +63,7 @@ TEST(SceneQuery, AnswersDoNotDependOnBatchesOrThreads) {
       std::vector<QueryAnswer> single(count), batch(count), reversed(count);
       for (const double footprint : {0.0, 1.3}) {
         const QueryOptions options{.footprint_m = footprint};
-        for (std::size_t i = 0; i < count; ++i)
-          single[i] = one.sea->view_at(time_s, detail).query(places[i], options);
+        for (std::size_t i = 0; i < count; ++i) single[i] = one.sea->view_at(time_s, detail).query(places[i], options);
         {
           const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
           two.sea->view_at(time_s, detail).query(places, batch, options);

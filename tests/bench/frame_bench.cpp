@@ -1,7 +1,7 @@
-// What a frame costs the processor without the GPU, by scene and preset, on one thread and on two, with the waves made on
-// the processor and on the GPU: the sea's steps, the water felt at the camera, foam, spray, culling, the selection of
-// patches, and recording. The GPU is waited for between frames and does not count. A driver that is software works at
-// rest meanwhile.
+// What a frame costs the processor without the GPU, by scene and preset, on one thread and on two, with the waves made
+// on the processor and on the GPU: the sea's steps, the water felt at the camera, foam, spray, culling, the selection
+// of patches, and recording. The GPU is waited for between frames and does not count. A driver that is software works
+// at rest meanwhile.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -68,12 +68,10 @@ void cpu_frame(benchmark::State& state, const char* scene_name, const std::strin
     for (const std::string preset : {"low", "medium", "high", "ultra"})
       for (const auto& [where, name] : {std::pair(WavePlace::cpu, "cpu"), std::pair(WavePlace::gpu, "gpu")})
         for (const int threads : {1, 2})
-          benchmark::RegisterBenchmark(("cpu_frame/" + std::string(scene) + "/" + preset + "/waves_on_" + name + "/" +
-                                        std::to_string(threads))
-                                           .c_str(),
-                                       [=](benchmark::State& state) {
-                                         cpu_frame(state, scene, preset, where, threads);
-                                       })
+          benchmark::RegisterBenchmark(
+              ("cpu_frame/" + std::string(scene) + "/" + preset + "/waves_on_" + name + "/" + std::to_string(threads))
+                  .c_str(),
+              [=](benchmark::State& state) { cpu_frame(state, scene, preset, where, threads); })
               ->Iterations(1)
               ->Unit(benchmark::kMillisecond);
   return true;

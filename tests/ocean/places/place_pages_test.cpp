@@ -18,8 +18,8 @@ PlacePages pages() {
   });
 }
 
-// Whichever texels are asked for, by page or beside all pages: those of the place, of the size and of the time. Controls
-// seen: a page found by its place alone; the texels beside all pages begun at the next.
+// Whichever texels are asked for, by page or beside all pages: those of the place, of the size and of the time.
+// Controls seen: a page found by its place alone; the texels beside all pages begun at the next.
 void expect_cell(const PlacePages& pages, std::int64_t x, std::int64_t z, double texel, double time,
                  std::uint32_t& slot) {
   PlacePages::Own own;
