@@ -65,7 +65,8 @@ TEST(TileSource, FieldAndQueryStandWhereTheDirectSumDoes) {
     double height = 0.0, slope = 0.0, asked = 0.0, late = 0.0;
     constexpr int points = 300;
     for (int i = 0; i < points; ++i) {
-      const glm::dvec2 place(far + uniform(random), 0.5 * far + uniform(random));
+      const double x = far + uniform(random);  // before z, whatever the compiler
+      const glm::dvec2 place(x, 0.5 * far + uniform(random));
       const double want = truth_at(*source, s, time_s, place, &truth::bumps),
                    want_slope = truth_at(*source, s, time_s, place, &truth::bumps_dx);
       const SeaSample sample = field.sea(tiles, place, 0.0);
@@ -79,11 +80,12 @@ TEST(TileSource, FieldAndQueryStandWhereTheDirectSumDoes) {
       const auto height_at = [&](double along) {
         return field.displacement(tiles, place + glm::dvec2(along, 0.0), 0.0).y;
       };
-      constexpr double e = 1e-4;
+      // So near that the two layings' texels have no edge on either side of one point.
+      constexpr double e = 1e-5;
       const double before = (height_at(0.0) - height_at(-e)) / e, after = (height_at(e) - height_at(0.0)) / e,
                    got = -answer.normal.x / answer.normal.y;
-      EXPECT_GE(got, std::min(before, after) - 1e-4);
-      EXPECT_LE(got, std::max(before, after) + 1e-4);
+      EXPECT_GE(got, std::min(before, after) - 1e-3);
+      EXPECT_LE(got, std::max(before, after) + 1e-3);
       EXPECT_NEAR(answer.orbital_velocity_mps.y, field.velocity(tiles, place, 0.0).y, 1e-6);
       late += std::pow(sample.displacement.y - truth_at(*source, s, time_s + 0.05, place, &truth::bumps), 2) / points;
     }
