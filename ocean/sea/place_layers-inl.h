@@ -32,6 +32,10 @@ struct Known {
 
 struct Places {
   PlacePages::Own own;
+  // Sizes of the texels that are read, the finer ones and the coarser (m), the coarser ones' share, and how much there is
+  // of both (gpu::LodRead).
+  alignas(64) double texel_m[2][group], per_m[2][group];
+  float coarser[group], present[group];
   // Where points lie between texels, the finer ones and the coarser: the first texel, how far from it, and the slot of
   // the page that they lay in last.
   alignas(64) double first_x[2][group], first_z[2][group];
@@ -51,15 +55,24 @@ struct Sums {
 constexpr float apart_m = 1.0f / 64.0f;   // a little further: places' numbers grow evenly over it
 constexpr double apart_s = 1.0 / 1024.0;  // a little later
 
+// Which texels a point's numbers are read from.
+inline void choose_texels(const PlaceReading& reading, Places& at, int point) {
+  at.texel_m[0][point] = reading.fine_texel_m();
+  at.texel_m[1][point] = 2.0 * at.texel_m[0][point];
+  for (int i = 0; i < 2; ++i) at.per_m[i][point] = 1.0 / at.texel_m[i][point];
+  at.coarser[point] = reading.read.coarser;
+  at.present[point] = reading.read.present;
+}
+
 // Finds between which texels the rest positions of points i to i + lanes - 1 lie.
 template <class D>
 HWY_INLINE void find_texels(D d, const PlacePlan& plan, const Group& g, Places& at, int i) {
   const hn::CappedTag<double, hn::MaxLanes(D()) / 2> dd;
   const hn::Rebind<float, decltype(dd)> df;
-  for (int coarser = 0; coarser <= (plan.coarser > 0.0f ? 1 : 0); ++coarser) {
-    const double texel_m = std::ldexp(plan.texel_m, coarser);
-    const auto per_m = hn::Set(dd, 1.0 / texel_m), half = hn::Set(dd, 0.5), most = hn::Set(dd, 0x1p40);
-    const auto find = [&](const double* place, const float* way, double* first, float* beyond) HWY_ATTR {
+  for (int coarser = 0; coarser <= (plan.seen != nullptr || plan.reading.read.coarser > 0.0f ? 1 : 0); ++coarser) {
+    const auto half = hn::Set(dd, 0.5), most = hn::Set(dd, 0x1p40);
+    const auto find = [&](int p, const double* place, const float* way, double* first, float* beyond) HWY_ATTR {
+      const auto per_m = hn::Load(dd, at.per_m[coarser] + p);
       auto of = hn::Sub(hn::Mul(hn::Add(hn::Load(dd, place), hn::PromoteTo(dd, hn::Load(df, way))), per_m), half);
       of = hn::IfThenElseZero(hn::Lt(hn::Abs(of), most), of);  // no number, or too far: texels at the origin
       const auto floor = hn::Floor(of);
@@ -67,9 +80,24 @@ HWY_INLINE void find_texels(D d, const PlacePlan& plan, const Group& g, Places& 
       hn::Store(hn::DemoteTo(df, hn::Sub(of, floor)), df, beyond);
     };
     for (int p = i; p < i + int(hn::Lanes(d)); p += int(hn::Lanes(dd))) {
-      find(g.x + p, g.way_x + p, at.first_x[coarser] + p, at.right[coarser] + p);
-      find(g.z + p, g.way_z + p, at.first_z[coarser] + p, at.below[coarser] + p);
+      find(p, g.x + p, g.way_x + p, at.first_x[coarser] + p, at.right[coarser] + p);
+      find(p, g.z + p, g.way_z + p, at.first_z[coarser] + p, at.below[coarser] + p);
     }
+  }
+}
+
+// Has a point's numbers give way to those beyond all windows. Of a place along a curve only its share does.
+inline void fade(const PlacePlan& plan, Places& at, int point, bool gradients) {
+  const float present = at.present[point];
+  for (int n = 0; n < 4 * plan.vectors; ++n) {
+    const int v = n / 4, part = 4 * point + n % 4;
+    if (v >= PlaceTexel::shore && n != 4 * PlaceTexel::shore + 3) continue;
+    const float outside = plan.outside[std::size_t(n)];
+    float& value = at.now.value[v][part];
+    value = outside + (value - outside) * present;
+    if (!gradients) continue;
+    at.grows_x[v][part] *= present;
+    at.grows_z[v][part] *= present;
   }
 }
 
@@ -118,8 +146,9 @@ HWY_INLINE void read(const PlacePlan& plan, Places& at, int point, bool gradient
     for (; v + at_once <= plan.vectors; v += at_once) some(d, v);
     for (; v < plan.vectors; ++v) some(d4, v);
   };
-  take(plan.texel_m, 1.0f, 0);
-  if (plan.coarser > 0.0f) take(2.0 * plan.texel_m, plan.coarser, 1);
+  take(at.texel_m[0][point], 1.0f, 0);
+  if (at.coarser[point] > 0.0f) take(at.texel_m[1][point], at.coarser[point], 1);
+  if (plan.seen != nullptr) fade(plan, at, point, gradients);
 }
 
 // The angle of a point (x, y) in turns, -0.5 to 0.5, to some 1e-7 (Hastings 1955, sheet 13, for the arc tangent).

@@ -16,6 +16,13 @@ namespace {
 void put(float* to, glm::vec4 value) {
   for (int i = 0; i < 4; ++i) to[i] = value[i];
 }
+// What a bed gives, where a PlaceTexel has it.
+void put_bed(const BedTexel& ground, float* to) {
+  to[4 * PlaceTexel::water + 1] = ground.bed.x;
+  put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
+  put(to + 4 * PlaceTexel::share, ground.share);
+  put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
+}
 }  // namespace
 
 void PlaceSea::renew() {
@@ -38,10 +45,8 @@ void PlaceSea::renew() {
     }
     if (vectors > 1) {
       const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
-      water.y = ground.bed.x;
-      put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
-      put(to + 4 * PlaceTexel::share, ground.share);
-      put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
+      put_bed(ground, to);
+          water.y = ground.bed.x;
     }
     put(to + 4 * PlaceTexel::water, water);
     if (!shore) return;
@@ -63,14 +68,19 @@ bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
                       [&](LodIndex from) { return cell.first[from.x * cell.right + from.y * cell.below]; }) > 0.5f;
 }
 
-bool PlaceSea::clipped(glm::dvec3 point, double time, double texel) const {
+bool PlaceSea::clipped(glm::dvec3 point, double time, double texel, const LodPlacement* seen) const {
   if (!clips() || !std::isfinite(point.x + point.z)) return false;
-  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time);
+  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time, seen);
   return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
 }
 
-bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time) const {
-  const bool flat = flat_clipped(rest, texel, time);
+bool PlaceSea::flat_clipped(glm::dvec2 at, double texel, double time, const LodPlacement* seen) const {
+  if (seen == nullptr || !clip_) return flat_clipped(at, texel, time);
+  return PlaceReader(*clip_, settings_, time)(reading({at, 0.0, seen, false}), at).x > 0.5f;
+}
+
+bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time, const LodPlacement* seen) const {
+  const bool flat = flat_clipped(rest, texel, time, seen);
   return volumes_ == nullptr ? flat : volumes_->clipped({rest.x + d.x, d.y, rest.y + d.z}, flat);
 }
 
@@ -147,10 +157,18 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   plan.place_time_s = place_time_s(settings_, still, plan.time_s);
   LodWindowSettings windows = settings_.windows;
   if (beside.finest_m > 0.0) windows.texel_m = beside.finest_m, windows.slices = gpu::max_lod_slices;
-  const PlaceReading reading = place_reading(windows, glm::dvec2(0.0), options.footprint_m, nullptr);
-  plan.clip_texel_m = reading.texel_m;
-  plan.texel_m = reading.fine_texel_m();
-  plan.coarser = reading.read.coarser;
+  plan.reading = place_reading(windows, glm::dvec2(0.0), options.footprint_m, nullptr);
+  plan.clip_texel_m = plan.reading.texel_m;
+  if (options.seen != nullptr) {
+    plan.seen = options.seen;
+    plan.reading.texel_m = lod_texel_m(settings_.windows, *options.seen, 0);
+    plan.reach = lod_reach(settings_.windows, *options.seen);
+    plan.slices = settings_.windows.slices;
+    plan.footprint_m = float(options.footprint_m);
+    if (level_) plan.outside[0] = level_->outside.x;
+    if (flow_) plan.outside[2] = flow_->outside.x, plan.outside[3] = flow_->outside.y;
+    if (bed_) put_bed(bed_->outside, plan.outside.data());
+  }
   for (int i = 0; plan.bed && i < 3; ++i) plan.along[std::size_t(i)] = shallows_.direction(i);
   if (plan.shore) plan.shore_period_m = shore_->period_m();
   const int cascades = field.quality().cascades;
@@ -208,7 +226,8 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
   const double time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
   for_blocks([&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
-      answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m);
+      answers[i].clipped =
+          clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m, options.seen);
   });
 }
 

@@ -50,7 +50,7 @@ HWY_INLINE void compose(D d, const PlacePlan& plan, const Known& at, const Sums&
 HWY_INLINE void dry(const PlacePlan& plan, const Group& g, const Known& at, float* shift, int point) {
   float* const s = shift + 4 * point;
   const glm::dvec2 rest(g.x[point] + double(g.way_x[point]), g.z[point] + double(g.way_z[point]));
-  if (!plan.places->dry(rest, {s[0], s[1], s[2]}, plan.clip_texel_m, plan.time_s)) return;
+  if (!plan.places->dry(rest, {s[0], s[1], s[2]}, plan.clip_texel_m, plan.time_s, plan.seen)) return;
   s[0] = s[2] = 0.0f;
   s[1] = at.value[PlaceTexel::water][4 * point + 1];
 }
@@ -61,6 +61,13 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
   const int lanes = int(hn::Lanes(d));
   const std::uint64_t some = (std::uint64_t{1} << lanes) - 1;
   if (plan.pages != nullptr) {
+    for (std::uint64_t rest = plan.seen != nullptr ? left : 0; rest != 0; rest &= rest - 1) {
+      const int point = std::countr_zero(rest);
+      const glm::dvec2 place(g.x[point] + double(g.way_x[point]), g.z[point] + double(g.way_z[point]));
+      const float distance_m = gpu::lod_distance(glm::vec2(place - plan.seen->viewer));
+      choose_texels({gpu::lod_read(plan.reach, plan.slices, distance_m, plan.footprint_m), plan.reading.texel_m}, at,
+                    point);
+    }
     for (int i = 0; i < count; i += lanes)
       if ((left >> i & some) != 0) find_texels(d, plan, g, at, i);
     for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) read(plan, at, std::countr_zero(rest), false);
@@ -225,6 +232,7 @@ HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* place
     at.from_viewer_x[i] = float(g.x[i] - plan.viewer.x);
     at.from_viewer_z[i] = float(g.z[i] - plan.viewer.y);
     at.slot[0][i] = at.slot[1][i] = 0;
+    choose_texels(plan.reading, at, i);
   }
   for (Known* known : {&at.now, &at.to_x, &at.to_z})
     for (float* values : {known->bent_x, known->bent_z, known->stretch, known->forward_x, known->forward_z})

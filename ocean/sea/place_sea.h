@@ -41,8 +41,8 @@ class PlaceSea {
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away, by flat
-  // inputs as texels of this side have them; 0: the finest of windows.
-  bool clipped(glm::dvec3 point_m, double time_s, double texel_m = 0.0) const;
+  // inputs as texels of this side have them; 0: the finest of windows. `seen`: as a picture with these windows has it.
+  bool clipped(glm::dvec3 point_m, double time_s, double texel_m = 0.0, const LodPlacement* seen = nullptr) const;
 
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.from.get(); }
@@ -68,7 +68,8 @@ class PlaceSea {
     query(field, tiles, places, answers, options, Beside{});
   }
   // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
-  bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double texel_m, double time_s) const;
+  bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double texel_m, double time_s,
+           const LodPlacement* seen = nullptr) const;
   // Whether many places were asked for, and this had better begin with new memory of them (renew).
   bool worn() const { return (pages_ && pages_->worn()) || (clip_pages_ && clip_pages_->worn()); }
   // Not while anybody asks.
@@ -129,6 +130,7 @@ class PlaceSea {
   void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s) const;
+  bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s, const LodPlacement* seen) const;
   // Clipped over a bed: that is the surface.
   bool dry(const Here& here, glm::dvec3 displacement) const;
   PlaceReading reading(const Asked& asked) const {

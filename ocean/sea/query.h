@@ -7,6 +7,8 @@
 
 namespace seascape {
 
+struct LodPlacement;  // ocean/places/lod_windows.h
+
 // The surface is the set of points p = (x, 0, z) + D(x, z, t) of rest positions (x, z). The point found is the one that
 // stands at the place asked, or nearest to it of those that the search came by.
 struct QueryAnswer {
@@ -45,6 +47,9 @@ struct QueryOptions {
   std::span<const QueryAnswer> previous = {};
   // Whether dynamic waves are in the answers, which depend on what came before (SeaView).
   bool history = true;
+  // Has what belongs to places as a picture with these windows shows it, coarser with distance; it has to outlive the
+  // call. Null: in the finest texels that the footprint leaves, wherever the place is.
+  const LodPlacement* seen = nullptr;
 };
 
 // Answers for world places (x, z in metres), `answers` as long as `places`, at the time of the tiles. For another time
