@@ -276,14 +276,7 @@ void Explorer::move(const Input& input, double dt_s) {
                     (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
-  // The water that whoever floats there feels.
-  constexpr double float_m = 0.5;
-  Sea& sea = *experience_->sea();
-  sea.advance(sea_time_s(), place);
-  experience_->ocean().make_waves(experience_->frame(), sea_time_s());
-  const QueryAnswer water =
-      sea.view_at(sea_time_s(), SeaDetail::felt).query({place.x, place.z}, {.footprint_m = float_m});
-  camera_.step(wish, dt_s, water.height_m);
+  camera_.step(wish, dt_s, water_at_camera(*experience_, place, sea_time_s()).height_m);
   recorder_.sample(now_s_, camera_.pose(), scene_time_s());
 }
 

@@ -35,6 +35,14 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 
 }  // namespace
 
+QueryAnswer water_at_camera(Experience& experience, const glm::dvec3& camera_m, double time_s) {
+  constexpr double float_m = 0.5;  // what floats there is so large
+  Sea& sea = *experience.sea();
+  sea.advance(time_s, camera_m);
+  experience.ocean().make_waves(experience.frame(), time_s);
+  return sea.view_at(time_s, SeaDetail::felt).query({camera_m.x, camera_m.z}, {.footprint_m = float_m});
+}
+
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
 

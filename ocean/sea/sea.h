@@ -79,6 +79,8 @@ class Sea {
 
   // How often tiles of a detail have been computed.
   std::uint64_t made(SeaDetail detail) const { return moments_.made(detail); }
+  // Has each computation reported (MomentStore::report_to). Not while anybody asks.
+  void report_tiles_to(MomentStore::Report report) { moments_.report_to(std::move(report)); }
   // Differs where the state that steps depend on does: dynamic waves, actors, and the time of the last step.
   std::uint64_t hash() const;
 

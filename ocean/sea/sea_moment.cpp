@@ -42,7 +42,7 @@ const WaveTiles& SeaMoment::tiles() const {
       if (!lends) lender.reset();
     }
     field->evaluate(ticks, tiles_, {borrowed.data(), count});
-    if (int(count) < all) ++*made_count_;
+    if (int(count) < all) store_->count(ticks, detail);
     made_.store(true, std::memory_order_release);
   });
   return tiles_;
@@ -122,7 +122,7 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
   moment->detail = key.detail;
   moment->waves_ = key.waves;
   moment->asked_ = asked_;
-  moment->made_count_ = &made_[std::size_t(key.detail)];
+  moment->store_ = this;
   moment->field = std::move(field);
   moment->places = std::move(places);
   moment->dynamic = std::move(dynamic);

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,6 +21,7 @@
 namespace seascape {
 
 class DynamicSurface;  // ocean/places/dynamic_surface.h
+class MomentStore;
 
 // What all questions of one moment ask.
 class SeaMoment {
@@ -39,7 +41,7 @@ class SeaMoment {
   friend class MomentStore;
   explicit SeaMoment(bool velocity) : tiles_(velocity) {}
   std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
-  std::atomic<std::uint64_t>* made_count_ = nullptr;
+  MomentStore* store_ = nullptr;
   mutable WaveTiles tiles_;
   mutable std::optional<tbb::collaborative_once_flag> once_;
   mutable std::atomic<bool> made_{false};
@@ -71,13 +73,22 @@ class MomentStore {
 
   // How often tiles of a detail have been computed.
   std::uint64_t made(SeaDetail detail) const { return made_[std::size_t(detail)]; }
+  // Has each computation of tiles reported from now on. Called on the thread that computes them.
+  using Report = std::function<void(std::int64_t ticks, SeaDetail detail)>;
+  void report_to(Report report) { report_ = std::move(report); }
 
  private:
+  friend class SeaMoment;
+  void count(std::int64_t ticks, SeaDetail detail) {
+    ++made_[std::size_t(detail)];
+    if (report_) report_(ticks, detail);
+  }
   std::shared_ptr<SeaMoment> free_moment(const Key& key);
   void release_lenders();
   std::mutex mutex_;
   std::vector<std::shared_ptr<SeaMoment>> moments_;
   std::array<std::atomic<std::uint64_t>, sea_details> made_{};
+  Report report_;
   std::uint64_t asked_ = 0;
 };
 

@@ -43,10 +43,7 @@ void cpu_frame(benchmark::State& state, const char* scene_name, const std::strin
       Viewpoint seen = display.viewpoint(pose);
       seen.pixels_per_radian = pixels_per_radian;
       const auto start = std::chrono::steady_clock::now();
-      experience.sea()->advance(time_s, pose.position_m);
-      benchmark::DoNotOptimize(experience.sea()
-                                   ->view_at(time_s, SeaDetail::felt)
-                                   .query({pose.position_m.x, pose.position_m.z}, {.footprint_m = 0.5}));
+      benchmark::DoNotOptimize(water_at_camera(experience, pose.position_m, time_s));
       draw_frame(experience, frame, seen, time_s);
       const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
       if (n >= warm_up) ms.push_back(took.count());
