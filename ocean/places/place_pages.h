@@ -48,7 +48,7 @@ class PlacePages {
   bool worn() const { return used_.load(std::memory_order_relaxed) > 3 * slots / 4; }
 
  private:
-  static constexpr std::size_t slots = 4096, tries = 8;
+  static constexpr std::size_t slots = 8192, tries = 16;
   struct Key {
     std::int64_t x, z;
     double texel_m, time_s;

@@ -32,8 +32,8 @@ struct Known {
 
 struct Places {
   PlacePages::Own own;
-  // Sizes of the texels that are read, the finer ones and the coarser (m), the coarser ones' share, and how much there is
-  // of both (gpu::LodRead).
+  // Sizes of the texels that are read, the finer ones and the coarser (m), the coarser ones' share, and how much there
+  // is of both (gpu::LodRead).
   alignas(64) double texel_m[2][group], per_m[2][group];
   float coarser[group], present[group];
   // Where points lie between texels, the finer ones and the coarser: the first texel, how far from it, and the slot of
@@ -104,28 +104,33 @@ inline void fade(const PlacePlan& plan, Places& at, int point, bool gradients) {
 // Reads a point's texels.
 HWY_INLINE void read(const PlacePlan& plan, Places& at, int point, bool gradients) {
   const hn::FixedTag<float, 4> d4;
-#if HWY_MAX_BYTES >= 32
-  const hn::FixedTag<float, 8> d;
-#else
-  const hn::FixedTag<float, 4> d;
-#endif
+  const hn::CappedTag<float, 16> d;
+  const hn::CappedTag<float, 8> d8;
   const auto take = [&](double texel_m, float share, int which) HWY_ATTR {
     const PlacePages::Cell cell =
         plan.pages->cell(std::int64_t(at.first_x[which][point]), std::int64_t(at.first_z[which][point]), texel_m,
                          plan.place_time_s, at.slot[which][point], at.own);
     const bool first = which == 0;
+    const auto put_one = [&](float* of_point, hn::Vec<decltype(d4)> one) HWY_ATTR {
+      // Of the finer texels all, and then what the coarser ones differ by: what is the same in both stays.
+      if (!first) {
+        const auto fine = hn::Load(d4, of_point);
+        one = hn::Add(fine, hn::Mul(hn::Sub(one, fine), hn::Set(d4, share)));
+      }
+      hn::Store(one, d4, of_point);
+    };
     const auto put = [&](auto tag, float(*to)[4 * group], int v, auto value) HWY_ATTR {
-      alignas(32) float parts[8];
-      hn::Store(value, tag, parts);
-      for (int part = 0; part < int(hn::Lanes(tag)) / 4; ++part) {
-        float* const of_point = to[v + part] + 4 * point;
-        auto one = hn::Load(d4, parts + 4 * part);
-        // Of the finer texels all, and then what the coarser ones differ by: what is the same in both stays.
-        if (!first) {
-          const auto fine = hn::Load(d4, of_point);
-          one = hn::Add(fine, hn::Mul(hn::Sub(one, fine), hn::Set(d4, share)));
-        }
-        hn::Store(one, d4, of_point);
+      const auto halves = [&](int from, auto two) HWY_ATTR {
+        put_one(to[from] + 4 * point, hn::LowerHalf(d4, two));
+        put_one(to[from + 1] + 4 * point, hn::UpperHalf(d4, two));
+      };
+      if constexpr (hn::MaxLanes(decltype(tag)()) == 16) {
+        halves(v, hn::LowerHalf(d8, value));
+        halves(v + 2, hn::UpperHalf(d8, value));
+      } else if constexpr (hn::MaxLanes(decltype(tag)()) == 8) {
+        halves(v, value);
+      } else {
+        put_one(to[v] + 4 * point, value);
       }
     };
     const auto some = [&](auto tag, int v) HWY_ATTR {
@@ -144,6 +149,7 @@ HWY_INLINE void read(const PlacePlan& plan, Places& at, int point, bool gradient
     constexpr int at_once = int(hn::MaxLanes(d)) / 4;
     int v = 0;
     for (; v + at_once <= plan.vectors; v += at_once) some(d, v);
+    for (; at_once > 2 && v + 2 <= plan.vectors; v += 2) some(d8, v);
     for (; v < plan.vectors; ++v) some(d4, v);
   };
   take(at.texel_m[0][point], 1.0f, 0);
@@ -223,6 +229,7 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const K
              forward_z = hn::Load(d, at.forward_z + i);
   const auto along_curve = hn::Mul(stretch, hn::Add(hn::Mul(flow_x, forward_x), hn::Mul(flow_z, forward_z))),
              across_curve = hn::Sub(hn::Mul(flow_z, forward_x), hn::Mul(flow_x, forward_z));
+  auto sum_height = one;  // one over the height of two patterns' sum, which follow each other
   for (int l = 0; l < plan.waves.count; ++l) {
     const PlacedLayer& layer = plan.placed[std::size_t(l)];
     auto off_x = zero, off_z = zero, flat = one, lift = one;
@@ -250,10 +257,12 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const K
       }
     }
     if (layer.pattern >= 0) {
-      const auto alike = exp_minus(d, hn::Mul(carried, hn::Set(d, layer.flow_height)));
-      const auto height = hn::Div(hn::Set(d, layer.pattern == 0 ? first : second),
-                                  hn::Sqrt(hn::Add(hn::Set(d, first * first + second * second),
+      if (layer.pattern == 0) {
+        const auto alike = exp_minus(d, hn::Mul(carried, hn::Set(d, layer.flow_height)));
+        sum_height = hn::Div(one, hn::Sqrt(hn::Add(hn::Set(d, first * first + second * second),
                                                    hn::Mul(hn::Set(d, 2.0f * first * second), alike))));
+      }
+      const auto height = hn::Mul(hn::Set(d, layer.pattern == 0 ? first : second), sum_height);
       const auto way_s = hn::Set(d, float(layer.pattern == 0 ? phase.first_s : phase.second_s));
       flat = hn::Mul(flat, height);
       lift = hn::Mul(lift, height);

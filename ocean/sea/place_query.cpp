@@ -46,7 +46,7 @@ void PlaceSea::renew() {
     if (vectors > 1) {
       const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
       put_bed(ground, to);
-          water.y = ground.bed.x;
+      water.y = ground.bed.x;
     }
     put(to + 4 * PlaceTexel::water, water);
     if (!shore) return;

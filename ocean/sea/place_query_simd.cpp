@@ -5,6 +5,7 @@
 
 #include "ocean/sea/place_sea.h"
 
+#define SEASCAPE_QUERY_GROUP 16
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ocean/sea/place_query_simd.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep

@@ -47,15 +47,15 @@ struct PlacePlan {
   const PlacePages* pages = nullptr;  // null: only dynamic waves
   int vectors = 0;                    // of a texel, that are read
   bool bed = false, shore = false, flow = false, dries = false;
-  std::array<glm::vec2, 3> along;           // directions of the shifts
-  PlaceReading reading{};                   // which texels are read, but where a picture's windows say so by place:
-  const LodPlacement* seen = nullptr;       // QueryOptions::seen, with
-  glm::vec4 reach{0.0f};                    // LodWindows::reach,
-  int slices = 0;                           // as many windows,
-  float footprint_m = 0.0f;                 // and the query's footprint
+  std::array<glm::vec2, 3> along;      // directions of the shifts
+  PlaceReading reading{};              // which texels are read, but where a picture's windows say so by place:
+  const LodPlacement* seen = nullptr;  // QueryOptions::seen, with
+  glm::vec4 reach{0.0f};               // LodWindows::reach,
+  int slices = 0;                      // as many windows,
+  float footprint_m = 0.0f;            // and the query's footprint
   std::array<float, 4 * PlacePages::most_vectors> outside{};  // beyond all windows
-  double clip_texel_m = 1.0;                // of flat clip
-  double place_time_s = 0.0, time_s = 0.0;  // as of which places are taken; of the sea
+  double clip_texel_m = 1.0;                                  // of flat clip
+  double place_time_s = 0.0, time_s = 0.0;                    // as of which places are taken; of the sea
   FlowPhase phase{};
   double period_s = 1.0;
   double shore_period_m = 1.0;

@@ -26,8 +26,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 // same bits.
 
 // Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
-// cache.
+// cache. Where places count a point needs three times the memory.
+#ifdef SEASCAPE_QUERY_GROUP
+constexpr int group = SEASCAPE_QUERY_GROUP;
+#else
 constexpr int group = 32;
+#endif
 constexpr int most_layers = most_query_layers;
 
 // A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a
