@@ -63,15 +63,19 @@ bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
                       [&](LodIndex from) { return cell.first[from.x * cell.right + from.y * cell.below]; }) > 0.5f;
 }
 
-bool PlaceSea::clipped(glm::dvec3 point, double time, double texel) const {
-  if (!clips() || !std::isfinite(point.x + point.z)) return false;
-  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time);
-  return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
+bool PlaceSea::clipped(glm::dvec3 point, bool flat, const ClipVolumes* volumes) const {
+  if (volumes == nullptr) volumes = volumes_.get();
+  return volumes == nullptr ? flat : volumes->clipped(point, flat);
 }
 
-bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time) const {
-  const bool flat = flat_clipped(rest, texel, time);
-  return volumes_ == nullptr ? flat : volumes_->clipped({rest.x + d.x, d.y, rest.y + d.z}, flat);
+bool PlaceSea::clipped(glm::dvec3 point, double time, double texel, const ClipVolumes* volumes) const {
+  if (!clips() || !std::isfinite(point.x + point.z)) return false;
+  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time);
+  return clipped(point, flat, volumes);
+}
+
+bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time, const ClipVolumes* volumes) const {
+  return clipped({rest.x + d.x, d.y, rest.y + d.z}, flat_clipped(rest, texel, time), volumes);
 }
 
 namespace {
@@ -133,6 +137,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   plan.waves.depth_m = waves.depth_m;
   plan.waves.left_out_m = beside.left_out_m;
   plan.places = this;
+  plan.volumes = beside.volumes;
   plan.pages = pages_.get();
   plan.vectors = pages_ ? pages_->vectors() : 0;
   plan.bed = bed_.has_value();
@@ -208,7 +213,8 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
   const double time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
   for_blocks([&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
-      answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m);
+      answers[i].clipped =
+          clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m, beside.volumes);
   });
 }
 

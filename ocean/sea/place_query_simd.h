@@ -12,6 +12,7 @@
 
 namespace seascape {
 
+class ClipVolumes;
 class PlaceSea;
 
 // What a texel of PlacePages has for queries, four floats to a vector. The first is always there, the next three over a
@@ -43,8 +44,9 @@ struct PlacePlan {
   std::array<PlacedLayer, most_query_layers> placed;
   int curved = 0;  // the first of those that run along curves
   const PlaceSea* places = nullptr;
-  const PlacePages* pages = nullptr;  // null: only dynamic waves
-  int vectors = 0;                    // of a texel, that are read
+  const ClipVolumes* volumes = nullptr;  // PlaceSea::Beside
+  const PlacePages* pages = nullptr;     // null: only dynamic waves
+  int vectors = 0;                       // of a texel, that are read
   bool bed = false, shore = false, flow = false, dries = false;
   std::array<glm::vec2, 3> along;           // directions of the shifts
   double texel_m = 1.0;                     // of the texels read, and
