@@ -24,8 +24,9 @@ PlaceInputs place_inputs(const Scene& scene) {
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
       result.kinds.push_back(std::move(inputs));
   }
-  if (calls_for(scene.effects, "clip") && std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume))
-    result.volumes = std::make_shared<const ClipVolumes>(scene.inputs);
+  const bool bodies = scene.clip_room.most_bodies > 0;
+  if (calls_for(scene.effects, "clip") && (bodies || std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)))
+    result.volumes = std::make_shared<const ClipVolumes>(scene.inputs, scene.clip_room);
   if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene))
     result.shore = std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
   return result;

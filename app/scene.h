@@ -9,7 +9,7 @@
 #include "app/faults.h"
 #include "app/settings.h"
 #include "engine/view.h"
-#include "ocean/inputs/input_spec.h"
+#include "ocean/inputs/clip_body.h"
 
 namespace seascape {
 
@@ -20,6 +20,8 @@ struct Scene {
   std::vector<std::string> effects{"waves"};
   Settings settings;                 // defaults, then the preset, then the scene's own values
   std::vector<InputSpec> inputs;     // in the file's order
+  ClipRoom clip_room;                // for bodies of actors, where clip is called for: no file says it yet
+  bool actors_foam = false;          // whether actors make foam: likewise
   std::vector<std::string> remarks;  // what gives nothing and why, a line each; no faults
   Pose start;                        // where explore begins
 };

@@ -35,6 +35,7 @@ SeaSpec sea_spec(const Scene& scene) {
     spec.dynamic_waves->waves.depth_m = s.sea.depth_m;
     if (still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
   }
+  spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;
   spec.crests_velocity = calls_for(scene.effects, "spray");
   return spec;

@@ -81,10 +81,12 @@ void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBuffe
   ++work_->back().copies;
 }
 
-void Commands::copy(const Buffer& from, const Buffer& to) {
-  const VkBufferCopy region{0, 0, from.bytes()};
-  vkCmdCopyBuffer(commands_, from.get(), to.get(), 1, &region);
-  note(12 + (from.bytes() << 8));
+void Commands::copy(const Buffer& from, const Buffer& to) { copy(from, to, {0, 0, from.bytes()}); }
+
+void Commands::copy(const Buffer& from, const Buffer& to, const VkBufferCopy& part) {
+  vkCmdCopyBuffer(commands_, from.get(), to.get(), 1, &part);
+  note(12 + (part.size << 8));
+  if (part.srcOffset + part.dstOffset != 0) note(13 + (part.srcOffset << 8) + (part.dstOffset << 36));
   ++work_->back().copies;
 }
 

@@ -87,8 +87,9 @@ class Commands {
   void draw_indexed(std::uint32_t indices, std::uint32_t instances, std::uint64_t nothing = 0);
   // Copies texels of a buffer (Access::transfer_read) into an image (Access::transfer_write).
   void copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions);
-  // Copies all of a buffer (Access::transfer_read) into another of its size (Access::transfer_write).
+  // Copies all of a buffer (Access::transfer_read) into another of its size (Access::transfer_write), or a part of it.
   void copy(const Buffer& from, const Buffer& to);
+  void copy(const Buffer& from, const Buffer& to, const VkBufferCopy& part);
   // The eye that a pass per eye draws; 0 in a multiview pass, where shaders have gl_ViewIndex.
   std::uint32_t eye() const { return eye_; }
   VkCommandBuffer raw() const { return commands_; }  // for libraries that record by themselves

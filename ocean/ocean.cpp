@@ -57,7 +57,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
   }
   if (sea.dynamic_waves()) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves);
   if (!spec.place.empty()) place_ = std::make_unique<DrawnPlace>(device, sea);
-  if (settings.foam && keeps_foam(*settings.foam, bool(sea.shallows()), dynamic_waves_ != nullptr)) {
+  if (settings.foam && keeps_foam(*settings.foam, bool(sea.shallows()), dynamic_waves_ != nullptr, spec.actors_foam)) {
     // Waves along curves are not drawn by every device (DrawnShore).
     foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, sea,
                                         device.facts().float32_linear ? spec.place.shore : nullptr);

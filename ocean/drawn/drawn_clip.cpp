@@ -1,18 +1,59 @@
 #include "ocean/drawn/drawn_clip.h"
 
+#include <cassert>
+#include <cstring>
+
 #include "ocean/waves/half_floats.h"
 
 namespace seascape {
 
 DrawnClip::DrawnClip(Device& device, std::shared_ptr<const ClipVolumes> volumes) : volumes_(std::move(volumes)) {
   const EffectScope scope(device, "clip");
-  const auto buffer = [&](const char* name, const auto& list) {
+  const auto most = std::size_t(volumes_->most_bodies());
+  const auto buffer = [&](const char* name, auto list, std::size_t room) {
+    list.resize(list.size() + room);
     return make_filled_buffer(device, name, list.data(), list.size() * sizeof(list[0]),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   };
-  nodes_ = buffer("clip, nodes", volumes_->nodes());
-  buffer_ = buffer("clip, volumes", volumes_->volumes());
+  nodes_ = buffer("clip, nodes", volumes_->nodes(), 2 * most);
+  buffer_ = buffer("clip, volumes", volumes_->volumes(), most);
   if (!volumes_->hulls().empty()) fill_hulls(device);
+  if (most == 0) return;
+  for (Buffer& staging : staging_)
+    staging = Buffer(device, "clip, staging", most * (2 * sizeof(gpu::ClipNode) + sizeof(gpu::ClipVolume)),
+                     VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
+}
+
+void DrawnClip::update(Frame& frame, const std::shared_ptr<const ClipVolumes>& volumes) {
+  if (volumes == volumes_) return;
+  assert(volumes->fixed_nodes() == volumes_->fixed_nodes() && volumes->most_bodies() == volumes_->most_bodies());
+  volumes_ = volumes;
+  if (volumes_->bodies().empty()) return;
+  const Buffer& staging = staging_[std::size_t(frame.slot())];
+  VkDeviceSize filled = 0;
+  const auto fill = [&](const auto& list, std::size_t from) {
+    const VkDeviceSize one = sizeof(list[0]);
+    const VkBufferCopy region{filled, from * one, (list.size() - from) * one};
+    std::memcpy(staging.mapped<std::byte>() + filled, &list[from], region.size);
+    filled += region.size;
+    return region;
+  };
+  const VkBufferCopy nodes = fill(volumes_->nodes(), volumes_->fixed_nodes()),
+                     bodies = fill(volumes_->volumes(), volumes_->fixed_volumes());
+  frame.pass(
+      "clip",
+      {use(staging, Access::transfer_read), use(nodes_, Access::transfer_write), use(buffer_, Access::transfer_write)},
+      [&](Commands& c) {
+        c.copy(staging, nodes_, nodes);
+        c.copy(staging, buffer_, bodies);
+      });
+}
+
+void DrawnClip::add_uses(Uses& uses, Access access) const {
+  if (hulls_) uses.add(use(hulls_, access));
+  if (volumes_->most_bodies() == 0) return;  // nothing writes them
+  uses.add(use(nodes_, access));
+  uses.add(use(buffer_, access));
 }
 
 void DrawnClip::fill_hulls(Device& device) {

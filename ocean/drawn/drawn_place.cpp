@@ -71,7 +71,7 @@ DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
   }
 }
 
-void DrawnPlace::update(Frame& frame, const Sea& sea, double time_s, const glm::dvec3& viewer) {
+void DrawnPlace::update(Frame& frame, Sea& sea, double time_s, const glm::dvec3& viewer) {
   if (!std::isfinite(viewer.x + viewer.y + viewer.z)) return;
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
@@ -100,6 +100,7 @@ void DrawnPlace::update(Frame& frame, const Sea& sea, double time_s, const glm::
         });
   }
   time_s_ = time_s;
+  if (clip_) clip_->update(frame, sea.clip_volumes());
   if (bed_) follow(sea);
   if (bed_) update(frame, *bed_, time_s);
   if (shore_) shore_->update(frame, placement_, time_s);
@@ -183,7 +184,7 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
       data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
   }
   const glm::dvec2 whole = glm::floor(grid_origin_m);
-  data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);
+  data.clip_origin = glm::ivec4(glm::ivec2(whole), clip_ ? int(clip_->volumes().nodes().size()) : 0, 0);
   data.clip_from = glm::vec4(glm::vec2(grid_origin_m - whole), 0.0f, 0.0f);
   data.flow =
       glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));

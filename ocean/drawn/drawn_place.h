@@ -19,9 +19,9 @@ class DrawnPlace {
   // Every field is made under the name of its effect. Throws as validate() does.
   DrawnPlace(Device& device, const Sea& sea);
 
-  // Has the data around a viewer (m) at a time in the images, with what the bed makes of the sea's waves now; records
-  // nothing where nothing has changed.
-  void update(Frame& frame, const Sea& sea, double time_s, const glm::dvec3& viewer_m);
+  // Has the data around a viewer (m) at a time in the images, with what the bed makes of the sea's waves and what clips
+  // now; records nothing where nothing has changed.
+  void update(Frame& frame, Sea& sea, double time_s, const glm::dvec3& viewer_m);
   // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
   void describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const;
   void add_uses(Uses& uses, Access access) const;

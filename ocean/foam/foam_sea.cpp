@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/inputs/soft_edge.h"
 #include "ocean/places/place_fields.h"
 
 namespace seascape {
@@ -21,8 +22,8 @@ glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double
 }
 }  // namespace
 
-bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes) {
-  return ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) ||
+bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors) {
+  return actors || ((spec.settings.simulated || wakes) && spec.settings.breaking > 0.0) ||
          (spec.inputs && !spec.inputs->empty()) ||
          (shores && (spec.settings.shore_per_s > 0.0 || spec.settings.breaking > 0.0));
 }
@@ -111,28 +112,69 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
       // In a surf zone the crests break.
       if (surf) per_s[i] += breaking * float(broken) * float(std::clamp(2.0 * up / most, 0.0, 1.0));
     }
-  if (!spec_.inputs || spec_.inputs->empty()) return;
+  const Moved moved = shore_waves ? Moved(along) : Moved();
+  if (spec_.inputs && !spec_.inputs->empty()) add_inputs(row, per_s, time_s, moved);
+  if (!discs_.empty()) add_discs(row, per_s, moved);
+}
+
+// Where the water of a row's texel stands, in the world.
+glm::dvec2 FoamSea::standing(const FoamRow& row, std::size_t i, Moved along) const {
+  const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
+  glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
+  if (!along.empty()) d += along[i].displacement;
+  return rest + glm::dvec2(d.x, d.z);
+}
+
+double FoamSea::largest_shift_m() const { return shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0); }
+
+void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const {
   const InputBounds bounds = spec_.inputs->bounds();
-  const double around = shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0) + row.texel_m;
+  const double around = largest_shift_m() + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
     if (!bounds.holds(rest, around)) continue;
-    glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
-    if (shore_waves) d += along[i].displacement;
-    per_s[i] += spec_.inputs->value(rest + glm::dvec2(d.x, d.z), row.texel_m, time_s, glm::vec4(0.0f), rest).x;
+    per_s[i] += spec_.inputs->value(standing(row, i, along), row.texel_m, time_s, glm::vec4(0.0f), rest).x;
+  }
+}
+
+// Discs cover what they do of a texel's side, as inputs do.
+void FoamSea::add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const {
+  struct Near {
+    const FoamDisc* disc;
+    double per_s, reach_m;
+  };
+  thread_local std::vector<Near> near;
+  near.clear();
+  for (const FoamDisc& disc : discs_) {
+    const double reach = disc.radius_m + soft_reach(disc.feather_m, row.texel_m) + largest_shift_m();
+    if (std::abs(disc.at_m.y - row.first_m.y) < reach)
+      near.push_back({&disc, disc.per_s * disc_factor(disc.radius_m, disc.feather_m, row.texel_m), reach});
+  }
+  if (near.empty()) return;
+  for (std::size_t i = 0; i < per_s.size(); ++i) {
+    const double x = row.first_m.x + double(i) * row.texel_m;
+    if (std::none_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))
+      continue;
+    const glm::dvec2 at = standing(row, i, along);
+    for (const Near& n : near)
+      per_s[i] += float(n.per_s *
+                        soft_share(n.disc->radius_m - glm::distance(at, n.disc->at_m), n.disc->feather_m, row.texel_m));
   }
 }
 
 bool FoamSea::any_source(bool wakes) const {
   const FoamSettings& s = spec_.settings;
   return (s.breaking > 0.0 && ((s.simulated && breaking_.ever()) || wakes)) ||
-         (spec_.inputs && !spec_.inputs->empty()) || (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
+         (spec_.inputs && !spec_.inputs->empty()) || !discs_.empty() ||
+         (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
 }
 
 std::uint32_t FoamSea::advance(double time_s, double dt) {
-  // Of the time that settles the dynamic waves are not known.
+  // Of the time that settles neither dynamic waves nor actors are known.
   const bool wakes = sea_.dynamic_waves() != nullptr && !settling_;
+  discs_.clear();
+  if (!settling_) sea_.foam().append(time_s - dt, time_s, discs_);
   if (!any_source(wakes)) return foam_.step(dt, nullptr);
   const LodField<float>& field = foam_.field();
   breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());

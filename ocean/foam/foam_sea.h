@@ -1,11 +1,12 @@
-// The foam of a scene: fed by breaking waves, wakes, shores and inputs, carried by currents, driven by the sea's time
-// and its viewer.
+// The foam of a scene: fed by breaking waves, wakes, shores, inputs and actors, carried by currents, driven by the
+// sea's time and its viewer.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ocean/foam/breaking.h"
 #include "ocean/foam/foam.h"
@@ -22,16 +23,16 @@ struct FoamSpec {
   std::shared_ptr<const Inputs> inputs, flow;  // null: none
   PlaceSettings place;                         // the flow where no input is
 };
-// Whether foam has to be simulated: as the settings ask, or for inputs, shores or wakes.
-bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes);
+// Whether foam has to be simulated: as the settings ask, or for inputs, shores, wakes or actors (SeaSpec::actors_foam).
+bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 
-// Steps fall on whole multiples of 1 / rate of the sea's time, and all but wakes is a function of time and place:
-// however a span is cut into frames, foam is the same to the bit around a viewer who stands (but where a frame is
-// longer than most_steps of them, which is then divided among as many longer ones). Time that runs backwards or jumps
-// by more than longest_s begins anew, from the mean of the sea's whitecaps settle_s before: a moment looks alike
-// wherever the frames began, to exp(-settle_s / life_s) of what was there. Not promised: the same foam to the bit after
-// different ways of the viewer (what comes into a window has the next coarser one's), and of wakes at different frame
-// rates.
+// Steps fall on whole multiples of 1 / rate of the sea's time, and all but wakes is a function of time and place or
+// comes of the sea's own steps (ActorFoam): however a span is cut into frames, foam is the same to the bit around a
+// viewer who stands (but where a frame is longer than most_steps of them, which is then divided among as many longer
+// ones). Time that runs backwards or jumps by more than longest_s begins anew, from the mean of the sea's whitecaps
+// settle_s before: a moment looks alike wherever the frames began, to exp(-settle_s / life_s) of what was there. Not
+// promised: the same foam to the bit after different ways of the viewer (what comes into a window has the next coarser
+// one's), and of wakes at different frame rates.
 //
 // Waves along curves break by the same laws as the others: where all together squeeze the surface to less than a
 // threshold, and in a surf zone by the share of their own energy that breaks there.
@@ -75,7 +76,12 @@ class FoamSea {
  private:
   std::uint32_t advance(double time_s, double dt);
   void follow(const LodPlacement& placement);
+  using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
   void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
+  void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const;
+  void add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const;
+  glm::dvec2 standing(const FoamRow& row, std::size_t i, Moved along) const;
+  double largest_shift_m() const;
   bool any_source(bool wakes) const;
   float mean_cover() const;
   FoamSpec spec_;
@@ -85,6 +91,7 @@ class FoamSea {
   Water water_;
   std::optional<LodField<glm::vec3>> still_water_;  // StillWater, of the sea's own waves
   std::optional<FoamShore> shore_;                  // none where no waves run along curves
+  std::vector<FoamDisc> discs_;                     // of actors, in the step that runs
   float fresh_ = 0.0f;
   double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
   std::int64_t next_ticks() const;

@@ -1,6 +1,7 @@
 #include "ocean/inputs/clip_volumes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -26,70 +27,185 @@ int cell(double metres) { return int(std::clamp(std::floor(metres), -2e9, 2e9));
 
 }  // namespace
 
-ClipVolumes::ClipVolumes(std::span<const InputSpec> specs) {
+// A body in the world: its own axes as columns, its middle, and half its box's sides along those axes.
+struct ClipSolid {
+  glm::dmat3 axes{1.0};
+  glm::dvec3 middle{0.0}, half{0.0};
+  glm::vec3 measures{0.0f};  // gpu::ClipVolume::axis, w
+  double edge = 0.0;
+  int form = gpu::clip_box, map = 0;
+};
+
+namespace {
+
+// A form about the origin; T is a VolumeInput or a ClipBody.
+template <class T>
+ClipSolid form_of(const T& body) {
+  using Form = VolumeInput::Form;
+  ClipSolid result;
+  const double length = 0.5 * body.length_m;
+  result.edge = body.form == Form::box ? body.round_m : body.form == Form::cylinder ? 0.0 : body.radius_m;
+  result.half = body.form == Form::box      ? 0.5 * body.size_m
+                : body.form == Form::sphere ? glm::dvec3(body.radius_m)
+                                            : glm::dvec3(body.radius_m, length, body.radius_m);
+  result.measures = body.form == Form::cylinder ? glm::vec3(float(body.radius_m), float(length), 0.0f)
+                                                : glm::vec3(glm::max(result.half - result.edge, 0.0));
+  result.form = body.form == Form::cylinder ? gpu::clip_cylinder : gpu::clip_box;
+  return result;
+}
+
+// A hull whose model's origin stands at `at`.
+ClipSolid hull_of(const HullMap& hull, int map, double scale, const glm::dmat3& axes, const glm::dvec3& at) {
+  ClipSolid result;
+  result.axes = axes;
+  result.middle = at + axes * (scale * hull.middle_m);
+  const double wide = scale * hull.texel_m * (0.5 * gpu::clip_hull_texels - double(gpu::clip_hull_margin) + 1.0);
+  result.half = {wide, scale * hull.half_height_m, wide};
+  result.measures = {float(scale * hull.texel_m), float(result.half.y), 0.0f};
+  result.form = gpu::clip_hull;
+  result.map = map;
+  return result;
+}
+
+// The maps of models, each made once.
+class HullMaps {
+ public:
+  explicit HullMaps(std::vector<HullMap>& maps) : maps_(maps) {}
+  // The number of a model's map. Throws Error at the spec's place.
+  int of(const InputSpec& spec) {
+    const ShapeInput& shape = std::get<ShapeInput>(spec.shape);
+    const auto known = std::find(models_.begin(), models_.end(), shape.model.get());
+    if (known != models_.end()) return int(known - models_.begin());
+    if (models_.size() == most_input_hulls)
+      throw Error(spec.where, "file: more than " + std::to_string(most_input_hulls) + " different models as hulls",
+                  "place the same ones more often");
+    validate_hull(spec);
+    maps_.push_back(make_hull_map(*shape.model));
+    models_.push_back(shape.model.get());
+    return int(models_.size()) - 1;
+  }
+
+ private:
+  std::vector<HullMap>& maps_;
+  std::vector<const Model*> models_;
+};
+
+bool within(double value, const InputRange& range) { return value >= range.least && value <= range.most; }
+bool within(const glm::dvec3& v, const InputRange& range) {
+  return within(v.x, range) && within(v.y, range) && within(v.z, range);
+}
+
+}  // namespace
+
+ClipVolumes::ClipVolumes(std::span<const InputSpec> specs, const ClipRoom& room) : most_bodies_(room.most_bodies) {
+  if (room.most_bodies < 0 || room.most_bodies > most_clip_bodies)
+    throw Error("most_bodies", std::to_string(room.most_bodies) + " is out of range",
+                "give 0 to " + std::to_string(most_clip_bodies));
   std::vector<const InputSpec*> sorted;
   for (const InputSpec& spec : specs)
     if (is_volume(spec)) sorted.push_back(&spec);
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const InputSpec* a, const InputSpec* b) { return a->order < b->order; });
-  std::vector<const Model*> models;
+  auto hulls = std::make_shared<Hulls>();
+  hulls_ = hulls;
+  HullMaps maps(hulls->maps);
   for (const InputSpec* spec : sorted) {
     validate(*spec);
-    add(*spec, models);
+    const bool takes_away = spec->value.x > 0.5f;
+    if (const ShapeInput* shape = std::get_if<ShapeInput>(&spec->shape)) {
+      add(solid(*shape, maps.of(*spec)), takes_away);
+    } else {
+      const VolumeInput& body = std::get<VolumeInput>(spec->shape);
+      ClipSolid form = form_of(body);
+      form.axes = turned(body.turn_deg, body.pitch_deg, body.roll_deg);
+      form.middle = body.at_m;
+      add(form, takes_away);
+    }
   }
-  std::vector<std::uint32_t> numbers(volumes_.size());
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  if (!numbers.empty()) add_nodes(numbers);
+  for (std::size_t i = 0; i < room.hulls.size(); ++i) {
+    assert(room.hulls[i] != nullptr);
+    InputSpec spec;
+    spec.to = InputTarget::clip;
+    spec.shape = ShapeInput{.model = room.hulls[i], .from = ShapeInput::From::hull};
+    spec.where = "hulls[" + std::to_string(i) + "] of bodies";
+    hulls->of_bodies.push_back(maps.of(spec));
+  }
+  add_tree(0);
+  fixed_volumes_ = volumes_.size();
+  fixed_nodes_ = nodes_.size();
 }
 
-void ClipVolumes::add(const InputSpec& spec, std::vector<const Model*>& models) {
-  gpu::ClipVolume v{};
-  glm::dmat3 axes(1.0);
-  glm::dvec3 middle(0.0), half(0.0);  // half its box's sides in its own axes
-  glm::vec3 measures(0.0f);
-  if (const ShapeInput* shape = std::get_if<ShapeInput>(&spec.shape)) {
-    auto model = std::find(models.begin(), models.end(), shape->model.get());
-    if (model == models.end()) {
-      if (models.size() == most_input_hulls)
-        throw Error(spec.where, "file: more than " + std::to_string(most_input_hulls) + " different models as hulls",
-                    "place the same ones more often");
-      validate_hull(spec);
-      hulls_.push_back(make_hull_map(*shape->model));
-      model = models.insert(models.end(), shape->model.get());
-    }
-    const HullMap& hull = hulls_[std::size_t(model - models.begin())];
-    axes = turned(shape->turn_deg, shape->pitch_deg, shape->roll_deg);
-    middle = glm::dvec3(shape->at_m.x, shape->at_height_m, shape->at_m.y) + axes * (shape->scale * hull.middle_m);
-    const double wide =
-        shape->scale * hull.texel_m * (0.5 * gpu::clip_hull_texels - double(gpu::clip_hull_margin) + 1.0);
-    half = {wide, shape->scale * hull.half_height_m, wide};
-    measures = {float(shape->scale * hull.texel_m), float(half.y), 0.0f};
-    v.middle.z = gpu::clip_hull;
-    v.middle.w = int(model - models.begin());
-  } else {
-    const VolumeInput& body = std::get<VolumeInput>(spec.shape);
-    using Form = VolumeInput::Form;
-    axes = turned(body.turn_deg, body.pitch_deg, body.roll_deg);
-    middle = body.at_m;
-    const double length = 0.5 * body.length_m, edge = body.form == Form::box        ? body.round_m
-                                                      : body.form == Form::cylinder ? 0.0
-                                                                                    : body.radius_m;
-    half = body.form == Form::box      ? 0.5 * body.size_m
-           : body.form == Form::sphere ? glm::dvec3(body.radius_m)
-                                       : glm::dvec3(body.radius_m, length, body.radius_m);
-    measures = body.form == Form::cylinder ? glm::vec3(float(body.radius_m), float(length), 0.0f)
-                                           : glm::vec3(glm::max(half - edge, 0.0));
-    v.edge.x = float(edge);
-    v.middle.z = body.form == Form::cylinder ? gpu::clip_cylinder : gpu::clip_box;
+ClipSolid ClipVolumes::solid(const ShapeInput& shape, int map) const {
+  return hull_of(hulls_->maps[std::size_t(map)], map, shape.scale,
+                 turned(shape.turn_deg, shape.pitch_deg, shape.roll_deg),
+                 {shape.at_m.x, shape.at_height_m, shape.at_m.y});
+}
+
+ClipSolid ClipVolumes::solid(const ClipBody& body) const {
+  const glm::dmat3 axes = glm::mat3_cast(body.orientation);
+  if (body.hull != ClipBody::no_hull) {
+    const int map = hulls_->of_bodies[std::size_t(body.hull)];
+    return hull_of(hulls_->maps[std::size_t(map)], map, body.scale, axes, body.at_m);
   }
-  for (int i = 0; i < 3; ++i) v.axis[i] = glm::vec4(glm::vec3(axes[i]), measures[i]);
-  const glm::dvec2 whole(std::floor(middle.x), std::floor(middle.z));
-  v.middle.x = cell(middle.x), v.middle.y = cell(middle.z);
-  v.offset = glm::vec4(float(middle.x - whole.x), float(middle.y), float(middle.z - whole.y),
-                       spec.value.x > 0.5f ? 1.0f : 0.0f);
-  const glm::dvec3 about = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + 1e-3;
+  ClipSolid result = form_of(body);
+  result.axes = axes;
+  result.middle = body.at_m;
+  return result;
+}
+
+bool ClipVolumes::takes(const ClipBody& body) const {
+  using Form = VolumeInput::Form;
+  constexpr InputRange speeds{-1e4, 1e4};
+  if (!within(body.at_m, input_place_range) || !within(body.at_m.y, input_height_range) ||
+      !within(body.velocity_mps, speeds) || !within(body.spin_rad_s, speeds) ||
+      !within(glm::length(body.orientation), {0.999, 1.001}))
+    return false;
+  if (body.hull != ClipBody::no_hull)
+    return body.hull >= 0 && std::size_t(body.hull) < hulls_->of_bodies.size() && within(body.scale, input_model_range);
+  if (body.form == Form::box)
+    return within(body.size_m, input_size_range) &&
+           within(body.round_m, {0.0, 0.5 * std::min({body.size_m.x, body.size_m.y, body.size_m.z})});
+  return within(body.radius_m, input_size_range) &&
+         (body.form != Form::capsule || within(body.length_m, {2.0 * body.radius_m, 4e6})) &&
+         (body.form != Form::cylinder || within(body.length_m, input_size_range));
+}
+
+void ClipVolumes::place(std::span<const ClipBody> bodies) {
+  assert(bodies.size() <= std::size_t(most_bodies_));
+  const auto most = std::size_t(most_bodies_);
+  bodies_.reserve(most);
+  volumes_.reserve(fixed_volumes_ + most);
+  boxes_.reserve(fixed_volumes_ + most);
+  nodes_.reserve(fixed_nodes_ + 2 * most);
+  numbers_.reserve(fixed_volumes_ + most);
+  volumes_.resize(fixed_volumes_);
+  boxes_.resize(fixed_volumes_);
+  nodes_.resize(fixed_nodes_);
+  bodies_.assign(bodies.begin(), bodies.end());
+  for (const ClipBody& body : bodies) add(solid(body), true);
+  add_tree(fixed_volumes_);
+}
+
+void ClipVolumes::add(const ClipSolid& solid, bool takes_away) {
+  gpu::ClipVolume v{};
+  for (int i = 0; i < 3; ++i) v.axis[i] = glm::vec4(glm::vec3(solid.axes[i]), solid.measures[i]);
+  const glm::dvec2 whole(std::floor(solid.middle.x), std::floor(solid.middle.z));
+  v.middle = {cell(solid.middle.x), cell(solid.middle.z), solid.form, solid.map};
+  v.offset = glm::vec4(float(solid.middle.x - whole.x), float(solid.middle.y), float(solid.middle.z - whole.y),
+                       takes_away ? 1.0f : 0.0f);
+  v.edge.x = float(solid.edge);
+  glm::dvec3 about(1e-3);
+  for (int i = 0; i < 3; ++i) about += glm::abs(solid.axes[i]) * solid.half[i];
   volumes_.push_back(v);
-  boxes_.push_back({middle - about, middle + about});
+  boxes_.push_back({solid.middle - about, solid.middle + about});
+}
+
+// Of the volumes from `first` on, after the nodes that are there.
+void ClipVolumes::add_tree(std::size_t first) {
+  if (first == volumes_.size()) return;
+  numbers_.resize(volumes_.size() - first);
+  std::iota(numbers_.begin(), numbers_.end(), std::uint32_t(first));
+  add_nodes(numbers_);
 }
 
 // Halves by the median of their middles, along the longer side.
@@ -133,7 +249,7 @@ double ClipVolumes::distance_m(std::size_t volume, glm::dvec3 at_m) const {
   if (v.middle.z == gpu::clip_cylinder) return double(gpu::clip_cylinder_distance(p, v.axis[0].w, v.axis[1].w));
   if (v.middle.z == gpu::clip_box)
     return double(gpu::clip_box_distance(p, {v.axis[0].w, v.axis[1].w, v.axis[2].w}, v.edge.x));
-  const HullMap& hull = hulls_[std::size_t(v.middle.w)];
+  const HullMap& hull = hulls_->maps[std::size_t(v.middle.w)];
   const double scale = double(v.axis[0].w) / hull.texel_m;
   return double(gpu::clip_hull_distance(p.y, hull.read(glm::dvec2(p.x, p.z) / scale), v.axis[0].w, v.axis[1].w));
 }

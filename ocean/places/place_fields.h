@@ -29,7 +29,8 @@ struct PlaceInputs {
   std::vector<std::shared_ptr<const Inputs>> kinds;  // each kind once at most
   std::vector<std::shared_ptr<const Inputs>>
       following;  // of what lies on the water (albedo, shadow), those that go with the waves; each kind once at most
-  std::shared_ptr<const ClipVolumes> volumes;  // of clip beside its flat inputs; null where there are none
+  std::shared_ptr<const ClipVolumes> volumes;  // of clip beside its flat inputs; null where there are none, and
+                                               // no room for bodies
 
   std::shared_ptr<const ShoreLines> shore = nullptr;  // along which waves run; null where none do
 

@@ -16,6 +16,13 @@ struct PlaceReading {
   double fine_texel_m() const { return std::ldexp(texel_m, read.fine); }
 };
 
+// What whether there is no water is read from.
+struct ClipRead {
+  double texel_m = 0.0;                  // of flat inputs the texels of this side; 0: the finest of windows
+  const ClipVolumes* volumes = nullptr;  // in place of the scene's, with the bodies of actors; null: the scene's
+  const LodPlacement* seen = nullptr;    // flat inputs as a picture with these windows has them; null: by texel_m
+};
+
 // For a footprint, m: as a picture reads a place (x and z, m) whose windows lie as `seen` says; without one the finest
 // texels that the footprint leaves, wherever the place is.
 inline PlaceReading place_reading(const LodWindowSettings& settings, glm::dvec2 place_m, double footprint_m,

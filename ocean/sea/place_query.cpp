@@ -68,20 +68,24 @@ bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
                       [&](LodIndex from) { return cell.first[from.x * cell.right + from.y * cell.below]; }) > 0.5f;
 }
 
-bool PlaceSea::clipped(glm::dvec3 point, double time, double texel, const LodPlacement* seen) const {
+bool PlaceSea::clipped(glm::dvec3 point, bool flat, const ClipVolumes* volumes) const {
+  if (volumes == nullptr) volumes = volumes_.get();
+  return volumes == nullptr ? flat : volumes->clipped(point, flat);
+}
+
+bool PlaceSea::flat_clipped(glm::dvec2 at, double time, const ClipRead& read) const {
+  if (read.seen != nullptr && clip_)
+    return PlaceReader(*clip_, settings_, time)(reading({at, 0.0, read.seen, false}), at).x > 0.5f;
+  return flat_clipped(at, read.texel_m > 0.0 ? read.texel_m : settings_.windows.texel_m, time);
+}
+
+bool PlaceSea::clipped(glm::dvec3 point, double time, const ClipRead& read) const {
   if (!clips() || !std::isfinite(point.x + point.z)) return false;
-  const bool flat = flat_clipped({point.x, point.z}, texel > 0.0 ? texel : settings_.windows.texel_m, time, seen);
-  return volumes_ == nullptr ? flat : volumes_->clipped(point, flat);
+  return clipped(point, flat_clipped({point.x, point.z}, time, read), read.volumes);
 }
 
-bool PlaceSea::flat_clipped(glm::dvec2 at, double texel, double time, const LodPlacement* seen) const {
-  if (seen == nullptr || !clip_) return flat_clipped(at, texel, time);
-  return PlaceReader(*clip_, settings_, time)(reading({at, 0.0, seen, false}), at).x > 0.5f;
-}
-
-bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double texel, double time, const LodPlacement* seen) const {
-  const bool flat = flat_clipped(rest, texel, time, seen);
-  return volumes_ == nullptr ? flat : volumes_->clipped({rest.x + d.x, d.y, rest.y + d.z}, flat);
+bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double time, const ClipRead& read) const {
+  return clipped({rest.x + d.x, d.y, rest.y + d.z}, flat_clipped(rest, time, read), read.volumes);
 }
 
 namespace {
@@ -158,7 +162,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   LodWindowSettings windows = settings_.windows;
   if (beside.finest_m > 0.0) windows.texel_m = beside.finest_m, windows.slices = gpu::max_lod_slices;
   plan.reading = place_reading(windows, glm::dvec2(0.0), options.footprint_m, nullptr);
-  plan.clip_texel_m = plan.reading.texel_m;
+  plan.clip = {plan.reading.texel_m, beside.volumes, options.seen};
   if (options.seen != nullptr) {
     plan.seen = options.seen;
     plan.reading.texel_m = lod_texel_m(settings_.windows, *options.seen, 0);
@@ -226,8 +230,8 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
   const double time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
   for_blocks([&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
-      answers[i].clipped =
-          clipped({places[i].x, answers[i].height_m, places[i].y}, time_s, beside.finest_m, options.seen);
+      answers[i].clipped = clipped({places[i].x, answers[i].height_m, places[i].y}, time_s,
+                                   {.texel_m = beside.finest_m, .volumes = beside.volumes, .seen = options.seen});
   });
 }
 

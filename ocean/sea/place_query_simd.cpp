@@ -51,7 +51,7 @@ HWY_INLINE void compose(D d, const PlacePlan& plan, const Known& at, const Sums&
 HWY_INLINE void dry(const PlacePlan& plan, const Group& g, const Known& at, float* shift, int point) {
   float* const s = shift + 4 * point;
   const glm::dvec2 rest(g.x[point] + double(g.way_x[point]), g.z[point] + double(g.way_z[point]));
-  if (!plan.places->dry(rest, {s[0], s[1], s[2]}, plan.clip_texel_m, plan.time_s, plan.seen)) return;
+  if (!plan.places->dry(rest, {s[0], s[1], s[2]}, plan.time_s, plan.clip)) return;
   s[0] = s[2] = 0.0f;
   s[1] = at.value[PlaceTexel::water][4 * point + 1];
 }

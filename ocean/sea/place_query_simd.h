@@ -13,6 +13,7 @@
 
 namespace seascape {
 
+class ClipVolumes;
 class PlaceSea;
 
 // What a texel of PlacePages has for queries, four floats to a vector. The first is always there, the next three over a
@@ -54,7 +55,7 @@ struct PlacePlan {
   int slices = 0;                      // as many windows,
   float footprint_m = 0.0f;            // and the query's footprint
   std::array<float, 4 * PlacePages::most_vectors> outside{};  // beyond all windows
-  double clip_texel_m = 1.0;                                  // of flat clip
+  ClipRead clip;                                              // where it dries
   double place_time_s = 0.0, time_s = 0.0;                    // as of which places are taken; of the sea
   FlowPhase phase{};
   double period_s = 1.0;

@@ -38,8 +38,8 @@ void PlaceSea::follow(ShallowsMix shallows) {
   renew();
 }
 
-PlaceSea::Readers::Readers(const PlaceSea& sea, double time, const DynamicSurface* waves)
-    : time_s(time), dynamic(waves) {
+PlaceSea::Readers::Readers(const PlaceSea& sea, double time, const DynamicSurface* waves, const ClipVolumes* now)
+    : time_s(time), dynamic(waves), volumes(now) {
   if (sea.level_) level.emplace(*sea.level_, sea.settings_, time);
   if (sea.flow_) flow.emplace(*sea.flow_, sea.settings_, time);
   if (sea.clip_) clip.emplace(*sea.clip_, sea.settings_, time);
@@ -55,12 +55,6 @@ double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
   return flow_ ? glm::dvec2(PlaceReader(*flow_, settings_, time)(reading({rest, footprint, nullptr, false}), rest))
                : glm::dvec2(0.0);
-}
-
-bool PlaceSea::dry(const Here& here, glm::dvec3 d) const {
-  if (!shallows_) return false;
-  return volumes_ == nullptr ? here.flat_clipped
-                             : volumes_->clipped({here.rest.x + d.x, d.y, here.rest.y + d.z}, here.flat_clipped);
 }
 
 namespace {
@@ -190,8 +184,8 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
 }
 
 SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, double footprint,
-                        const LodPlacement* seen, const DynamicSurface* dynamic) const {
-  Readers readers(*this, seconds(tiles), dynamic);
+                        const LodPlacement* seen, const DynamicSurface* dynamic, const ClipVolumes* volumes) const {
+  Readers readers(*this, seconds(tiles), dynamic, volumes);
   return sea(field, tiles, {rest, footprint, seen, true}, readers);
 }
 
@@ -223,7 +217,8 @@ SeaSample PlaceSea::sea(const WaveField& field, const WaveTiles& tiles, const As
     result.displacement.y = here.bed_m;
     result.height_gradient = here.bed_gradient;
   }
-  if (!dry(here, result.displacement)) return result;
+  const glm::dvec3 point = glm::dvec3(here.rest.x, 0.0, here.rest.y) + result.displacement;
+  if (!clipped(point, here.flat_clipped, readers.volumes)) return result;
   result = {};
   result.displacement.y = here.bed_m;
   result.height_gradient = here.bed_gradient;

@@ -41,21 +41,23 @@ class PlaceSea {
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away, by flat
-  // inputs as texels of this side have them; 0: the finest of windows. `seen`: as a picture with these windows has it.
-  bool clipped(glm::dvec3 point_m, double time_s, double texel_m = 0.0, const LodPlacement* seen = nullptr) const;
+  // inputs and by volumes.
+  bool clipped(glm::dvec3 point_m, double time_s, const ClipRead& read = {}) const;
 
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.from.get(); }
 
   // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of
   // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it. `dynamic`: null where
-  // dynamic waves are left out.
+  // dynamic waves are left out. `volumes`: as above.
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
-                const LodPlacement* seen = nullptr, const DynamicSurface* dynamic = nullptr) const;
+                const LodPlacement* seen = nullptr, const DynamicSurface* dynamic = nullptr,
+                const ClipVolumes* volumes = nullptr) const;
 
   // What questions have beside the waves.
   struct Beside {
     const DynamicSurface* dynamic = nullptr;  // null: no dynamic waves
+    const ClipVolumes* volumes = nullptr;     // with the bodies of actors; null: the scene's alone
     double finest_m = 0.0;                    // no texels of places finer than this are read; 0: than windows have
     double left_out_m = 0.0;                  // SeaView::left_out_m
   };
@@ -68,8 +70,7 @@ class PlaceSea {
     query(field, tiles, places, answers, options, Beside{});
   }
   // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
-  bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double texel_m, double time_s,
-           const LodPlacement* seen = nullptr) const;
+  bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double time_s, const ClipRead& read) const;
   // Whether many places were asked for, and this had better begin with new memory of them (renew).
   bool worn() const { return (pages_ && pages_->worn()) || (clip_pages_ && clip_pages_->worn()); }
   // Not while anybody asks.
@@ -111,9 +112,10 @@ class PlaceSea {
   };
   // What is known of places at one time of the sea; what there is none of is not read.
   struct Readers {
-    Readers(const PlaceSea& sea, double time_s, const DynamicSurface* dynamic);
+    Readers(const PlaceSea& sea, double time_s, const DynamicSurface* dynamic, const ClipVolumes* volumes);
     double time_s;
     const DynamicSurface* dynamic;
+    const ClipVolumes* volumes;
     std::optional<PlaceReader<glm::vec4>> level, flow, clip;
     std::optional<PlaceReader<BedTexel>> bed;
     std::optional<PlaceReader<ShoreTexel>> shore;
@@ -130,9 +132,9 @@ class PlaceSea {
   void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
   void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s) const;
-  bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s, const LodPlacement* seen) const;
-  // Clipped over a bed: that is the surface.
-  bool dry(const Here& here, glm::dvec3 displacement) const;
+  bool flat_clipped(glm::dvec2 place_m, double time_s, const ClipRead& read) const;
+  // By flat inputs or by volumes, at a point of the surface.
+  bool clipped(glm::dvec3 point_m, bool flat, const ClipVolumes* volumes) const;
   PlaceReading reading(const Asked& asked) const {
     return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
   }

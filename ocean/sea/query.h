@@ -45,7 +45,7 @@ struct QueryOptions {
   // Answers of a moment ago for the same objects, in the same order, near where they are asked now; empty: none. The
   // search starts from their displacements, and saves a step or two. May be the memory of the new answers.
   std::span<const QueryAnswer> previous = {};
-  // Whether dynamic waves are in the answers, which depend on what came before (SeaView).
+  // Whether dynamic waves and the bodies of actors are in the answers, which depend on what came before (SeaView).
   bool history = true;
   // Has what belongs to places as a picture with these windows shows it, coarser with distance; it has to outlive the
   // call. Null: in the finest texels that the footprint leaves, wherever the place is.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "ocean/places/bed_change.h"
 #include "ocean/sea/left_out.h"
+#include "ocean/sea/state_hash.h"
 
 namespace seascape {
 
@@ -32,14 +32,8 @@ std::unique_ptr<DynamicSea> dynamic_of(const SeaSpec& spec) {
   return spec.dynamic_waves ? std::make_unique<DynamicSea>(*spec.dynamic_waves, spec.pressure) : nullptr;
 }
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a over its bytes
-  for (int i = 0; i < 8; ++i) hash = (hash ^ (value >> (8 * i) & 0xffu)) * 1099511628211ull;
-  return hash;
-}
-std::uint64_t bits(double value) {
-  std::uint64_t result;
-  std::memcpy(&result, &value, sizeof result);
-  return result;
+double rate_of(const DynamicSea* dynamic_waves) {
+  return dynamic_waves ? dynamic_waves->rate_hz() : rate_without_dynamic_waves_hz;
 }
 }  // namespace
 
@@ -49,7 +43,9 @@ Sea::Sea(SeaSpec spec)
       bins_(bins_of_spec(spec_)),
       chop_(spec_.state.chop),
       seed_(spec_.state.seed),
-      dynamic_(dynamic_of(spec_)) {
+      dynamic_(dynamic_of(spec_)),
+      bodies_(spec_.place.volumes, 1.0 / rate_of(dynamic_.get())),
+      foam_(spec_.actors_foam) {
   std::erase_if(spec_.sources, [](const auto& source) { return source->still(); });
   if (!spec_.has_waves) {
     for (WaveQuality* quality : {&spec_.drawn, &spec_.crests, &spec_.felt}) quality->cascades = 0;
@@ -82,15 +78,18 @@ SeaView Sea::view(std::int64_t ticks, SeaDetail detail) {
     places_->renew();
   }
   return SeaView(moments_.moment({ticks, detail, spec_.velocity(detail), waves_version_}, fields_[i], places_,
-                                 surface_of(ticks), left_out_m_[i]));
+                                 {surface_of(ticks), volumes_of(ticks)}, left_out_m_[i]));
 }
 
 std::shared_ptr<const DynamicSurface> Sea::surface_of(std::int64_t ticks) {
   if (dynamic_ == nullptr || !begun_) return nullptr;
-  const std::int64_t now = stepping_ ? *stepping_ : ticks_from_seconds(time_s_);
   // Foam and spray ask of steps that lie within the last frame: of these the dynamic waves are known as they are now.
   const std::int64_t within = ticks_from_seconds(1.0);
-  return ticks <= now && ticks > now - within ? dynamic_->shared_surface() : nullptr;
+  return ticks <= now() && ticks > now() - within ? dynamic_->shared_surface() : nullptr;
+}
+
+std::shared_ptr<const ClipVolumes> Sea::volumes_of(std::int64_t ticks) {
+  return ticks == now() ? bodies_.at(double(ticks) / double(gpu::ticks_per_second)) : bodies_.scene();
 }
 
 const SeaView& SeaStep::felt() {
@@ -98,31 +97,51 @@ const SeaView& SeaStep::felt() {
   return felt_;
 }
 
+bool SeaStep::clip(const ClipBody& body) { return sea_.bodies_.add(*actor_, body); }
+bool SeaStep::foam(const FoamDisc& disc) { return sea_.foam_.add(disc); }
+
 void Sea::take_away(const SeaActor& actor) {
+  bodies_.take_away(actor);
   std::erase_if(actors_, [&](const auto& one) { return one.get() == &actor; });
+}
+
+void Sea::step_actors(double end_s, double dt_s, std::vector<WaveSource>& presses) {
+  bodies_.begin_step();
+  if (!actors_.empty()) {
+    stepping_ = ticks_from_seconds(end_s);
+    if (changing()) follow_change(*stepping_);
+    SeaStep step(*this, end_s, dt_s, presses);
+    for (const auto& actor : actors_) {
+      step.actor_ = actor.get();
+      actor->step(step);
+    }
+    stepping_.reset();
+  }
+  bodies_.end_step(end_s);
+  foam_.end_step(end_s, dt_s);
 }
 
 void Sea::advance(double time_s, const glm::dvec3& viewer) {
   if (!(std::abs(time_s) < 1e15)) return;
-  moments_.forget_dynamic();
+  moments_.forget_now();
+  bodies_.forget();
   const std::int64_t ticks = ticks_from_seconds(time_s);
-  const auto step_actors = [&](double end_s, double dt_s, std::vector<WaveSource>& presses) {
-    if (actors_.empty()) return;
-    stepping_ = ticks_from_seconds(end_s);
-    if (changing()) follow_change(*stepping_);
-    SeaStep step(*this, end_s, dt_s, presses);
-    for (const auto& actor : actors_) actor->step(step);
-    stepping_.reset();
-  };
-  const double rate = dynamic_ ? dynamic_->rate_hz() : rate_without_dynamic_waves_hz;
+  const double rate = rate_of(dynamic_.get());
   const auto now = std::int64_t(std::floor(time_s * rate + 1e-6));
   const bool anew = dynamic_ ? dynamic_->begins_anew(time_s)
                              : !begun_ || now < step_ || double(now - step_) > DynamicSea::longest_s * rate;
-  if (anew)
+  // Foam has been stepped up to the last advance, but for less than its longest step.
+  constexpr double longest_foam_step_s = 1.0;
+  foam_.forget_before(time_s_ - longest_foam_step_s - 2.0 / rate);
+  if (anew) {
+    bodies_.hold();
+    foam_.clear();
     for (const auto& actor : actors_) actor->hold();
+  }
   begun_ = true;
   if (dynamic_) {
-    dynamic_->update(time_s, viewer, step_actors);
+    const auto push = [this](double end_s, double dt_s, auto& presses) { step_actors(end_s, dt_s, presses); };
+    dynamic_->update(time_s, viewer, push);
   } else if (!anew) {
     std::vector<WaveSource> nowhere;
     for (std::int64_t step = step_ + 1; step <= now; ++step) {
@@ -258,9 +277,9 @@ std::uint64_t Sea::hash() const {
   hash = mixed(hash, std::uint64_t(dynamic_ ? dynamic_->tick() : step_));
   for (int i = 0; dynamic_ && i < dynamic_->waves().levels(); ++i)
     for (const std::complex<double>& mode : dynamic_->waves().level(i).modes())
-      hash = mixed(mixed(hash, bits(mode.real())), bits(mode.imag()));
+      hash = mixed(mixed(hash, mode.real()), mode.imag());
   for (const auto& actor : actors_) hash = mixed(hash, actor->hash());
-  return hash;
+  return bodies_.mixed_into(hash);
 }
 
 }  // namespace seascape

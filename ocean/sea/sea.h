@@ -17,8 +17,8 @@ namespace seascape {
 
 // Time runs in steps of dynamic_waves.rate_hz (60 a second), on whole multiples of one: in each the actors ask, move
 // and press, then the dynamic waves advance. A frame sees the dynamic waves carried on from the last step to its own
-// time. What a step does depends on the steps before it alone: not on frames, the picture's detail or how many threads
-// there are. The windows of the dynamic waves lie around the viewer.
+// time, and bodies of actors likewise. What a step does depends on the steps before it alone: not on frames, the
+// picture's detail or how many threads there are. The windows of the dynamic waves lie around the viewer.
 //
 // Only its owner changes a sea, between frames. Views may be asked by anybody at any time, and outlive changes.
 class Sea {
@@ -34,11 +34,13 @@ class Sea {
   double time_s() const { return time_s_; }
 
   // The waves of any time in a detail. They know the dynamic waves, as they are now, where the time is that of the last
-  // advance or at most a second before. The owner's thread asks for views; what they answer any thread may ask.
+  // advance or at most a second before; and the bodies of actors where it is that of the last advance. The owner's
+  // thread asks for views; what they answer any thread may ask.
   SeaView view(std::int64_t ticks, SeaDetail detail);
   SeaView view_at(double time_s, SeaDetail detail) { return view(ticks_from_seconds(time_s), detail); }
 
   void add(std::shared_ptr<SeaActor> actor) { actors_.push_back(std::move(actor)); }
+  // Its bodies are gone from the next advance on.
   void take_away(const SeaActor& actor);
 
   // Lets another sea grow out of this one over some seconds of its time, more than 0, from the frame on in which its
@@ -74,6 +76,11 @@ class Sea {
   const DynamicSea* dynamic_waves() const { return dynamic_.get(); }
   // Their surface as of the last advance; null where there are none.
   std::shared_ptr<const DynamicSurface> dynamic_surface() { return dynamic_ ? dynamic_->shared_surface() : nullptr; }
+  // What clips as of the last advance, bodies of actors and all; null where the scene has neither volumes nor room for
+  // bodies. The same object for as long as nothing changes.
+  std::shared_ptr<const ClipVolumes> clip_volumes() { return volumes_of(now()); }
+  // The foam that actors made in the steps of the last advance and of a second before it.
+  const ActorFoam& foam() const { return foam_; }
   // What went wrong in the dynamic waves since the last call, once.
   std::optional<std::string> take_fault() { return dynamic_ ? dynamic_->take_fault() : std::nullopt; }
 
@@ -81,7 +88,8 @@ class Sea {
   std::uint64_t made(SeaDetail detail) const { return moments_.made(detail); }
   // Has each computation reported (MomentStore::report_to). Not while anybody asks.
   void report_tiles_to(MomentStore::Report report) { moments_.report_to(std::move(report)); }
-  // Differs where the state that steps depend on does: dynamic waves, actors, and the time of the last step.
+  // Differs where the state that steps depend on does: dynamic waves, actors and their bodies, and the time of the last
+  // step.
   std::uint64_t hash() const;
 
  private:
@@ -91,7 +99,10 @@ class Sea {
   void make_field(SeaDetail detail);
   void draw_other_waves();
   void know_dynamic_velocity();
+  std::int64_t now() const { return stepping_ ? *stepping_ : ticks_from_seconds(time_s_); }
   std::shared_ptr<const DynamicSurface> surface_of(std::int64_t ticks);
+  std::shared_ptr<const ClipVolumes> volumes_of(std::int64_t ticks);
+  void step_actors(double end_s, double dt_s, std::vector<WaveSource>& presses);
   SeaSpec spec_;
   WaveQuality made_in_;
   WaveBins bins_;                       // of every detail together
@@ -107,6 +118,8 @@ class Sea {
   MomentStore moments_;
   std::unique_ptr<DynamicSea> dynamic_;
   std::vector<std::shared_ptr<SeaActor>> actors_;
+  ActorBodies bodies_;
+  ActorFoam foam_;
   double time_s_ = 0.0;
   std::int64_t step_ = 0;  // the last that was taken, where there are no dynamic waves
   bool begun_ = false;

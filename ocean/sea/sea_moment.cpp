@@ -70,10 +70,10 @@ void MomentStore::release_lenders() {
   }
 }
 
-void MomentStore::forget_dynamic() {
+void MomentStore::forget_now() {
   const std::lock_guard lock(mutex_);
   for (const auto& moment : moments_)
-    if (moment.use_count() == 1) moment->dynamic.reset();
+    if (moment.use_count() == 1) moment->now = {};
 }
 
 std::shared_ptr<SeaMoment> MomentStore::free_moment(const Key& key) {
@@ -101,18 +101,18 @@ std::shared_ptr<SeaMoment> MomentStore::free_moment(const Key& key) {
 }
 
 std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared_ptr<const WaveField> field,
-                                                     std::shared_ptr<const PlaceSea> places,
-                                                     std::shared_ptr<const DynamicSurface> dynamic, double left_out_m) {
+                                                     std::shared_ptr<const PlaceSea> places, SeaNow now,
+                                                     double left_out_m) {
   const std::lock_guard lock(mutex_);
   ++asked_;
   for (const auto& kept : moments_)
     if (kept->ticks == key.ticks && kept->detail == key.detail && kept->waves_ == key.waves &&
         kept->tiles_.has_velocity() == key.velocity) {
       kept->asked_ = asked_;
-      // The tiles are the same whatever the dynamic waves have done since; who holds a view keeps those that it has.
-      if (kept->dynamic == dynamic) return kept;
+      // The tiles are the same whatever steps have done since; who holds a view keeps what it has.
+      if (kept->now == now) return kept;
       if (kept.use_count() == 1) {
-        kept->dynamic = std::move(dynamic);
+        kept->now = std::move(now);
         return kept;
       }
       break;
@@ -125,7 +125,7 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
   moment->store_ = this;
   moment->field = std::move(field);
   moment->places = std::move(places);
-  moment->dynamic = std::move(dynamic);
+  moment->now = std::move(now);
   moment->left_out_m = left_out_m;
   moment->once_.emplace();
   moment->made_.store(false, std::memory_order_relaxed);

@@ -23,6 +23,14 @@ namespace seascape {
 class DynamicSurface;  // ocean/places/dynamic_surface.h
 class MomentStore;
 
+// What steps of the sea have made and who holds a moment keeps, as it is now.
+struct SeaNow {
+  std::shared_ptr<const DynamicSurface> dynamic;  // null: none, or of another time
+  std::shared_ptr<const ClipVolumes> volumes;     // with the bodies of actors, or of another time the scene's; null:
+                                                  // none
+  bool operator==(const SeaNow&) const = default;
+};
+
 // What all questions of one moment ask.
 class SeaMoment {
  public:
@@ -33,7 +41,7 @@ class SeaMoment {
   SeaDetail detail = SeaDetail::drawn;
   std::shared_ptr<const WaveField> field;
   std::shared_ptr<const PlaceSea> places;
-  std::shared_ptr<const DynamicSurface> dynamic;  // null: none, or of another time
+  SeaNow now;
   double left_out_m = 0.0;
   int slot = -1;  // which of the memories that were lent the tiles lie in (MomentStore::keep_drawn_in); -1: their own
 
@@ -60,16 +68,15 @@ class MomentStore {
   };
   // The moment of this key: one that is kept, or one whose memory is free. `field` and `places` are those of the waves.
   std::shared_ptr<const SeaMoment> moment(const Key& key, std::shared_ptr<const WaveField> field,
-                                          std::shared_ptr<const PlaceSea> places,
-                                          std::shared_ptr<const DynamicSurface> dynamic, double left_out_m);
+                                          std::shared_ptr<const PlaceSea> places, SeaNow now, double left_out_m);
 
   // Has the cascades of `drawn` moments lie in these memories while one of them is free (WaveTiles::keep_in). `felt`
   // moments of the same time borrow from them, others do not, since foam keeps its view for several frames. None: no
   // more; then nobody may hold a moment that lies in one or borrows from it.
   void keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout, int cascades);
 
-  // Moments that nobody looks at keep no dynamic waves.
-  void forget_dynamic();
+  // Moments that nobody looks at keep nothing that steps have made.
+  void forget_now();
 
   // How often tiles of a detail have been computed.
   std::uint64_t made(SeaDetail detail) const { return made_[std::size_t(detail)]; }

@@ -28,6 +28,7 @@ struct SeaSpec {
   PlaceInputs place;
   std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
   std::shared_ptr<const Inputs> pressure;           // on dynamic waves; null for none
+  bool actors_foam = false;                         // whether foam of actors is kept, and has foam simulated
 
   WaveQuality drawn;
   // Four cascades hold the waves of 0.3 m and more, three those of 2 m and more; 128 samples keep each one's band.

@@ -8,12 +8,13 @@
 namespace seascape {
 
 SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
-  return places().sea(field(), tiles(), rest, footprint, nullptr, dynamic());
+  return places().sea(field(), tiles(), rest, footprint, nullptr, dynamic(), volumes());
 }
 
 void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
   places().query(field(), tiles(), points, answers, options,
                  {.dynamic = options.history ? dynamic() : nullptr,
+                  .volumes = options.history ? volumes() : nullptr,
                   .finest_m = detail() == SeaDetail::felt ? felt_place_texel_m : 0.0,
                   .left_out_m = left_out_m()});
 }

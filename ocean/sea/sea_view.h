@@ -58,7 +58,9 @@ class SeaView {
   const WaveField& field() const { return *moment_->field; }
   const WaveTiles& tiles() const { return moment_->tiles(); }
   const PlaceSea& places() const { return *moment_->places; }
-  const DynamicSurface* dynamic() const { return moment_->dynamic.get(); }
+  const DynamicSurface* dynamic() const { return moment_->now.dynamic.get(); }
+  // With the bodies of actors as of the last advance, where the view is of its time; null where nothing clips.
+  const ClipVolumes* volumes() const { return moment_->now.volumes.get(); }
   // Which of the lent memories its tiles lie in (Sea::keep_drawn_in); -1: none.
   int slot() const { return moment_->slot; }
 

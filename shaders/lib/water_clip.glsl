@@ -28,7 +28,7 @@ bool clip_within(ClipVolume v, vec3 from_middle) {
 bool clip_by_volumes(vec3 place, bool flat_says) {
   const vec2 at = place.xz + frame.sea.place.clip_from.xy;
   const ivec2 cell = ivec2(floor(at)) + frame.sea.place.clip_origin.xy;
-  const int count = clip_nodes[0].more.x;
+  const int count = frame.sea.place.clip_origin.z;
   int node = 0, last = -1;
   bool clipped = flat_says;
   while (node < count) {

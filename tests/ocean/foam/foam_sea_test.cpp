@@ -307,14 +307,15 @@ TEST(FoamSea, GoesWithTheFlow) {
 
 TEST(FoamSea, IsKeptOnlyWhereItIsAskedFor) {
   FoamSpec spec;
-  EXPECT_FALSE(keeps_foam(spec, false, false));
-  EXPECT_TRUE(keeps_foam(spec, true, false));
-  EXPECT_TRUE(keeps_foam(spec, false, true));
+  EXPECT_FALSE(keeps_foam(spec, false, false, false));
+  EXPECT_TRUE(keeps_foam(spec, true, false, false));
+  EXPECT_TRUE(keeps_foam(spec, false, true, false));
+  EXPECT_TRUE(keeps_foam(spec, false, false, true));
   spec.settings.simulated = true;
-  EXPECT_TRUE(keeps_foam(spec, false, false));
+  EXPECT_TRUE(keeps_foam(spec, false, false, false));
   spec.settings.breaking = 0.0;
-  EXPECT_FALSE(keeps_foam(spec, false, false));
-  EXPECT_TRUE(keeps_foam(with_input(spec, disc({0.0, 0.0}, 1.0, 1.0f)), false, false));
+  EXPECT_FALSE(keeps_foam(spec, false, false, false));
+  EXPECT_TRUE(keeps_foam(with_input(spec, disc({0.0, 0.0}, 1.0, 1.0f)), false, false, false));
 }
 
 }  // namespace

@@ -194,6 +194,47 @@ TEST(ClipVolumes, TheLastThatHoldsAPointDecides) {
   }
 }
 
+// Bodies placed beside a scene's volumes and decide after them, as all of them asked one by one say; others placed
+// later take their places. A copy shares the maps of hulls, those of the scene and those of bodies. Controls seen:
+// bodies' nodes made with numbers of the volumes; nodes of earlier bodies left behind.
+TEST(ClipVolumes, BodiesStandBesideTheVolumes) {
+  const auto model = test::wigley_model({}), other = test::wigley_model({.length_m = 9.0});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> along(-40.0, 40.0), size(1.0, 6.0);
+  std::vector<InputSpec> specs{hull(model)};
+  for (int i = 0; i < 20; ++i)
+    specs.push_back(sphere({along(random), 0.0, along(random)}, size(random), i % 3 ? 1.0f : 0.0f));
+  const ClipVolumes scene(specs, {most_clip_bodies, {other, model}});
+  ASSERT_EQ(scene.hulls().size(), 2u);
+  ClipVolumes now = scene;
+  EXPECT_EQ(&now.hulls(), &scene.hulls());
+  for (const int count : {most_clip_bodies, 5, 0, 40}) {
+    std::vector<ClipBody> bodies;
+    for (int i = 0; i < count; ++i) {
+      ClipBody& body = bodies.emplace_back();
+      body.form = Form(i % 4);
+      body.radius_m = size(random), body.length_m = 2.0 * body.radius_m + size(random);
+      body.size_m = {size(random), size(random), size(random)};
+      body.hull = i % 5 == 0 ? i % 2 : ClipBody::no_hull;
+      body.at_m = {along(random), 0.2 * along(random), along(random)};
+      body.orientation = glm::normalize(glm::dquat(along(random), along(random), along(random), along(random)));
+      ASSERT_TRUE(now.takes(body)) << i;
+    }
+    now.place(bodies);
+    ASSERT_EQ(now.size(), scene.size() + std::size_t(count));
+    int by_bodies = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const glm::dvec3 at(along(random), 0.1 * along(random), along(random));
+      bool want = false;
+      for (std::size_t n = 0; n < now.size(); ++n)
+        if (now.distance_m(n, at) < 0.0) want = now.volumes()[n].offset.w > 0.5f;
+      EXPECT_EQ(now.clipped(at, false), want);
+      by_bodies += want && !scene.clipped(at, false);
+    }
+    EXPECT_EQ(by_bodies > 10, count > 0) << by_bodies;
+  }
+}
+
 // A patch that is said to be clipped has no place with water, however that stands; and most of those that have none
 // are. Controls seen: the waves' height left out; volumes that let the water be forgotten.
 TEST(ClipVolumes, PatchesWithWaterAreNeverLeftOut) {
