@@ -1,5 +1,7 @@
 #include "ocean/drawn/drawn_clip.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 
@@ -20,7 +22,7 @@ DrawnClip::DrawnClip(Device& device, std::shared_ptr<const ClipVolumes> volumes)
   if (!volumes_->hulls().empty()) fill_hulls(device);
   if (most == 0) return;
   for (Buffer& staging : staging_)
-    staging = Buffer(device, "clip, staging", most * (2 * sizeof(gpu::ClipNode) + sizeof(gpu::ClipVolume)),
+    staging = Buffer(device, "clip, staging", (2 * most + 1) * sizeof(gpu::ClipNode) + most * sizeof(gpu::ClipVolume),
                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
 }
 
@@ -28,24 +30,27 @@ void DrawnClip::update(Frame& frame, const std::shared_ptr<const ClipVolumes>& v
   if (volumes == volumes_) return;
   assert(volumes->fixed_nodes() == volumes_->fixed_nodes() && volumes->most_bodies() == volumes_->most_bodies());
   volumes_ = volumes;
-  if (volumes_->bodies().empty()) return;
   const Buffer& staging = staging_[std::size_t(frame.slot())];
   VkDeviceSize filled = 0;
   const auto fill = [&](const auto& list, std::size_t from) {
     const VkDeviceSize one = sizeof(list[0]);
-    const VkBufferCopy region{filled, from * one, (list.size() - from) * one};
-    std::memcpy(staging.mapped<std::byte>() + filled, &list[from], region.size);
+    const VkBufferCopy region{filled, from * one, (list.size() - std::min(from, list.size())) * one};
+    if (region.size > 0) std::memcpy(staging.mapped<std::byte>() + filled, &list[from], region.size);
     filled += region.size;
     return region;
   };
-  const VkBufferCopy nodes = fill(volumes_->nodes(), volumes_->fixed_nodes()),
+  // The first node has the count of all.
+  const std::vector<gpu::ClipNode>& all = volumes_->nodes();
+  const std::array<gpu::ClipNode, 1> first{all.empty() ? gpu::ClipNode{} : all.front()};
+  const VkBufferCopy head = fill(first, 0), nodes = fill(all, std::max<std::size_t>(volumes_->fixed_nodes(), 1)),
                      bodies = fill(volumes_->volumes(), volumes_->fixed_volumes());
   frame.pass(
       "clip",
       {use(staging, Access::transfer_read), use(nodes_, Access::transfer_write), use(buffer_, Access::transfer_write)},
       [&](Commands& c) {
-        c.copy(staging, nodes_, nodes);
-        c.copy(staging, buffer_, bodies);
+        for (const VkBufferCopy& region : {head, nodes})
+          if (region.size > 0) c.copy(staging, nodes_, region);
+        if (bodies.size > 0) c.copy(staging, buffer_, bodies);
       });
 }
 

@@ -184,7 +184,7 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
       data.shift_along[i] = glm::vec4(glm::vec2(shallows_.direction(i)), float(of_ground[i]), 0.0f);
   }
   const glm::dvec2 whole = glm::floor(grid_origin_m);
-  data.clip_origin = glm::ivec4(glm::ivec2(whole), clip_ ? int(clip_->volumes().nodes().size()) : 0, 0);
+  data.clip_origin = glm::ivec4(glm::ivec2(whole), 0, 0);
   data.clip_from = glm::vec4(glm::vec2(grid_origin_m - whole), 0.0f, 0.0f);
   data.flow =
       glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));

@@ -133,6 +133,7 @@ ClipVolumes::ClipVolumes(std::span<const InputSpec> specs, const ClipRoom& room)
   add_tree(0);
   fixed_volumes_ = volumes_.size();
   fixed_nodes_ = nodes_.size();
+  count_nodes();
 }
 
 ClipSolid ClipVolumes::solid(const ShapeInput& shape, int map) const {
@@ -184,6 +185,7 @@ void ClipVolumes::place(std::span<const ClipBody> bodies) {
   bodies_.assign(bodies.begin(), bodies.end());
   for (const ClipBody& body : bodies) add(solid(body), true);
   add_tree(fixed_volumes_);
+  count_nodes();
 }
 
 void ClipVolumes::add(const ClipSolid& solid, bool takes_away) {

@@ -71,6 +71,9 @@ class ClipVolumes {
 
   std::vector<gpu::ClipVolume> volumes_;  // in their order
   std::vector<Box> boxes_;                // of each
+  void count_nodes() {
+    if (!nodes_.empty()) nodes_.front().more.z = int(nodes_.size());
+  }
   std::vector<gpu::ClipNode> nodes_;
   std::vector<std::uint32_t> numbers_;  // of volumes, while a tree is made of them
   std::shared_ptr<const Hulls> hulls_;

@@ -29,7 +29,7 @@ struct ClipVolume {
 // A node holds all that lies beneath it; the nodes of its first half follow it, and then those of the second.
 struct ClipNode {
   ivec4 box;   // the least and the most x and z, in whole metres that a place is rounded down to
-  ivec4 more;  // x: the node after all that lie beneath; y: a leaf's volume, or -1
+  ivec4 more;  // x: the node after all that lie beneath; y: a leaf's volume, or -1; z: of the first, how many there are
 };
 
 SEASCAPE_CONST int clip_hull_texels = 256;     // a side of a hull's map

@@ -48,9 +48,9 @@ TEST(PlacePages, HaveTheTexelsOfAPlaceASizeAndATime) {
 TEST(PlacePages, AnswerWhenTheyAreFull) {
   const PlacePages some = pages();
   std::uint32_t slot = 0;
-  for (std::int64_t i = 0; i < 6000; ++i) expect_cell(some, 8 * i, -24 * i, 0.5, 0.0, slot);
+  for (std::int64_t i = 0; i < 12000; ++i) expect_cell(some, 8 * i, -24 * i, 0.5, 0.0, slot);
   EXPECT_TRUE(some.worn());
-  for (std::int64_t i = 5999; i >= 0; --i) expect_cell(some, 8 * i + 7, -24 * i, 0.5, 0.0, slot);
+  for (std::int64_t i = 11999; i >= 0; --i) expect_cell(some, 8 * i + 7, -24 * i, 0.5, 0.0, slot);
 }
 
 TEST(PlacePages, AnswerSeveralThreadsAtOnce) {
