@@ -23,7 +23,10 @@ PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field)
                ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
 
 PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows)
-    : settings_(inputs.settings), volumes_(inputs.volumes), shore_(field.has_curved() ? inputs.shore : nullptr) {
+    : settings_(inputs.settings),
+      open_depth_m_(field.state().depth_m),
+      volumes_(inputs.volumes),
+      shore_(field.has_curved() ? inputs.shore : nullptr) {
   validate(settings_);
   for (const auto& [kind, values] : {std::pair(InputTarget::level, &level_), std::pair(InputTarget::flow, &flow_),
                                      std::pair(InputTarget::clip, &clip_)})
@@ -55,6 +58,29 @@ double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
   return flow_ ? glm::dvec2(PlaceReader(*flow_, settings_, time)(reading({rest, footprint, nullptr, false}), rest))
                : glm::dvec2(0.0);
+}
+
+StillWater PlaceSea::still_water(glm::dvec2 place, double texel, double time) const {
+  const auto value = [&](const PlaceValues<glm::vec4>& of) {
+    return of.value(place, texel, place_time_s(settings_, of.still, time)).x;
+  };
+  StillWater water;
+  water.depth_m = open_depth_m_;
+  if (level_) water.height_m = double(value(*level_));
+  if (shallows_) {
+    water.depth_m = water.height_m - shallows_.bed_m(place, texel, time);
+    const PlaceWaves waves = shallows_.waves(place, water.depth_m);
+    water.waves = double(waves.share[0]);
+    water.swash = double(waves.swash);
+    water.surf = shallows_.surf(place, water.depth_m);
+    const Shallows::Placed placed = shallows_.placed(place, water.depth_m);
+    water.placed = placed.share;
+    water.placed_surf = placed.surf;
+  }
+  if (!clips()) return water;
+  const bool flat = clip_ && value(*clip_) > 0.5f;
+  water.clipped = volumes_ == nullptr ? flat : volumes_->clipped({place.x, water.height_m, place.y}, flat);
+  return water;
 }
 
 bool PlaceSea::dry(const Here& here, glm::dvec3 d) const {

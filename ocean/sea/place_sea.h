@@ -13,6 +13,7 @@
 #include "ocean/places/shore_field.h"
 #include "ocean/sea/query.h"
 #include "ocean/sea/shore_sea.h"
+#include "ocean/sea/still_water.h"
 
 namespace seascape {
 
@@ -40,6 +41,9 @@ class PlaceSea {
   bool clips() const { return clip_ || volumes_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
+  // The still water at a world position (x and z, m) for texels of this side (m, 0 or more), straight from the inputs
+  // and not between texels. All its numbers are finite where the position is. Needs no tiles.
+  StillWater still_water(glm::dvec2 place_m, double texel_m, double time_s) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away, by flat
   // inputs as texels of this side have them; 0: the finest of windows.
   bool clipped(glm::dvec3 point_m, double time_s, double texel_m = 0.0) const;
@@ -138,6 +142,7 @@ class PlaceSea {
   PlacePlan plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
                  const Beside& beside) const;
   PlaceSettings settings_;
+  double open_depth_m_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
   std::shared_ptr<const ClipVolumes> volumes_;  // null: none
   std::shared_ptr<const ShoreLines> shore_;     // null where no waves run along curves

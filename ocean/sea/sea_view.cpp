@@ -18,6 +18,10 @@ void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> a
                   .left_out_m = left_out_m()});
 }
 
+StillWater SeaView::still_water(glm::dvec2 place, double texel_m) const {
+  return places().still_water(place, texel_m, double(ticks()) / double(gpu::ticks_per_second));
+}
+
 QueryAnswer SeaView::query(glm::dvec2 place, const QueryOptions& options) const {
   QueryAnswer answer;
   query({&place, 1}, {&answer, 1}, options);

@@ -42,6 +42,8 @@ class SeaView {
   // At world places (x and z, m); see query.h.
   void query(std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, QueryOptions options = {}) const;
   QueryAnswer query(glm::dvec2 place, const QueryOptions& options = {}) const;
+  // The still water at a world position (x and z, m), for texels of this side (m); needs no tiles.
+  StillWater still_water(glm::dvec2 place_m, double texel_m) const;
   // The first meeting of a ray (m, and a direction of any length but 0) with the surface or with land, from either
   // side, to a millimetre or a millionth of the distance. What is clipped is no surface. A crest or a trough that the
   // ray passes through in less than 5 cm or a five-thousandth of its way may be missed, and so may water steeper
