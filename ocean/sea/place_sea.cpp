@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "ocean/places/flow_phase.h"
 #include "ocean/waves/wave_tiles.h"
+#include "shaders/shared/flow_height.h"
 
 namespace seascape {
 
 namespace {
 double seconds(const WaveTiles& tiles) { return double(tiles.ticks()) / double(gpu::ticks_per_second); }
 }  // namespace
-
-double flow_height(double longest_m, double shortest_m, double way_m, double first) {
-  const double way = 2.0 * std::numbers::pi / std::sqrt(longest_m * shortest_m) * way_m, second = 1.0 - first;
-  return 1.0 / std::sqrt(first * first + second * second + 2.0 * first * second * std::exp(-0.5 * way * way));
-}
 
 PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field)
     : PlaceSea(inputs, field,
@@ -202,7 +197,7 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
     for (std::size_t i = 0; i < field.places().size(); ++i) {
       const WaveField::Place& place = field.places()[i];
       const double height =
-          flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
+          gpu::flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
       first.filter.share[i] *= float(height * phase.first);
       second.filter.share[i] *= float(height * (1.0 - phase.first));
     }

@@ -152,8 +152,4 @@ class PlaceSea {
   std::shared_ptr<const PlacePages> pages_, clip_pages_;  // of PlaceTexel, of flat clip; null: none
 };
 
-// How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts
-// for `first` and the second for the rest, to be as high as either (shaders/lib/flow.glsl).
-double flow_height(double longest_m, double shortest_m, double way_m, double first);
-
 }  // namespace seascape
