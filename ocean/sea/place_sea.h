@@ -14,6 +14,7 @@
 #include "ocean/sea/query.h"
 #include "ocean/sea/shore_sea.h"
 #include "ocean/sea/still_water.h"
+#include "ocean/sea/water_side.h"
 
 namespace seascape {
 
@@ -71,6 +72,8 @@ class PlaceSea {
              std::span<QueryAnswer> answers, const QueryOptions& options = {}) const {
     query(field, tiles, places, answers, options, Beside{});
   }
+  // On which side of this surface, as query() has it, a world point (m) is; see water_side.h.
+  WaterSide side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m, const Beside& beside) const;
   // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
   bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double texel_m, double time_s) const;
   // Whether many places were asked for, and this had better begin with new memory of them (renew).
