@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 #include "ocean/foam/crest_steps.h"
 #include "ocean/mesh/water_below.h"
@@ -15,16 +14,6 @@ namespace seascape {
 namespace {
 bool on_gpu(const Device& device, WavePlace place) {
   return place == WavePlace::gpu || (place == WavePlace::automatic && !device.facts().software);
-}
-
-FoamSea::Water still_water(std::shared_ptr<const Shallows> shallows) {
-  return [shallows = std::move(shallows)](glm::dvec2 place, double texel) {
-    const double depth = shallows->still_m(place, texel, 0.0) - shallows->bed_m(place, texel, 0.0);
-    const PlaceWaves waves = shallows->waves(place, depth);
-    const Shallows::Placed placed = shallows->placed(place, depth);
-    return StillWater{depth, double(std::max(waves.share[0], waves.swash)), shallows->surf(place, depth), placed.share,
-                      placed.surf};
-  };
 }
 }  // namespace
 
@@ -61,34 +50,10 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
     // Waves along curves are not drawn by every device (DrawnShore).
     foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, sea,
                                         device.facts().float32_linear ? spec.place.shore : nullptr);
-    foam_shallows_ = sea.shallows().from.get();
-    if (sea.shallows()) foam_->sea().set_water(still_water(sea.shallows().from));
   }
-  if (settings.spray && settings.spray->amount > 0.0) make_spray();
-}
-
-void Ocean::make_spray() {
-  const double foam_life_s = settings_.foam ? settings_.foam->settings.life_s : FoamSettings{}.life_s;
-  spray_ = std::make_unique<Spray>(*settings_.spray, sea_, foam_life_s);
-  const PlaceInputs& inputs = sea_.spec().place;
-  const std::shared_ptr<const Inputs> level = inputs.of(InputTarget::level), clip = inputs.of(InputTarget::clip);
-  const std::shared_ptr<const ClipVolumes> volumes = inputs.volumes;
-  if (!level && !clip && !volumes && !sea_.shallows()) return;
-  spray_->set_water([level, clip, volumes, sea = &sea_, place = inputs.settings](glm::dvec2 at, double time_s) {
-    constexpr double footprint_m = 1.0;
-    const auto value = [&](const std::shared_ptr<const Inputs>& of_kind, InputTarget kind) {
-      return double(of_kind->value(at, footprint_m, time_s, place_outside(place, kind)).x);
-    };
-    Spray::Water water;
-    if (level) water.still_m = value(level, InputTarget::level);
-    if (const ShallowsMix& mix = sea->shallows()) {
-      water.depth_m = mix.from->still_m(at, footprint_m, time_s) - mix.bed_m(at, footprint_m, time_s);
-      water.waves = double(mix.waves(at, water.depth_m).share[0]);
-    }
-    const bool dry = clip && value(clip, InputTarget::clip) > 0.5;
-    if (volumes ? volumes->clipped({at.x, water.still_m, at.y}, dry) : dry) water.depth_m = 0.0;
-    return water;
-  });
+  if (settings.spray && settings.spray->amount > 0.0)
+    spray_ = std::make_unique<Spray>(*settings.spray, sea,
+                                     settings.foam ? settings.foam->settings.life_s : FoamSettings{}.life_s);
 }
 
 void Ocean::make_waves(Frame& frame, double time_s) {
@@ -117,12 +82,7 @@ void Ocean::follow_waves(Frame& frame) {
   waves_version_ = sea_.waves_version();
   waves_.take(sea_.bins(), sea_.chop(), sea_.statistics());
   if (compute_) compute_->take(frame, sea_.bins(), sea_.chop());
-  if (sea_.changing()) return;
-  if (foam_ && sea_.shallows().from.get() != foam_shallows_) {
-    foam_shallows_ = sea_.shallows().from.get();
-    foam_->sea().set_water(still_water(sea_.shallows().from));
-  }
-  if (foam_) foam_->set_wind(sea_.state());
+  if (foam_ && !sea_.changing()) foam_->set_wind(sea_.state());
 }
 
 void Ocean::change(const SeaState& state, double over_s) {

@@ -95,13 +95,11 @@ class Ocean {
   std::unique_ptr<DrawnPlace> place_;
   std::unique_ptr<DrawnFoam> foam_;
   std::unique_ptr<Spray> spray_;
-  void make_spray();
   void follow_waves(Frame& frame);
-  std::uint64_t waves_version_;              // Sea::waves_version that is drawn
-  const Shallows* foam_shallows_ = nullptr;  // that the foam's still water is of
-  SeaView water_;                            // that selection asks, as of the last update
-  double time_s_ = 0.0;                      // of the last update
-  double others_height_m() const;            // of all but the waves, no more than that
+  std::uint64_t waves_version_;    // Sea::waves_version that is drawn
+  SeaView water_;                  // that selection asks, as of the last update
+  double time_s_ = 0.0;            // of the last update
+  double others_height_m() const;  // of all but the waves, no more than that
   double others_shift_m() const;
   double land_m() const;         // how far it stands above the still sea at most
   double most_share() const;     // by which a bed may raise waves, 1 without one

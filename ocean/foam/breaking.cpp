@@ -5,7 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "ocean/sea/place_sea.h"
+#include "shaders/shared/flow_height.h"
+#include "shaders/shared/surface_slope.h"
 
 namespace seascape {
 
@@ -147,16 +148,17 @@ double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, co
     // The water is moved by others alone.
   } else if (glm::dot(flow, flow) < least_flow_mps * least_flow_mps) {
     add_gradient(slice, rest, g);
-  } else {  // two patterns that the flow carries along in turn (place_sea.h)
+  } else {  // two patterns that the flow carries along in turn
     const double way = glm::length(flow) * std::abs(phase.second_s - phase.first_s);
     for (const Reading& reading : slice.readings) {
-      const float height = reading.share * float(flow_height(reading.longest_m, reading.shortest_m, way, phase.first));
+      const float height =
+          reading.share * float(gpu::flow_height(reading.longest_m, reading.shortest_m, way, phase.first));
       g += height * float(phase.first) * gradient(tiles(), reading, rest - phase.first_s * flow);
       g += height * float(1.0 - phase.first) * gradient(tiles(), reading, rest - phase.second_s * flow);
     }
   }
   const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
-  return below((1.0 + d.x) * (1.0 + d.y) - d.z * d.z, water.kept * water.kept * slice.variance + water.variance,
+  return below(gpu::surface_jacobian(d.x, d.y, d.z, d.z), water.kept * water.kept * slice.variance + water.variance,
                water.sea_variance > 0.0 ? threshold_of(variance_ + water.sea_variance) : threshold_);
 }
 
@@ -165,7 +167,7 @@ void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) cons
   for (std::size_t i = 0; i < gains.size(); ++i) {
     glm::vec3 g(0.0f);
     add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), g);
-    gains[i] += per_s * float(below(double((1.0f + g.x) * (1.0f + g.y) - g.z * g.z), slice.variance, threshold_));
+    gains[i] += per_s * float(below(double(gpu::surface_jacobian(g.x, g.y, g.z, g.z)), slice.variance, threshold_));
   }
 }
 

@@ -13,7 +13,7 @@ namespace seascape {
 namespace {
 // Coverages that settle long before are stepped by less often.
 constexpr double settling_step_s = 0.25;
-// Of other water's texels: 3 ms and less.
+// Rows refreshed per update after the water changes; at most 3 ms.
 constexpr int rows_an_update = 24;
 
 glm::vec2 flow_at(const FoamSpec& spec, glm::dvec2 place, double texel_m, double time_s) {
@@ -40,12 +40,6 @@ FoamSea::FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLine
   const SeaView view = sea.view(0, SeaDetail::crests);
   if (shore && !shore->empty() && view.field().has_curved())
     shore_.emplace(std::move(shore), spec.settings.windows, view.field());
-}
-
-void FoamSea::set_water(Water water) {
-  water_ = std::move(water);
-  anew_ = still_water_ ? 0 : -1;
-  if (shore_ && !still_water_) shore_->forget();
 }
 
 // What a sea's whitecaps cover on average where they come and go alike, and with them the windows' new edges.
@@ -195,7 +189,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   changed_ = foam_.follow(placement, fresh_);
-  follow(placement);
+  follow(placement, now);
   due_ = now;
   settling_ = anew;
   steps_left_ = std::min<std::int64_t>(now - tick_, most_steps);
@@ -210,39 +204,48 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   tick_ = now - std::int64_t(std::ceil(fine * s.rate_hz)) - coarse_left_ * coarse_ticks_;
 }
 
-void FoamSea::follow(const LodPlacement& placement) {
+void FoamSea::follow(const LodPlacement& placement, std::int64_t tick) {
   const FoamSettings& s = spec_.settings;
-  if (shore_) shore_->follow(placement, water_);
-  if (water_) {
-    const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
-      const StillWater w = water_(at, texel);
-      return glm::vec3(std::isfinite(w.depth_m) ? float(std::clamp(w.depth_m, -1e6, 1e6)) : 1e6f,
-                       w.waves >= 0.0 ? float(std::min(w.waves, 10.0)) : 1.0f,
-                       w.surf >= 0.0 ? float(std::min(w.surf, 1.0)) : 0.0f);
-    };
-    if (still_water_) {
-      still_water_->follow(placement, water);
-      // Other water than before comes in over a second: rows of texels as they are stored, so that none is missed while
-      // the windows move.
-      const std::int64_t side = still_water_->side();
-      for (int n = 0; n < rows_an_update && anew_ >= 0; ++n) {
-        const int slice = int(anew_ / side);
-        const LodIndex first = still_water_->first(slice);
-        const std::int64_t row = first.y + ((anew_ % side - first.y) % side + side) % side;
-        for (std::int64_t x = 0; x < side; ++x) {
-          const LodIndex w(first.x + x, row);
-          still_water_->texel(slice, w) = water(still_water_->middle(slice, w), still_water_->texel_m(slice), {});
-          if (shore_) shore_->take(slice, w, water_);
-        }
-        if (++anew_ == side * still_water_->slices()) anew_ = -1;
-      }
-    } else {
-      still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
-      for (int i = 0; i < still_water_->slices(); ++i)
-        still_water_->each(i, [&](LodIndex w) {
-          still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {});
-        });
+  const std::shared_ptr<const Shallows>& shallows = sea_.shallows().from;
+  if (!shallows) {
+    if (shore_) shore_->follow(placement, nullptr);
+    return;
+  }
+  // Of the last step that is due, for which the crests are asked anyway.
+  const SeaView view = sea_.view(ticks_from_seconds(double(tick) / s.rate_hz), SeaDetail::crests);
+  const PlaceSea* const places = &view.places();
+  if (shore_) shore_->follow(placement, places);
+  const auto water = [&](glm::dvec2 at, double texel, glm::vec3) {
+    const StillWater w = places->still_water(at, texel, 0.0);
+    return glm::vec3(float(std::clamp(w.depth_m, -1e6, 1e6)), float(std::min(std::max(w.waves, w.swash), 10.0)),
+                     float(std::min(w.surf, 1.0)));
+  };
+  if (!still_water_) {
+    shallows_ = shallows;
+    still_water_.emplace(s.windows, glm::vec3(1e6f, 1.0f, 0.0f), placement);
+    for (int i = 0; i < still_water_->slices(); ++i)
+      still_water_->each(i, [&](LodIndex w) {
+        still_water_->texel(i, w) = water(still_water_->middle(i, w), still_water_->texel_m(i), {});
+      });
+    return;
+  }
+  still_water_->follow(placement, water);
+  if (shallows != shallows_ && !sea_.changing()) {
+    shallows_ = shallows;
+    anew_ = 0;
+  }
+  // Rows of texels as they are stored, so that none is missed while the windows move.
+  const std::int64_t side = still_water_->side();
+  for (int n = 0; n < rows_an_update && anew_ >= 0; ++n) {
+    const int slice = int(anew_ / side);
+    const LodIndex first = still_water_->first(slice);
+    const std::int64_t row = first.y + ((anew_ % side - first.y) % side + side) % side;
+    for (std::int64_t x = 0; x < side; ++x) {
+      const LodIndex w(first.x + x, row);
+      still_water_->texel(slice, w) = water(still_water_->middle(slice, w), still_water_->texel_m(slice), {});
+      if (shore_) shore_->take(slice, w, places);
     }
+    if (++anew_ == side * still_water_->slices()) anew_ = -1;
   }
 }
 

@@ -2,7 +2,6 @@
 // sea's time and its viewer.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +37,9 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 // threshold, and in a surf zone by the share of their own energy that breaks there.
 //
 // What breaks is the water at its rest position, where foam is kept, so that foam goes to and fro with the waves.
+// Over a bed each texel keeps the still water (PlaceSea::still_water) as it was at time 0, asked once when the texel
+// comes into a window. After a change of the sea all texels are asked anew, over a second or two of updates.
+//
 // Shores take the water's height above the bed beneath its rest position: the edge of the foam runs up and down with
 // the waves.
 class FoamSea {
@@ -49,12 +51,6 @@ class FoamSea {
   FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore = nullptr);
   FoamSea(const FoamSea&) = delete;
   FoamSea& operator=(const FoamSea&) = delete;
-  // Asked once for each texel that comes into a window, for its side in m; a depth that is no number is that of the
-  // open sea.
-  using Water = StillWaterAt;
-  // Water that takes another's place comes in over a second or two of updates.
-  void set_water(Water water);
-
   // The foam as it is at a time of the sea, in s, around a viewer (m). Gives the slices that have changed (Foam::step),
   // whose texels may still all be 0. A time or a place that is no number changes nothing.
   std::uint32_t update(double time_s, const glm::dvec3& viewer_m) {
@@ -75,7 +71,7 @@ class FoamSea {
 
  private:
   std::uint32_t advance(double time_s, double dt);
-  void follow(const LodPlacement& placement);
+  void follow(const LodPlacement& placement, std::int64_t tick);
   using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
   void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
   void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const;
@@ -88,8 +84,7 @@ class FoamSea {
   Sea& sea_;
   Breaking breaking_;
   Foam foam_;
-  Water water_;
-  std::optional<LodField<glm::vec3>> still_water_;  // StillWater, of the sea's own waves
+  std::optional<LodField<glm::vec3>> still_water_;  // depth (m), share of the waves' height, surf; none without a bed
   std::optional<FoamShore> shore_;                  // none where no waves run along curves
   std::vector<FoamDisc> discs_;                     // of actors, in the step that runs
   float fresh_ = 0.0f;
@@ -99,7 +94,8 @@ class FoamSea {
   std::int64_t coarse_ticks_ = 1, coarse_left_ = 0, steps_left_ = 0;
   bool settling_ = false, first_ = false;  // steps before the first moment shown; the first of them
   std::uint32_t changed_ = 0;
-  std::int64_t anew_ = -1;  // the row of still_water_ to take anew next; -1: none
+  std::shared_ptr<const Shallows> shallows_;  // of still_water_; null without a bed
+  std::int64_t anew_ = -1;                    // the row of still_water_ to take anew next; -1: none
   bool begun_ = false, flows_ = false;
 };
 

@@ -24,21 +24,21 @@ FoamShore::FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSet
   }
 }
 
-FoamShore::Texel FoamShore::texel(glm::dvec2 middle, double texel_m, const StillWaterAt& water) const {
+FoamShore::Texel FoamShore::texel(glm::dvec2 middle, double texel_m, const PlaceSea* water) const {
   const ShorePlace at = lines_->at(middle, texel_m);
   if (!(at.share > 0.0f)) return {};
   double share = double(at.share), surf = 0.0;
-  if (water) {
-    const StillWater w = water(middle, texel_m);
-    share *= w.placed >= 0.0 ? std::min(w.placed, 10.0) : 1.0;
-    surf = w.placed_surf >= 0.0 ? std::min(w.placed_surf, 1.0) : 0.0;
+  if (water != nullptr) {
+    const StillWater w = water->still_water(middle, texel_m, 0.0);  // as FoamSea
+    share *= std::min(w.placed, 10.0);
+    surf = std::min(w.placed_surf, 1.0);
   }
   const double period = lines_->period_m();
   return {glm::vec4(glm::dvec4(at.bent_m.x - period * std::floor(at.bent_m.x / period), at.bent_m.y, at.forward)),
           glm::vec4(at.stretch, float(at.turning_per_m), float(share), float(surf))};
 }
 
-void FoamShore::follow(const LodPlacement& placement, const StillWaterAt& water) {
+void FoamShore::follow(const LodPlacement& placement, const PlaceSea* water) {
   if (field_)
     return field_->follow(
         placement, [&](glm::dvec2 middle, double texel_m, const Texel&) { return texel(middle, texel_m, water); });

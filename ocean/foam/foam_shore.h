@@ -7,9 +7,9 @@
 #include <span>
 
 #include "ocean/foam/foam.h"
-#include "ocean/foam/still_water.h"
 #include "ocean/places/flow_phase.h"
 #include "ocean/places/shore_lines.h"
+#include "ocean/sea/place_sea.h"
 #include "ocean/waves/wave_field.h"
 
 namespace seascape {
@@ -21,15 +21,12 @@ class FoamShore {
   // `field`: has the waves (WaveField::has_curved).
   FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSettings& windows, const WaveField& field);
 
-  // Moves the windows.
-  void follow(const LodPlacement& placement, const StillWaterAt& water);
+  // Moves the windows. `water`: what a bed makes of the waves; null: the open sea.
+  void follow(const LodPlacement& placement, const PlaceSea* water);
   // Other water than before at one texel.
-  void take(int slice, LodIndex w, const StillWaterAt& water) {
+  void take(int slice, LodIndex w, const PlaceSea* water) {
     field_->texel(slice, w) = texel(field_->middle(slice, w), field_->texel_m(slice), water);
   }
-
-  // All texels are found anew in the next follow().
-  void forget() { field_.reset(); }
 
   // What they do at a texel.
   struct Moved {
@@ -53,7 +50,7 @@ class FoamShore {
     friend Texel operator-(const Texel& a, const Texel& b) { return {a.place - b.place, a.waves - b.waves}; }
     friend Texel operator*(const Texel& a, float by) { return {a.place * by, a.waves * by}; }
   };
-  Texel texel(glm::dvec2 middle_m, double texel_m, const StillWaterAt& water) const;
+  Texel texel(glm::dvec2 middle_m, double texel_m, const PlaceSea* water) const;
   std::shared_ptr<const ShoreLines> lines_;
   LodWindowSettings windows_;
   std::optional<LodField<Texel>> field_;  // from the first follow() on

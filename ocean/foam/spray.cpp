@@ -38,6 +38,7 @@ namespace {
 
 constexpr double cell_m = 4.0;
 constexpr int puffs_a_throw = 3, most_trials = 32;  // of a cell in a step
+constexpr double place_texel_m = 1.0;               // for which the still water is asked
 constexpr double fine_m = 0.25, least_m = 0.05;  // footprint of what breaks; height above the water where a puff begins
 constexpr double least_wind_mps = 7.0, usual_wind_mps = 15.0;
 constexpr double gust_s = 0.5, most_gust = 4.0;
@@ -141,7 +142,7 @@ glm::dvec3 Spray::eddy(Chance& chance, double strength) const {
 
 // Of those aloft, whose place is that of now: what is under water or has lived is gone; the others feel the wind of
 // their height.
-void Spray::land(double time_s) {
+void Spray::land() {
   for (std::size_t i = 0; i < puffs_.size(); ++i) places_[i] = {puffs_[i].place_m.x, puffs_[i].place_m.z};
   query(breaking_.field(), breaking_.tiles(), std::span(places_.data(), puffs_.size()),
         std::span(answers_.data(), puffs_.size()), {.footprint_m = fine_m, .most_iterations = 6, .tolerance_m = 0.02});
@@ -149,8 +150,8 @@ void Spray::land(double time_s) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < puffs_.size(); ++i) {
     Puff p = puffs_[i];
-    const Water water = water_ ? water_(places_[i], time_s) : Water{};
-    const double above = p.place_m.y - water.still_m - water.waves * answers_[i].height_m,
+    const StillWater water = this->water(places_[i]);
+    const double above = p.place_m.y - water.height_m - water.waves * answers_[i].height_m,
                  flown = std::min(step, p.age_s);
     if (!(above >= 0.0) || p.age_s >= p.life_s) continue;
     const double before = p.above_m - p.rising_mps * flown;
@@ -170,29 +171,30 @@ Spray::Cell Spray::cell(const glm::dvec3& viewer, int i, int j) const {
 
 // Of what breaks within a cell the share that throws up spray: on steep crests that stand out into the wind (troughs
 // lie in their lee), and near enough.
-double Spray::cell_share(const Cell& c, double time_s, const glm::dvec3& viewer,
-                         const WaveField::Filter& coarse) const {
+double Spray::cell_share(const Cell& c, const glm::dvec3& viewer, const WaveField::Filter& coarse) const {
   const glm::dvec2 rest = cell_m * glm::dvec2(double(c.x) + 0.5, double(c.z) + 0.5);
   const SeaSample sea = breaking_.field().sea(breaking_.tiles(), rest, coarse);
   const glm::dvec3 d = sea.displacement;
   const double height = 4.0 * std::sqrt(sea_.statistics().height_variance);
   const double out = height > 0.0 ? smooth(0.0, 0.2, d.y / height) * (1.0 - smooth(0.75, 1.0, sea.jacobian())) : 0.0;
   if (!(out > 0.0)) return 0.0;
-  const double still = water_ ? water_({rest.x + d.x, rest.y + d.z}, time_s).still_m : 0.0;
+  const double still = water({rest.x + d.x, rest.y + d.z}).height_m;
   const double distance = glm::length(glm::dvec3(rest.x + d.x, still + d.y, rest.y + d.z) - viewer);
   return out * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m));
 }
 
-std::optional<Spray::Breaker> Spray::breaker(glm::dvec2 rest, double time_s, const WaveField::Filter& fine) const {
+StillWater Spray::water(glm::dvec2 place) const { return breaking_.view().still_water(place, place_texel_m); }
+
+std::optional<Spray::Breaker> Spray::breaker(glm::dvec2 rest, const WaveField::Filter& fine) const {
   Breaker b{breaking_.field().sea(breaking_.tiles(), rest, fine), {}, 1.0};
   b.jacobian = b.sea.jacobian();
   if (!(b.jacobian < breaking_.threshold())) return std::nullopt;
-  if (!water_) return b;
-  b.water = water_({rest.x + b.sea.displacement.x, rest.y + b.sea.displacement.z}, time_s);
+  b.water = water({rest.x + b.sea.displacement.x, rest.y + b.sea.displacement.z});
+  if (b.water.clipped || !(b.water.depth_m > 0.2)) return std::nullopt;
   SeaSample left = b.sea;
   left.shift_gradient *= b.water.waves;
   b.jacobian = left.jacobian();
-  if (!(b.water.depth_m > 0.2) || !(b.jacobian < breaking_.threshold())) return std::nullopt;
+  if (!(b.jacobian < breaking_.threshold())) return std::nullopt;
   return b;
 }
 
@@ -200,18 +202,18 @@ double Spray::expected() const { return per_m2_s() * cell_m * cell_m / settings_
 
 // Which trials throw up spray, of all cells at once.
 void Spray::find_breakers(std::int64_t tick, const glm::dvec3& viewer) {
-  const double time_s = double(tick) / settings_.rate_hz, due = expected();
+  const double due = expected();
   const WaveField::Filter fine = breaking_.field().filter(fine_m), coarse = breaking_.field().filter(cell_m);
   tbb::parallel_for(0, cells_, [&](int j) {
     for (int i = 0; i < cells_; ++i) {
       const Cell c = cell(viewer, i, j);
       std::uint32_t bits = 0;
-      const double share = cell_share(c, time_s, viewer, coarse);
+      const double share = cell_share(c, viewer, coarse);
       const Trials trials(settings_, tick, c.x, c.z, due);
       for (int k = 0; share > 0.0 && k < trials.count; ++k) {
         Chance chance = trials.trial(k);
         const glm::dvec2 rest = trial_place(c.x, c.z, chance);
-        if (chance.next() < share && breaker(rest, time_s, fine)) bits |= 1u << k;
+        if (chance.next() < share && breaker(rest, fine)) bits |= 1u << k;
       }
       breakers_[c.index] = bits;
     }
@@ -219,7 +221,7 @@ void Spray::find_breakers(std::int64_t tick, const glm::dvec3& viewer) {
 }
 
 void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
-  const double step = 1.0 / settings_.rate_hz, time_s = double(tick) * step, due = expected();
+  const double step = 1.0 / settings_.rate_hz, due = expected();
   std::size_t thrown = 0;
   for (const std::uint32_t bits : breakers_) thrown += std::size_t(std::popcount(bits)) * puffs_a_throw;
   if (thrown == 0) return;
@@ -235,14 +237,14 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
       if ((breakers_[c.index] >> k & 1u) == 0) continue;
       Chance chance = trials.trial(k);
       const glm::dvec2 rest = trial_place(c.x, c.z, chance);
-      const std::optional<Breaker> found = breaker(rest, time_s, fine);
+      const std::optional<Breaker> found = breaker(rest, fine);
       (void)chance.next();  // that decided
       if (!found || !(chance.next() < share)) continue;
       const glm::dvec3 water = found->water.waves * field.velocity(breaking_.tiles(), rest, fine);
       // u / (1 - J), and no faster than the wind that drives the waves.
       glm::dvec3 crest = glm::dvec3(water.x, 0.0, water.z) / std::clamp(1.0 - found->jacobian, 1.0 / 3.0, 1.0);
       if (const double speed = glm::length(crest); speed > wind_mps_) crest *= wind_mps_ / speed;
-      const glm::dvec3 place = glm::dvec3(rest.x, found->water.still_m, rest.y) +
+      const glm::dvec3 place = glm::dvec3(rest.x, found->water.height_m, rest.y) +
                                found->sea.displacement * glm::dvec3(1.0, found->water.waves, 1.0);
       glm::dvec3 eddy = this->eddy(chance, 0.6);
       eddy.y = std::abs(eddy.y);  // the wind leaves a breaking crest
@@ -277,7 +279,7 @@ void Spray::step() {
   if (!throws && puffs_.empty()) return;
   breaking_.evaluate(ticks_from_seconds(time_s));
   for (Puff& puff : puffs_) puff = after(puff, 1.0 / settings_.rate_hz);
-  land(time_s);
+  land();
   if (!throws) return;
   find_breakers(tick_, viewer_);
   throw_up(tick_, viewer_);

@@ -2,7 +2,6 @@
 // the water or have spread to nothing.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,18 +43,11 @@ class Spray {
     double above_m = 0.0, rising_mps = 0.0;  // over the water, and how that changes
     double drops = 0.0, shape = 0.0;         // gpu::SprayPuff::look
   };
-  // What the sea's places make of it: the still water's height, its depth (m; 0 or less: none), and how much of the
-  // waves it leaves.
-  struct Water {
-    double still_m = 0.0, depth_m = 1e6, waves = 1.0;
-  };
-
   // `sea` outlives it, and its crests know their velocity; `foam_life_s`: by which Breaking tells how much breaks.
   // Throws as validate() does.
   Spray(const SpraySettings& settings, Sea& sea, double foam_life_s);
   Spray(const Spray&) = delete;
   Spray& operator=(const Spray&) = delete;
-  void set_water(std::function<Water(glm::dvec2 place_m, double time_s)> water) { water_ = std::move(water); }
 
   // Has the puffs of a time of the sea, in s, around a viewer (m). A time or a place that is no number changes nothing.
   void update(double time_s, const glm::dvec3& viewer_m) {
@@ -82,7 +74,8 @@ class Spray {
   class Chance;
 
  private:
-  void land(double time_s);
+  void land();
+  StillWater water(glm::dvec2 place_m) const;
   void feel_air(Puff& puff) const;
   glm::dvec3 eddy(Chance& chance, double strength) const;
   double expected() const;  // puffs thrown together of a cell that breaks all over, in a step
@@ -94,13 +87,13 @@ class Spray {
     std::size_t index;
   };
   Cell cell(const glm::dvec3& viewer, int i, int j) const;
-  double cell_share(const Cell& cell, double time_s, const glm::dvec3& viewer, const WaveField::Filter& coarse) const;
+  double cell_share(const Cell& cell, const glm::dvec3& viewer, const WaveField::Filter& coarse) const;
   struct Breaker {
     SeaSample sea;
-    Water water;
+    StillWater water;
     double jacobian;
   };
-  std::optional<Breaker> breaker(glm::dvec2 rest, double time_s, const WaveField::Filter& fine) const;
+  std::optional<Breaker> breaker(glm::dvec2 rest, const WaveField::Filter& fine) const;
   SpraySettings settings_;
   Sea& sea_;
   Breaking breaking_;
@@ -108,7 +101,6 @@ class Spray {
   WindProfile profile_;
   glm::dvec3 wind_to_{0.0};
   void feel_wind();
-  std::function<Water(glm::dvec2, double)> water_;
   std::vector<Puff> puffs_;
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;

@@ -17,6 +17,18 @@ PlaceWaves ShallowsMix::waves(glm::dvec2 place_m, double depth_m) const {
   return a;
 }
 
+double ShallowsMix::surf(glm::dvec2 place_m, double depth_m) const {
+  const double a = from->surf(place_m, depth_m);
+  return to == nullptr ? a : std::lerp(a, to->surf(place_m, depth_m), share);
+}
+
+Shallows::Placed ShallowsMix::placed(glm::dvec2 place_m, double depth_m) const {
+  const Shallows::Placed a = from->placed(place_m, depth_m);
+  if (to == nullptr) return a;
+  const Shallows::Placed b = to->placed(place_m, depth_m);
+  return {std::lerp(a.share, b.share, share), std::lerp(a.surf, b.surf, share)};
+}
+
 glm::dvec2 ShallowsMix::direction(int cascade) const {
   const glm::dvec2 a = from->direction(cascade);
   if (to == nullptr) return a;

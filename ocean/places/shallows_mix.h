@@ -19,6 +19,8 @@ struct ShallowsMix {
     return from->bed_m(place_m, footprint_m, time_s);
   }
   PlaceWaves waves(glm::dvec2 place_m, double depth_m) const;
+  double surf(glm::dvec2 place_m, double depth_m) const;
+  Shallows::Placed placed(glm::dvec2 place_m, double depth_m) const;
   glm::dvec2 direction(int cascade) const;
   double run_up_m() const {
     return to == nullptr ? from->run_up_m() : std::lerp(from->run_up_m(), to->run_up_m(), share);

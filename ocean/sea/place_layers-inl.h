@@ -190,20 +190,6 @@ HWY_INLINE void bend(D d, const PlacePlan& plan, Known& at, int i) {
   hn::Store(only(hn::Div(way_z, size)), d, at.forward_z + i);
 }
 
-// exp(-x) of 0 and more, to some 2e-7 of itself; 0 beyond 80. In operations that all instruction sets round alike.
-template <class D>
-HWY_INLINE hn::Vec<D> exp_minus(D d, hn::Vec<D> x) {
-  const hn::RebindToSigned<D> di;
-  const auto turns = hn::Mul(hn::Min(x, hn::Set(d, 80.0f)), hn::Set(d, -1.44269504f));
-  const auto whole = hn::Round(turns);
-  const auto rest = hn::Mul(hn::Sub(turns, whole), hn::Set(d, 0.69314718f));  // within +-0.35
-  auto sum = hn::Set(d, 1.0f / 720.0f);
-  for (const float c : {1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f})
-    sum = hn::Add(hn::Mul(sum, rest), hn::Set(d, c));
-  const auto power = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127)));
-  return hn::IfThenElse(hn::Lt(x, hn::Set(d, 80.0f)), hn::Mul(sum, hn::BitCast(d, power)), hn::Zero(d));
-}
-
 // How much of each layer there is at points i to i + lanes - 1, whose ways from the places asked are given, and where
 // its pattern lies.
 template <class D>
@@ -257,11 +243,7 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const K
       }
     }
     if (layer.pattern >= 0) {
-      if (layer.pattern == 0) {
-        const auto alike = exp_minus(d, hn::Mul(carried, hn::Set(d, layer.flow_height)));
-        sum_height = hn::Div(one, hn::Sqrt(hn::Add(hn::Set(d, first * first + second * second),
-                                                   hn::Mul(hn::Set(d, 2.0f * first * second), alike))));
-      }
+      if (layer.pattern == 0) sum_height = flow_height(d, hn::Mul(carried, hn::Set(d, layer.flow_height)), first);
       const auto height = hn::Mul(hn::Set(d, layer.pattern == 0 ? first : second), sum_height);
       const auto way_s = hn::Set(d, float(layer.pattern == 0 ? phase.first_s : phase.second_s));
       flat = hn::Mul(flat, height);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "ocean/places/flow_phase.h"
 #include "ocean/waves/wave_tiles.h"
+#include "shaders/shared/flow_height.h"
 
 namespace seascape {
 
@@ -13,17 +13,15 @@ namespace {
 double seconds(const WaveTiles& tiles) { return double(tiles.ticks()) / double(gpu::ticks_per_second); }
 }  // namespace
 
-double flow_height(double longest_m, double shortest_m, double way_m, double first) {
-  const double way = 2.0 * std::numbers::pi / std::sqrt(longest_m * shortest_m) * way_m, second = 1.0 - first;
-  return 1.0 / std::sqrt(first * first + second * second + 2.0 * first * second * std::exp(-0.5 * way * way));
-}
-
 PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field)
     : PlaceSea(inputs, field,
                ShallowsMix{make_shallows(field.state(), field.bins(), field.others(), inputs), nullptr}) {}
 
 PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shallows)
-    : settings_(inputs.settings), volumes_(inputs.volumes), shore_(field.has_curved() ? inputs.shore : nullptr) {
+    : settings_(inputs.settings),
+      open_depth_m_(field.state().depth_m),
+      volumes_(inputs.volumes),
+      shore_(field.has_curved() ? inputs.shore : nullptr) {
   validate(settings_);
   for (const auto& [kind, values] : {std::pair(InputTarget::level, &level_), std::pair(InputTarget::flow, &flow_),
                                      std::pair(InputTarget::clip, &clip_)})
@@ -55,6 +53,28 @@ double PlaceSea::level_m(glm::dvec2 rest, double footprint, double time) const {
 glm::dvec2 PlaceSea::flow_mps(glm::dvec2 rest, double footprint, double time) const {
   return flow_ ? glm::dvec2(PlaceReader(*flow_, settings_, time)(reading({rest, footprint, nullptr, false}), rest))
                : glm::dvec2(0.0);
+}
+
+StillWater PlaceSea::still_water(glm::dvec2 place, double texel, double time, const ClipVolumes* volumes) const {
+  const auto value = [&](const PlaceValues<glm::vec4>& of) {
+    return of.value(place, texel, place_time_s(settings_, of.still, time)).x;
+  };
+  StillWater water;
+  water.depth_m = open_depth_m_;
+  if (level_) water.height_m = double(value(*level_));
+  if (shallows_) {
+    water.depth_m = water.height_m - shallows_.bed_m(place, texel, time);
+    const PlaceWaves waves = shallows_.waves(place, water.depth_m);
+    water.waves = double(waves.share[0]);
+    water.swash = double(waves.swash);
+    water.surf = shallows_.surf(place, water.depth_m);
+    const Shallows::Placed placed = shallows_.placed(place, water.depth_m);
+    water.placed = placed.share;
+    water.placed_surf = placed.surf;
+  }
+  if (!clips()) return water;
+  water.clipped = clipped({place.x, water.height_m, place.y}, clip_ && value(*clip_) > 0.5f, volumes);
+  return water;
 }
 
 namespace {
@@ -170,7 +190,7 @@ void PlaceSea::add_current(const WaveField& field, Here& here, const Asked& aske
     for (std::size_t i = 0; i < field.places().size(); ++i) {
       const WaveField::Place& place = field.places()[i];
       const double height =
-          flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
+          gpu::flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period, phase.first);
       first.filter.share[i] *= float(height * phase.first);
       second.filter.share[i] *= float(height * (1.0 - phase.first));
     }

@@ -13,6 +13,8 @@
 #include "ocean/places/shore_field.h"
 #include "ocean/sea/query.h"
 #include "ocean/sea/shore_sea.h"
+#include "ocean/sea/still_water.h"
+#include "ocean/sea/water_side.h"
 
 namespace seascape {
 
@@ -40,6 +42,10 @@ class PlaceSea {
   bool clips() const { return clip_ || volumes_ != nullptr; }
   double level_m(glm::dvec2 rest_m, double footprint_m, double time_s) const;  // of the still water
   glm::dvec2 flow_mps(glm::dvec2 rest_m, double footprint_m, double time_s) const;
+  // The still water at a world position (x and z, m) for texels of this side (m, 0 or more), straight from the inputs
+  // and not between texels. All its numbers are finite where the position is. Needs no tiles.
+  // `volumes`: ClipRead::volumes.
+  StillWater still_water(glm::dvec2 place_m, double texel_m, double time_s, const ClipVolumes* volumes = nullptr) const;
   // No water there: whether the point of the surface (x, height above the still sea's y = 0, z) is taken away, by flat
   // inputs and by volumes.
   bool clipped(glm::dvec3 point_m, double time_s, const ClipRead& read = {}) const;
@@ -69,6 +75,8 @@ class PlaceSea {
              std::span<QueryAnswer> answers, const QueryOptions& options = {}) const {
     query(field, tiles, places, answers, options, Beside{});
   }
+  // On which side of this surface, as query() has it, a world point (m) is; see water_side.h.
+  WaterSide side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m, const Beside& beside) const;
   // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
   bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double time_s, const ClipRead& read) const;
   // Whether many places were asked for, and this had better begin with new memory of them (renew).
@@ -142,6 +150,7 @@ class PlaceSea {
   PlacePlan plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
                  const Beside& beside) const;
   PlaceSettings settings_;
+  double open_depth_m_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
   std::shared_ptr<const ClipVolumes> volumes_;  // null: none
   std::shared_ptr<const ShoreLines> shore_;     // null where no waves run along curves
@@ -150,9 +159,5 @@ class PlaceSea {
   std::optional<PlaceValues<ShoreTexel>> along_curves_;
   std::shared_ptr<const PlacePages> pages_, clip_pages_;  // of PlaceTexel, of flat clip; null: none
 };
-
-// How much higher the sum of two patterns of these waves has to stand that lie `way_m` apart, of which the first counts
-// for `first` and the second for the rest, to be as high as either (shaders/lib/flow.glsl).
-double flow_height(double longest_m, double shortest_m, double way_m, double first);
 
 }  // namespace seascape

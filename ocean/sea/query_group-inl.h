@@ -16,6 +16,8 @@
 #define SEASCAPE_QUERY_GROUP_INL_H
 #endif
 
+#include "ocean/sea/formulas-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace seascape {
 namespace HWY_NAMESPACE {
@@ -319,7 +321,7 @@ HWY_INLINE void finish(D d, const QueryPlan& plan, const Group& g, int count, Qu
   const hn::Rebind<double, hn::Half<D>> dd;
   const hn::Half<D> half_d;
   const int lanes = int(hn::Lanes(d));
-  const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+  const auto half = hn::Set(d, 0.5f);
   alignas(64) float height_at[hn::MaxLanes(D())], eulerian[3][hn::MaxLanes(D())], contraction[hn::MaxLanes(D())];
   alignas(64) float folded[hn::MaxLanes(D())];
   alignas(64) double normal_x[hn::MaxLanes(D())], normal_y[hn::MaxLanes(D())], normal_z[hn::MaxLanes(D())];
@@ -328,27 +330,23 @@ HWY_INLINE void finish(D d, const QueryPlan& plan, const Group& g, int count, Qu
     hn::LoadInterleaved4(d, g.along_x + 4 * i, xx, h_x, zx, unused);
     hn::LoadInterleaved4(d, g.along_z + 4 * i, xz, h_z, zz, unused);
     hn::LoadInterleaved4(d, g.shift + 4 * i, shift_x, height, shift_z, unused);
-    const auto one_xx = hn::Add(one, xx), one_zz = hn::Add(one, zz);
-    const auto jacobian = hn::Sub(hn::Mul(one_xx, one_zz), hn::Mul(xz, zx));
-    // Where it is singular the slope is without bound: the sign of the fold is kept and the size held.
-    const auto held = hn::CopySign(hn::Max(hn::Abs(jacobian), hn::Set(d, 1e-3f)), jacobian);
-    const auto slope_x = hn::Div(hn::Sub(hn::Mul(one_zz, h_x), hn::Mul(zx, h_z)), held);
-    const auto slope_z = hn::Div(hn::Sub(hn::Mul(one_xx, h_z), hn::Mul(xz, h_x)), held);
+    const Folded<hn::Vec<D>> f = fold(d, xx, zz, xz, zx);
+    const auto rise_x = slope_x(f, h_x, h_z), rise_z = slope_z(f, h_x, h_z);
     // From the point found along the surface to the place asked, by no more than the way between them.
     const auto residual = hn::Load(d, g.residual + i);
-    const auto rise = hn::Add(hn::Mul(slope_x, hn::Load(d, g.miss_x + i)), hn::Mul(slope_z, hn::Load(d, g.miss_z + i)));
+    const auto rise = hn::Add(hn::Mul(rise_x, hn::Load(d, g.miss_x + i)), hn::Mul(rise_z, hn::Load(d, g.miss_z + i)));
     hn::Store(hn::Add(height, hn::Max(hn::Neg(residual), hn::Min(rise, residual))), d, height_at);
     // Singular values of grad D: half the sum and half the difference of its two rotations' sizes.
     const auto size = [&](auto a, auto b) HWY_ATTR { return hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b))); };
     hn::Store(hn::Mul(half, hn::Add(size(hn::Add(xx, zz), hn::Sub(zx, xz)), size(hn::Sub(xx, zz), hn::Add(xz, zx)))), d,
               contraction);
-    hn::Store(hn::Min(jacobian, hn::Add(one_xx, one_zz)), d, folded);
+    hn::Store(hn::Min(f.jacobian, hn::Add(f.one_xx, f.one_zz)), d, folded);
     if (plan.velocity) {
       hn::Vec<D> v_x, v_y, v_z;
       hn::LoadInterleaved4(d, g.velocity + 4 * i, v_x, v_y, v_z, unused);
-      hn::Store(hn::Div(hn::Sub(hn::Mul(one_zz, v_x), hn::Mul(xz, v_z)), held), d, eulerian[0]);
-      hn::Store(hn::Sub(v_y, hn::Add(hn::Mul(slope_x, v_x), hn::Mul(slope_z, v_z))), d, eulerian[1]);
-      hn::Store(hn::Div(hn::Sub(hn::Mul(one_xx, v_z), hn::Mul(zx, v_x)), held), d, eulerian[2]);
+      hn::Store(hn::Div(hn::Sub(hn::Mul(f.one_zz, v_x), hn::Mul(xz, v_z)), f.held), d, eulerian[0]);
+      hn::Store(hn::Sub(v_y, hn::Add(hn::Mul(rise_x, v_x), hn::Mul(rise_z, v_z))), d, eulerian[1]);
+      hn::Store(hn::Div(hn::Sub(hn::Mul(f.one_xx, v_z), hn::Mul(zx, v_x)), f.held), d, eulerian[2]);
     }
     const auto unit = [&](auto s_x, auto s_z, int at) HWY_ATTR {
       const auto x = hn::PromoteTo(dd, s_x), z = hn::PromoteTo(dd, s_z), y = hn::Set(dd, 1.0);
@@ -357,8 +355,8 @@ HWY_INLINE void finish(D d, const QueryPlan& plan, const Group& g, int count, Qu
       hn::Store(inverse, dd, normal_y + at);
       hn::Store(hn::Neg(hn::Mul(z, inverse)), dd, normal_z + at);
     };
-    unit(hn::LowerHalf(half_d, slope_x), hn::LowerHalf(half_d, slope_z), 0);
-    unit(hn::UpperHalf(half_d, slope_x), hn::UpperHalf(half_d, slope_z), lanes / 2);
+    unit(hn::LowerHalf(half_d, rise_x), hn::LowerHalf(half_d, rise_z), 0);
+    unit(hn::UpperHalf(half_d, rise_x), hn::UpperHalf(half_d, rise_z), lanes / 2);
     for (int lane = 0; lane < std::min(lanes, count - i); ++lane) {
       const int p = i + lane;
       const float* shift = g.shift + 4 * p;

@@ -14,18 +14,12 @@ namespace seascape {
 namespace {
 constexpr double rate_without_dynamic_waves_hz = 60.0;
 
-// A quality whose bins hold those of every detail.
-WaveQuality whole_of(const SeaSpec& spec) {
-  WaveQuality whole = spec.drawn;
-  for (const WaveQuality& other : {spec.crests, spec.felt}) {
-    whole.resolution = std::max(whole.resolution, other.resolution);
-    whole.cascades = std::max(whole.cascades, other.cascades);
-  }
-  return whole;
-}
+// A quality that keeps every wave of the ladder, so that what a sea has never depends on who asks.
+constexpr WaveQuality all_waves{.resolution = std::max(gpu::wave_bins, gpu::long_tile_bins / 4),
+                                .cascades = gpu::max_cascades};
 
 WaveBins bins_of_spec(const SeaSpec& spec) {
-  return spec.has_waves ? make_wave_bins(spec.state, whole_of(spec)) : WaveBins{ladder(spec.state), 0, {}};
+  return spec.has_waves ? make_wave_bins(spec.state, all_waves) : WaveBins{ladder(spec.state), 0, {}};
 }
 
 std::unique_ptr<DynamicSea> dynamic_of(const SeaSpec& spec) {
@@ -39,10 +33,10 @@ double rate_of(const DynamicSea* dynamic_waves) {
 
 Sea::Sea(SeaSpec spec)
     : spec_(std::move(spec)),
-      made_in_(whole_of(spec_)),
       bins_(bins_of_spec(spec_)),
       chop_(spec_.state.chop),
       seed_(spec_.state.seed),
+      waves_of_(spec_.state),
       dynamic_(dynamic_of(spec_)),
       bodies_(spec_.place.volumes, 1.0 / rate_of(dynamic_.get())),
       foam_(spec_.actors_foam) {
@@ -53,7 +47,7 @@ Sea::Sea(SeaSpec spec)
     if (!keeps_all(spec_.drawn, bins_)) drawn_bins_ = kept_bins(bins_, spec_.drawn);
     statistics_ = sea_statistics(spec_.state, bins());
   }
-  shallows_.from = make_shallows(spec_.state, bins(), spec_.sources, spec_.place);
+  shallows_.from = make_shallows(spec_.state, bins_, spec_.sources, spec_.place);
   make_field(SeaDetail::drawn);
   places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
   know_dynamic_velocity();
@@ -160,12 +154,13 @@ void Sea::change(const SeaState& state, double over_s, MakePlace place) {
     spec_.state = state;
     return;
   }
-  if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, made_in_, spec_.drawn);
+  if (!maker_) maker_ = std::make_unique<SeaMaker>(bins_.ladder, all_waves);
   if (shallows_ && !place)
     place = [sources = spec_.sources, inputs = spec_.place](const SeaState& sea, const WaveBins& bins) {
       return std::make_shared<MadePlace>(MadePlace{make_shallows(sea, bins, sources, inputs), nullptr});
     };
-  maker_->ask(state, shallows_ ? std::move(place) : nullptr);
+  maker_->ask(state, spec_.drawn, shallows_ ? std::move(place) : nullptr);
+  drawn_changed_ = false;
   spec_.state = state;
   change_s_ = over_s;
   asked_for_ = true;
@@ -178,6 +173,7 @@ void Sea::follow_change(std::int64_t ticks) {
   if (std::optional<MadeSea> made = waits || !maker_ ? std::nullopt : maker_->take()) {
     const bool same_waves = seed_ == made->state.seed;
     seed_ = same_waves ? seed_ : std::nullopt;  // two seas' waves at once, until the change is over
+    if (drawn_changed_) made->statistics = statistics_in(made->state, made->bins, spec_.drawn);
     MadeSea now{made->state, bins_, statistics_};
     made_place_ = std::move(made->place);
     now.state.chop = chop_;
@@ -217,7 +213,8 @@ void Sea::take_waves(std::int64_t ticks) {
     places_->follow(shallows_);
   }
   if (!over) return;
-  seed_ = blend_->to().state.seed;
+  waves_of_ = blend_->to().state;
+  seed_ = waves_of_.seed;
   blend_.reset();
 }
 
@@ -237,23 +234,14 @@ void Sea::draw_in(const WaveQuality& drawn, const PlaceSettings& place) {
 }
 
 void Sea::draw_other_waves() {
-  const WaveQuality whole = whole_of(spec_);
-  const bool lacks = whole.resolution > made_in_.resolution || whole.cascades > made_in_.cascades;
-  if (lacks || changing()) {
-    // The seas of a change that runs lack what is now drawn.
-    blend_.reset();
-    made_place_.reset();
-    asked_for_ = false;
-    made_in_ = whole;
-    bins_ = make_wave_bins(spec_.state, whole, bins_.ladder);
-    chop_ = spec_.state.chop;
-    seed_ = spec_.state.seed;
-    if (shallows_) shallows_ = {make_shallows(spec_.state, bins_, spec_.sources, spec_.place), nullptr};
-    for (auto& field : fields_) field.reset();
-  }
-  maker_.reset();
   drawn_bins_ = keeps_all(spec_.drawn, bins_) ? std::nullopt : std::optional(kept_bins(bins_, spec_.drawn));
-  statistics_ = sea_statistics(spec_.state, bins());
+  if (blend_) {
+    blend_->measure(spec_.drawn);
+    statistics_ = blend_->statistics(blended_at_.value_or(ticks_from_seconds(time_s_)));
+  } else {
+    statistics_ = sea_statistics(waves_of_, bins());
+  }
+  drawn_changed_ = true;
   ++waves_version_;
 }
 

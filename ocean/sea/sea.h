@@ -52,8 +52,8 @@ class Sea {
   // What was made beside the sea that comes, for who asked for it; null but in a change over a bed.
   const std::shared_ptr<MadePlace>& made_place() const { return made_place_; }
 
-  // Another quality of the picture: `drawn` views have it from now on, and nothing else changes; but a change that runs
-  // is over at once where its waves are too few. Of `place` the windows and the look of the ground count.
+  // Another quality of the picture: `drawn` views have it from now on, and nothing else changes. Of `place` the windows
+  // and the look of the ground count.
   void draw_in(const WaveQuality& drawn, const PlaceSettings& place);
   // Whether views of a detail, from now on, know how fast the water moves.
   void know_velocity(SeaDetail detail, bool known);
@@ -104,12 +104,12 @@ class Sea {
   std::shared_ptr<const ClipVolumes> volumes_of(std::int64_t ticks);
   void step_actors(double end_s, double dt_s, std::vector<WaveSource>& presses);
   SeaSpec spec_;
-  WaveQuality made_in_;
-  WaveBins bins_;                       // of every detail together
+  WaveBins bins_;                       // all that the ladder has
   std::optional<WaveBins> drawn_bins_;  // where the picture has fewer
   SeaStatistics statistics_;            // of the picture's
   double chop_;
   std::optional<std::uint32_t> seed_;
+  SeaState waves_of_;  // the state that bins_ have while no change runs
   std::uint64_t waves_version_ = 1;
   std::array<std::shared_ptr<WaveField>, sea_details> fields_;  // made when first asked for
   std::array<double, sea_details> left_out_m_{};
@@ -127,8 +127,8 @@ class Sea {
   std::unique_ptr<SeaMaker> maker_;       // from the first change on
   std::shared_ptr<MadePlace> made_place_;
   std::optional<SeaBlend> blend_;
-  std::optional<std::int64_t> blended_at_;  // the ticks that the waves are blended for
-  bool asked_for_ = false;
+  std::optional<std::int64_t> blended_at_;          // the ticks that the waves are blended for
+  bool asked_for_ = false, drawn_changed_ = false;  // a sea that is being made; since then the picture's quality
   double change_s_ = 0.0;
 };
 

@@ -16,18 +16,20 @@ bool grows_out_of(const SeaState& from, const SeaState& to) {
   return from.gravity_mps2 == to.gravity_mps2 && from.depth_m == to.depth_m && from.loop_s == to.loop_s;
 }
 
-SeaMaker::SeaMaker(const Ladder& ladder, const WaveQuality& quality, const WaveQuality& drawn)
-    : ladder_(ladder),
-      quality_(quality),
-      drawn_(drawn),
-      thread_([this](std::stop_token stop) { work(std::move(stop)); }) {}
+SeaMaker::SeaMaker(const Ladder& ladder, const WaveQuality& quality)
+    : ladder_(ladder), quality_(quality), thread_([this](std::stop_token stop) { work(std::move(stop)); }) {}
 
 SeaMaker::~SeaMaker() = default;  // the thread is asked to stop and waited for
 
-void SeaMaker::ask(const SeaState& sea, MakePlace place) {
+SeaStatistics statistics_in(const SeaState& sea, const WaveBins& bins, const WaveQuality& quality) {
+  return sea_statistics(sea, keeps_all(quality, bins) ? bins : kept_bins(bins, quality));
+}
+
+void SeaMaker::ask(const SeaState& sea, const WaveQuality& drawn, MakePlace place) {
   validate(sea);
   const std::lock_guard lock(mutex_);
   wanted_ = sea;
+  drawn_ = drawn;
   place_ = std::move(place);
   made_.reset();
   asked_.notify_one();
@@ -43,18 +45,20 @@ void SeaMaker::work(std::stop_token stop) {
   tbb::task_arena arena(1);
   for (;;) {
     SeaState sea;
+    WaveQuality drawn;
     MakePlace place;
     {
       std::unique_lock lock(mutex_);
       if (!asked_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
       sea = *std::exchange(wanted_, std::nullopt);
+      drawn = drawn_;
       place = std::exchange(place_, nullptr);
     }
     MadeSea made;
     arena.execute([&] {
       made.state = sea;
       made.bins = make_wave_bins(sea, quality_, ladder_);
-      made.statistics = sea_statistics(sea, keeps_all(drawn_, made.bins) ? made.bins : kept_bins(made.bins, drawn_));
+      made.statistics = statistics_in(sea, made.bins, drawn);
       if (place) made.place = place(sea, made.bins);
     });
     const std::lock_guard lock(mutex_);

@@ -15,6 +15,9 @@ namespace seascape {
 
 struct MadePlace;  // ocean/places/bed_change.h
 
+// Statistics of what a quality keeps of a sea's waves.
+SeaStatistics statistics_in(const SeaState& sea, const WaveBins& bins, const WaveQuality& quality);
+
 // A sea with its waves.
 struct MadeSea {
   SeaState state;
@@ -32,26 +35,28 @@ bool grows_out_of(const SeaState& from, const SeaState& to);
 // moves.
 class SeaMaker {
  public:
-  // Waves are made in `quality`; statistics are those of what `drawn` keeps of them.
-  SeaMaker(const Ladder& ladder, const WaveQuality& quality, const WaveQuality& drawn);
+  // Waves are made in `quality`.
+  SeaMaker(const Ladder& ladder, const WaveQuality& quality);
   ~SeaMaker();  // waits for the sea it is making
   SeaMaker(const SeaMaker&) = delete;
   SeaMaker& operator=(const SeaMaker&) = delete;
 
   // Asks for a sea; one asked for before and not yet made is forgotten. Throws Error as validate() does. Never waits
-  // for the making. `place`: makes what its bed makes of it; none where no bed is known.
-  void ask(const SeaState& sea, MakePlace place = nullptr);
+  // for the making. Its statistics are those of what `drawn` keeps of it. `place`: makes what its bed makes of it; none
+  // where no bed is known.
+  void ask(const SeaState& sea, const WaveQuality& drawn, MakePlace place = nullptr);
   // The sea asked for last, once, when it is made; never waits for the making.
   std::optional<MadeSea> take();
 
  private:
   void work(std::stop_token stop);
   const Ladder ladder_;
-  const WaveQuality quality_, drawn_;
+  const WaveQuality quality_;
   std::mutex mutex_;
   std::condition_variable_any asked_;
   std::optional<SeaState> wanted_;
-  MakePlace place_;  // of it
+  WaveQuality drawn_;  // of it
+  MakePlace place_;    // of it
   std::optional<MadeSea> made_;
   std::jthread thread_;  // last: it ends before what it uses
 };
@@ -67,6 +72,10 @@ class SeaBlend {
   // `bins`, of the same shape, take the amplitudes at a time. No allocation.
   void amplitudes(std::int64_t ticks, WaveBins& bins) const;
   double chop(std::int64_t ticks) const;
+  // Takes the statistics of both seas in another quality of the picture.
+  void measure(const WaveQuality& drawn) {
+    for (MadeSea* sea : {&from_, &to_}) sea->statistics = statistics_in(sea->state, sea->bins, drawn);
+  }
   // The new sea's share of the variance, 0 to 1.
   double share(std::int64_t ticks) const { return weights(ticks).variance; }
   // Bounds and variances: those of both seas in the share each has of the variance, never below the truth.

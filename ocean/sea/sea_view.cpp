@@ -11,12 +11,23 @@ SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
   return places().sea(field(), tiles(), rest, footprint, nullptr, dynamic(), volumes());
 }
 
+PlaceSea::Beside SeaView::beside() const {
+  return {.dynamic = dynamic(),
+          .volumes = volumes(),
+          .finest_m = detail() == SeaDetail::felt ? felt_place_texel_m : 0.0,
+          .left_out_m = left_out_m()};
+}
+
 void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
-  places().query(field(), tiles(), points, answers, options,
-                 {.dynamic = options.history ? dynamic() : nullptr,
-                  .volumes = options.history ? volumes() : nullptr,
-                  .finest_m = detail() == SeaDetail::felt ? felt_place_texel_m : 0.0,
-                  .left_out_m = left_out_m()});
+  PlaceSea::Beside beside = this->beside();
+  if (!options.history) beside.dynamic = nullptr, beside.volumes = nullptr;
+  places().query(field(), tiles(), points, answers, options, beside);
+}
+
+WaterSide SeaView::side(const glm::dvec3& at_m) const { return places().side(field(), tiles(), at_m, beside()); }
+
+StillWater SeaView::still_water(glm::dvec2 place, double texel_m) const {
+  return places().still_water(place, texel_m, double(ticks()) / double(gpu::ticks_per_second), volumes());
 }
 
 QueryAnswer SeaView::query(glm::dvec2 place, const QueryOptions& options) const {

@@ -5,7 +5,6 @@
 
 #include "ocean/sea/query.h"
 #include "ocean/sea/sea_moment.h"
-#include "ocean/sea/water_side.h"
 
 namespace seascape {
 
@@ -42,6 +41,8 @@ class SeaView {
   // At world places (x and z, m); see query.h.
   void query(std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, QueryOptions options = {}) const;
   QueryAnswer query(glm::dvec2 place, const QueryOptions& options = {}) const;
+  // The still water at a world position (x and z, m), for texels of this side (m); needs no tiles.
+  StillWater still_water(glm::dvec2 place_m, double texel_m) const;
   // The first meeting of a ray (m, and a direction of any length but 0) with the surface or with land, from either
   // side, to a millimetre or a millionth of the distance. What is clipped is no surface. A crest or a trough that the
   // ray passes through in less than 5 cm or a five-thousandth of its way may be missed, and so may water steeper
@@ -49,8 +50,9 @@ class SeaView {
   RayAnswer ray(const glm::dvec3& origin_m, const glm::dvec3& direction, const RayOptions& options = {}) const;
   // Of all waves of this detail, dynamic ones as they are now, without levels and land.
   SeaBounds bounds() const;
-  // Whether a point of the world (m) is in the water of the waves alone (water_side.h).
-  WaterSide side(const glm::dvec3& at_m) const { return water_side(*moment_->field, tiles(), at_m); }
+  // Whether a point of the world (m) is in the water or in the air, of the whole surface that query() finds: levels,
+  // land, currents, dynamic waves and clip included (water_side.h).
+  WaterSide side(const glm::dvec3& at_m) const;
   // Standard deviation, m, of the waves that this detail lacks.
   double left_out_m() const { return moment_->left_out_m; }
 
@@ -65,6 +67,7 @@ class SeaView {
   int slot() const { return moment_->slot; }
 
  private:
+  PlaceSea::Beside beside() const;
   std::shared_ptr<const SeaMoment> moment_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ocean/sea/place_sea.h"
+#include "shaders/shared/flow_height.h"
 
 namespace seascape {
 
@@ -35,8 +35,8 @@ void ShorePart::add(const WaveField& field, const WaveTiles& tiles, SeaSample& t
 std::array<ShorePart, 2> ShorePart::carried(const WaveField& field, glm::dvec2 velocity, const FlowPhase& phase) const {
   const glm::dvec2 bent(double(at.stretch) * glm::dot(velocity, at.forward), glm::dot(velocity, at.right()));
   const WaveField::Place& place = field.curved_place();
-  const double height = flow_height(place.longest_m, place.shortest_m,
-                                    glm::length(bent) * std::abs(phase.second_s - phase.first_s), phase.first);
+  const double height = gpu::flow_height(place.longest_m, place.shortest_m,
+                                         glm::length(bent) * std::abs(phase.second_s - phase.first_s), phase.first);
   const auto part = [&](double way_s, double counts) {
     ShorePart result = *this;
     result.at.bent_m -= way_s * bent;

@@ -23,6 +23,10 @@ struct WaterSide {
 // is query()'s. Depends on nothing but its arguments: an eye that rests, or trembles without passing a sheet, keeps its
 // side. Any number of threads may ask at once. No allocation; some 3,000 samples where waves reach, none above and
 // below. A point that is not finite is in the air, uncertain.
+//
+// These are the waves alone. PlaceSea::side() and SeaView::side() do the same for the whole surface. There a point
+// above dry land is in the air, one beneath the bed counts as beneath the surface, and one in a volume or over a flat
+// input that takes the water away is in the air, its own height for height_m.
 WaterSide water_side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m);
 
 }  // namespace seascape

@@ -8,6 +8,7 @@
 
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_tiles.h"
+#include "shaders/shared/surface_slope.h"
 
 namespace seascape {
 
@@ -190,16 +191,12 @@ glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, dou
 }
 
 double SeaSample::jacobian() const {
-  return (1.0 + shift_gradient.x) * (1.0 + shift_gradient.y) - shift_gradient.z * shift_gradient.z;
+  return gpu::surface_jacobian(shift_gradient.x, shift_gradient.y, shift_gradient.z, shift_gradient.z);
 }
 
 glm::dvec2 SeaSample::slope() const {
-  // (I + grad D) is symmetric. Where it is singular the slope is without bound: the sign of the fold is kept and the
-  // size held, so that a normal made of it lies in the surface's steepest direction.
-  const double j = jacobian(), held = std::copysign(std::max(std::abs(j), 1e-3), j);
-  return glm::dvec2((1.0 + shift_gradient.y) * height_gradient.x - shift_gradient.z * height_gradient.y,
-                    (1.0 + shift_gradient.x) * height_gradient.y - shift_gradient.z * height_gradient.x) /
-         held;
+  return gpu::surface_slope(height_gradient.x, height_gradient.y, shift_gradient.x, shift_gradient.y, shift_gradient.z,
+                            shift_gradient.z);
 }
 
 }  // namespace seascape

@@ -4,14 +4,9 @@
 
 vec2 flow_velocity;  // of the water here, m/s
 
-// What the two patterns' weighted sum has to be multiplied by to stand as high as either, whatever the shares: they are
-// alike as far as the way between them is short against their waves, by a Gaussian of the way (of the band's middle
-// wave number).
+// What the two patterns' weighted sum has to be multiplied by.
 float flow_height(CascadeData c) {
-  const float k = 6.2831853 * inversesqrt(c.origin.w * c.moments.w),
-              way = k * length(flow_velocity) * frame.sea.place.flow.w;
-  const float first = frame.sea.place.flow.z, second = 1.0 - first;
-  return inversesqrt(first * first + second * second + 2.0 * first * second * exp(-0.5 * way * way));
+  return flow_height(c.moments.w, c.origin.w, length(flow_velocity) * frame.sea.place.flow.w, frame.sea.place.flow.z);
 }
 
 // The sum of the two patterns' texels at tile coordinates `at`.

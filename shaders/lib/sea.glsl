@@ -2,6 +2,8 @@
 // uniform block `frame` (FrameData) has been declared. The C++ twin is ocean/waves/tile_sampler.cpp.
 #ifndef SEASCAPE_SEA_GLSL
 #define SEASCAPE_SEA_GLSL
+#include "shared/flow_height.h"
+#include "shared/surface_slope.h"
 
 // All images of the sea share two samplers, for a device allows few a stage (16 on many). Both are linear and repeat;
 // that of pixels is anisotropic.
@@ -313,15 +315,9 @@ SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
   return s;
 }
 
-// Jacobian of the horizontal displacement: below 0 the surface folds (Tessendorf 2001, eq. 45).
-float sea_jacobian(SeaSlopes s) { return (1.0 + s.shift.x) * (1.0 + s.shift.y) - s.shift.z * s.shift.z; }
+float sea_jacobian(SeaSlopes s) { return surface_jacobian(s.shift.x, s.shift.y, s.shift.z, s.shift.z); }
 
-// Slope of the displaced surface: the inverse transpose of (I + grad D) times the gradient over rest positions.
 vec2 sea_slope(SeaSlopes s) {
-  const float j =
-      max(sea_jacobian(s), 0.15);  // where it folds, the slope of the steepest face that light still reaches
-  return vec2((1.0 + s.shift.y) * s.gradient.x - s.shift.z * s.gradient.y,
-              (1.0 + s.shift.x) * s.gradient.y - s.shift.z * s.gradient.x) /
-         j;
+  return surface_slope(s.gradient.x, s.gradient.y, s.shift.x, s.shift.y, s.shift.z, s.shift.z);
 }
 #endif

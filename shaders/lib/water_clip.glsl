@@ -28,7 +28,8 @@ bool clip_within(ClipVolume v, vec3 from_middle) {
 bool clip_by_volumes(vec3 place, bool flat_says) {
   const vec2 at = place.xz + frame.sea.place.clip_from.xy;
   const ivec2 cell = ivec2(floor(at)) + frame.sea.place.clip_origin.xy;
-  // From the buffer: with a count that is uniform, Mesa 22.3's software driver loops on in samples that are not covered.
+  // From the buffer: with a count that is uniform, Mesa 22.3's software driver loops on in samples that are not
+  // covered.
   const int count = clip_nodes[0].more.z;
   int node = 0, last = -1;
   bool clipped = flat_says;

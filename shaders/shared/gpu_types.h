@@ -18,10 +18,18 @@ using uint = std::uint32_t;
 #define SEASCAPE_SHARED_END }
 #define SEASCAPE_CONST inline constexpr
 #define SEASCAPE_FUNCTION inline
+// Of formulas that C++ has in double too: `Real` is float in GLSL.
+#define SEASCAPE_REAL_FUNCTION \
+  template <class Real>        \
+  inline
+#define SEASCAPE_REAL2 glm::vec<2, Real>
 #else
 #define SEASCAPE_SHARED_BEGIN
 #define SEASCAPE_SHARED_END
 #define SEASCAPE_CONST const
 #define SEASCAPE_FUNCTION
+#define SEASCAPE_REAL_FUNCTION
+#define SEASCAPE_REAL2 vec2
+#define Real float
 #endif
 #endif

@@ -29,8 +29,8 @@ SpraySettings plenty() {
   return settings;
 }
 const glm::dvec3 head{3.0, 4.0, -2.0};
-test::OwnSpray spray_of(const SpraySettings& settings, const SeaState& sea) {
-  return test::OwnSpray(settings, sea, {.resolution = 64, .cascades = 4}, 3.85);
+test::OwnSpray spray_of(const SpraySettings& settings, const SeaState& sea, const std::vector<InputSpec>& inputs = {}) {
+  return test::OwnSpray(settings, sea, {.resolution = 64, .cascades = 4}, 3.85, test::places_of(inputs));
 }
 
 std::vector<double> numbers(const Spray::Puff& p) {
@@ -268,6 +268,8 @@ TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
   EXPECT_GT(most_drops - least_drops, 0.2);
 }
 
+// Spray rises with the level and begins neither on land nor where the water is clipped. Controls seen: the
+// level left out; clip left out.
 TEST(Spray, KnowsItsPlace) {
   test::OwnSpray far = spray_of(plenty(), storm());
   const glm::dvec3 away{1e6, 4.0, -3e6};
@@ -277,18 +279,20 @@ TEST(Spray, KnowsItsPlace) {
   ASSERT_GT(n, 20u);
   for (std::size_t i = 0; i < n; ++i) ASSERT_LT(std::abs(shown[i].place.x) + std::abs(shown[i].place.z), 120.0f);
 
-  test::OwnSpray flat = spray_of(plenty(), storm()), raised = spray_of(plenty(), storm()),
-                 land = spray_of(plenty(), storm()), none = spray_of(plenty(), storm());
-  raised.set_water([](glm::dvec2, double) { return Spray::Water{30.0, 1e6, 1.0}; });
-  land.set_water([](glm::dvec2, double) { return Spray::Water{0.0, -1.0, 1.0}; });
+  test::OwnSpray flat = spray_of(plenty(), storm()), none = spray_of(plenty(), storm()),
+                 raised = spray_of(plenty(), storm(), {test::flat_input(InputTarget::level, 30.0)}),
+                 land = spray_of(plenty(), storm(), {test::flat_input(InputTarget::sea_depth, 1.0)}),
+                 dock = spray_of(plenty(), storm(), {test::flat_input(InputTarget::clip, 1.0)});
   flat.update(54.0, head);
   raised.update(54.0, head + glm::dvec3(0.0, 30.0, 0.0));
   land.update(54.0, head);
+  dock.update(54.0, head);
   none.update(54.0, head + glm::dvec3(0.0, 400.0, 0.0));
   ASSERT_EQ(raised.puffs().size(), flat.puffs().size());
   for (std::size_t i = 0; i < flat.puffs().size(); ++i)
     EXPECT_NEAR(raised.puffs()[i].place_m.y, flat.puffs()[i].place_m.y + 30.0, 1e-6);
   EXPECT_TRUE(land.puffs().empty());
+  EXPECT_TRUE(dock.puffs().empty());
   EXPECT_TRUE(none.puffs().empty());
   EXPECT_EQ(none.own->made(SeaDetail::crests), 0u) << "no wave was computed";
 

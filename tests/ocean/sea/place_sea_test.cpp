@@ -33,7 +33,7 @@ InputSpec hill(double top_m) {
 
 PlaceInputs inputs_of(const std::vector<InputSpec>& specs, const PlaceSettings& settings = {}) {
   PlaceInputs result{settings, {}, {}, nullptr};
-  for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip}) {
+  for (const InputTarget kind : {InputTarget::level, InputTarget::flow, InputTarget::clip, InputTarget::sea_depth}) {
     auto inputs = std::make_shared<const Inputs>(kind, specs);
     if (!inputs->empty() || place_outside(settings, kind) != glm::vec4(0.0f)) result.kinds.push_back(std::move(inputs));
   }
@@ -75,6 +75,38 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
         EXPECT_GT(glm::dot(normal, answer.normal), 0.98);
       });
   EXPECT_GT(converged, 180);
+}
+
+// The still water is that of the inputs themselves: a lake of 6 m over a bed of -10 m, which the bed's Shallows ask as
+// deep as that, and a box of clip about the lake's surface and not the sea's. Without a bed it is as deep as the open
+// sea. Controls seen: the level left out; clip left out; clip asked at y = 0; no depth of the open sea.
+TEST_F(PlaceSeaTest, StillWaterIsTheInputs) {
+  InputSpec bed = hill(-10.0), box;
+  bed.to = InputTarget::sea_depth;
+  bed.blend = InputBlend::replace;
+  bed.feather_m = 0.0;
+  box.to = InputTarget::clip;
+  box.value.x = 1.0f;
+  box.blend = InputBlend::replace;
+  box.shape = VolumeInput{.form = VolumeInput::Form::box, .at_m = {5.0, 6.0, -3.0}, .size_m = {4.0, 2.0, 400.0}};
+  const PlaceSea lake(inputs_of({hill(6.0), bed, box}), field), open(inputs_of({hill(6.0)}), field);
+  const glm::dvec2 middle(5.0, -3.0), beside(9.0, -3.0), sea(5.0, -120.0);
+  const StillWater in = lake.still_water(middle, 0.5, 3.0), out = lake.still_water(sea, 0.5, 3.0);
+  EXPECT_EQ(in.height_m, 6.0);
+  EXPECT_NEAR(in.depth_m, 16.0, 0.1);
+  EXPECT_EQ(in.depth_m, 6.0 - lake.shallows()->bed_m(middle, 0.5, 3.0));
+  const PlaceWaves waves = lake.shallows()->waves(middle, in.depth_m);
+  EXPECT_EQ(in.waves, double(waves.share[0]));
+  EXPECT_EQ(in.swash, double(waves.swash));
+  EXPECT_EQ(in.surf, lake.shallows()->surf(middle, in.depth_m));
+  EXPECT_TRUE(in.clipped);
+  EXPECT_FALSE(lake.still_water(beside, 0.5, 3.0).clipped);
+  EXPECT_EQ(out.height_m, 0.0);
+  EXPECT_EQ(out.depth_m, fresh().depth_m);
+  EXPECT_FALSE(out.clipped) << "the box lies above the sea";
+  EXPECT_EQ(open.still_water(middle, 0.5, 3.0).height_m, 6.0);
+  EXPECT_EQ(open.still_water(middle, 0.5, 3.0).depth_m, fresh().depth_m);
+  EXPECT_EQ(open.still_water(middle, 0.5, 3.0).waves, 1.0);
 }
 
 // The level is that of the rest place, at the middle of a texel to the bit and elsewhere straight between them, and

@@ -168,16 +168,16 @@ std::optional<MadeSea> wait_for(SeaMaker& maker) {
 // changes. Control: a maker that keeps the first.
 TEST(SeaMaker, MakesTheSeaAskedForLast) {
   const Ladder l = ladder(breeze());
-  SeaMaker maker(l, quality, quality);
+  SeaMaker maker(l, quality);
   EXPECT_FALSE(maker.take());
   for (const double wind : {5.0, 9.0, 21.0}) {
     SeaState sea = gale();
     sea.wind_speed_mps = wind;
-    maker.ask(sea);
+    maker.ask(sea, quality);
   }
   SeaState bad = gale();
   bad.wind_speed_mps = -1;
-  EXPECT_THROW(maker.ask(bad), Error);
+  EXPECT_THROW(maker.ask(bad, quality), Error);
   std::optional<MadeSea> sea = wait_for(maker);
   ASSERT_TRUE(sea);
   SeaState last = gale();

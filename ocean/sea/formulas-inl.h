@@ -1,0 +1,70 @@
+// The formulas of shaders/shared/surface_slope.h and flow_height.h for vectors, for the instruction set that Highway
+// compiles this for. Nothing fuses a multiplication with an addition: all instruction sets give the same bits.
+#include <hwy/highway.h>
+
+#if defined(SEASCAPE_FORMULAS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SEASCAPE_FORMULAS_INL_H
+#undef SEASCAPE_FORMULAS_INL_H
+#else
+#define SEASCAPE_FORMULAS_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace seascape {
+namespace HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What slopes are made of; the names are those of surface_slope().
+template <class V>
+struct Folded {
+  V one_xx, one_zz, xz, zx;
+  V jacobian, held;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Folded<V> fold(D d, V xx, V zz, V xz, V zx) {
+  const auto one = hn::Set(d, 1.0f);
+  Folded<V> f{hn::Add(one, xx), hn::Add(one, zz), xz, zx, one, one};
+  f.jacobian = hn::Sub(hn::Mul(f.one_xx, f.one_zz), hn::Mul(xz, zx));
+  const auto size = hn::Max(hn::Abs(f.jacobian), hn::Set(d, 1e-3f));
+  f.held = hn::IfThenElse(hn::Lt(f.jacobian, hn::Zero(d)), hn::Neg(size), size);
+  return f;
+}
+template <class V>
+HWY_INLINE V slope_x(const Folded<V>& f, V height_x, V height_z) {
+  return hn::Div(hn::Sub(hn::Mul(f.one_zz, height_x), hn::Mul(f.zx, height_z)), f.held);
+}
+template <class V>
+HWY_INLINE V slope_z(const Folded<V>& f, V height_x, V height_z) {
+  return hn::Div(hn::Sub(hn::Mul(f.one_xx, height_z), hn::Mul(f.xz, height_x)), f.held);
+}
+
+// exp(-x) of 0 and more, to some 2e-7 of itself; 0 beyond 80. In operations that all instruction sets round alike.
+template <class D>
+HWY_INLINE hn::Vec<D> exp_minus(D d, hn::Vec<D> x) {
+  const hn::RebindToSigned<D> di;
+  const auto turns = hn::Mul(hn::Min(x, hn::Set(d, 80.0f)), hn::Set(d, -1.44269504f));
+  const auto whole = hn::Round(turns);
+  const auto rest = hn::Mul(hn::Sub(turns, whole), hn::Set(d, 0.69314718f));  // within +-0.35
+  auto sum = hn::Set(d, 1.0f / 720.0f);
+  for (const float c : {1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f})
+    sum = hn::Add(hn::Mul(sum, rest), hn::Set(d, c));
+  const auto power = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127)));
+  return hn::IfThenElse(hn::Lt(x, hn::Set(d, 80.0f)), hn::Mul(sum, hn::BitCast(d, power)), hn::Zero(d));
+}
+
+// flow_height() of half the square of the way, in radians of the band's middle wave.
+template <class D>
+HWY_INLINE hn::Vec<D> flow_height(D d, hn::Vec<D> half_square, float first) {
+  const float second = 1.0f - first;
+  const auto sum = hn::Add(hn::Set(d, first * first + second * second),
+                           hn::Mul(hn::Set(d, 2.0f * first * second), exp_minus(d, half_square)));
+  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(sum));
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace seascape
+HWY_AFTER_NAMESPACE();
+
+#endif
