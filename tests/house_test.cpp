@@ -117,27 +117,32 @@ const std::set<std::string> kMayBeLong = {"app/settings_table.cpp"};  // a table
 std::size_t indent_of(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
 // Blocks of formatted code that are longer than a function may be: from a line that ends in a brace to that which
-// closes it, at the same indentation. Rooms of names and types are no functions.
+// closes it, at the same indentation, or at a lesser one where parameters or a constructor's initialisers are wrapped.
+// Rooms of names and types are no functions.
 std::vector<std::string> long_functions(const std::string& path, const std::vector<std::string>& lines) {
   std::vector<std::string> faults;
   std::vector<std::pair<std::size_t, std::size_t>> open;  // indentation, line
+  const auto is_room = [&](const auto& block) {
+    const std::string first = lines[block.second].substr(block.first);
+    bool room = first.ends_with("= {");  // a table
+    for (const char* word : {"namespace", "class ", "struct ", "enum ", "union ", "extern "})
+      room = room || first.rfind(word, 0) == 0;
+    return room;
+  };
   for (std::size_t n = 0; n < lines.size(); ++n) {
     const std::string& line = lines[n];
     const std::size_t indent = indent_of(line);
     if (indent == line.size() || line.compare(indent, 2, "//") == 0) continue;
-    if (line[indent] == '}')
-      for (std::size_t i = open.size(); i-- > 0;) {
-        if (open[i].first != indent) continue;
-        const std::string first = lines[open[i].second].substr(indent);
-        bool counts = !first.ends_with("= {");  // a table
-        for (const char* word : {"namespace", "class ", "struct ", "enum ", "union ", "extern "})
-          counts = counts && first.rfind(word, 0) != 0;
-        if (counts && n - open[i].second + 1 > kMostFunctionLines)
-          faults.push_back(path + ":" + std::to_string(open[i].second + 1) + ": " +
-                           std::to_string(n - open[i].second + 1) + " lines in one function");
-        open.resize(i);
-        break;
-      }
+    if (line[indent] == '}') {
+      std::size_t ends = open.size();
+      while (ends > 0 && open[ends - 1].first > indent) --ends;
+      const bool equal = ends > 0 && open[ends - 1].first == indent;
+      if (equal && (ends == open.size() || !is_room(open[ends - 1]))) --ends;
+      if (ends < open.size() && !is_room(open[ends]) && n - open[ends].second + 1 > kMostFunctionLines)
+        faults.push_back(path + ":" + std::to_string(open[ends].second + 1) + ": " +
+                         std::to_string(n - open[ends].second + 1) + " lines in one function");
+      open.resize(ends);
+    }
     if (line.back() == '{') open.emplace_back(indent, n);
   }
   return faults;
@@ -216,6 +221,11 @@ TEST_F(PlantedTree, LongFilesAndFunctionsAreFound) {
   write("ocean/sea/planted.cpp", "namespace seascape {\nclass A {\n  void f() {\n" + body(32) + "  }\n  void g() {\n" +
                                      body(32) + "  }\n};\n}  // namespace seascape\n");
   EXPECT_EQ(found(), std::vector<std::string>{});
+  const std::string constructor = "A::A()\n    : a_(1) {\n" + body(32) + "}\n";
+  write("ocean/sea/planted.cpp", constructor + "void f() {\n  if (x)\n    for (;;) {\n    }\n}\n");
+  EXPECT_EQ(found(), std::vector<std::string>{});
+  write("ocean/sea/planted.cpp", "A::A()\n    : a_(1) {\n" + body(33) + "}\n");
+  EXPECT_EQ(found(), std::vector<std::string>{"ocean/sea/planted.cpp:2: 101 lines in one function"});
   write("ocean/sea/planted.cpp", std::string(450, '\n'));
   EXPECT_EQ(found(), std::vector<std::string>{});
   write("ocean/sea/planted.cpp", std::string(451, '\n'));

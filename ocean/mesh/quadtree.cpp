@@ -113,6 +113,19 @@ glm::vec4 spacing_of(const TreeFrame& frame) {
                     : glm::vec4(glm::vec3(whole), 0.0f);
 }
 
+// Throws Error where a viewer (m) or bounds cannot be worked with, in a tree whose smallest length is `unit_m`.
+void expect_usable(const glm::dvec3& eye, const DisplacementBounds& bounds, double unit_m) {
+  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z) ||
+      std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}) > std::ldexp(unit_m, 50))
+    throw Error("viewer", fmt::format("position ({}, {}, {}) m is not usable", eye.x, eye.y, eye.z),
+                "keep the camera within 1e12 m of the origin");
+  if (!(bounds.vertical_m >= 0.0 && bounds.horizontal_m >= 0.0 && bounds.vertical_m <= 1e6 &&
+        bounds.horizontal_m <= 1e6))
+    throw Error("surface bounds",
+                fmt::format("are {} and {} m, outside 0 to 1e6", bounds.vertical_m, bounds.horizontal_m),
+                "check the sea state");
+}
+
 }  // namespace
 
 Quadtree::Quadtree(const LodSettings& settings) { apply(settings); }
@@ -133,15 +146,7 @@ void Quadtree::apply(const LodSettings& settings) {
 const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds,
                                          const WaveField* field, const WaveTiles* tiles) {
   const glm::dvec3 eye = viewpoint.viewer.position_m;
-  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z) ||
-      std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}) > std::ldexp(unit_m_, 50))
-    throw Error("viewer", fmt::format("position ({}, {}, {}) m is not usable", eye.x, eye.y, eye.z),
-                "keep the camera within 1e12 m of the origin");
-  if (!(bounds.vertical_m >= 0.0 && bounds.horizontal_m >= 0.0 && bounds.vertical_m <= 1e6 &&
-        bounds.horizontal_m <= 1e6))
-    throw Error("surface bounds",
-                fmt::format("are {} and {} m, outside 0 to 1e6", bounds.vertical_m, bounds.horizontal_m),
-                "check the sea state");
+  expect_usable(eye, bounds, unit_m_);
   const std::int64_t grid_x = std::llround(eye.x / unit_m_), grid_z = std::llround(eye.z / unit_m_);
   if (settings_.freeze && selected_) {
     move_frozen(grid_x, grid_z);

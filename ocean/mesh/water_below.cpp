@@ -22,6 +22,25 @@ std::optional<DisplacementBounds::Below> water_below(const WaveField& field, con
   return result;
 }
 
+std::uint32_t WaterCulling::corner(std::size_t n, int x, int z, const TreeFrame& frame, glm::dvec2 grid_origin_m) {
+  const auto of = [this](const Grid& g, int to_x, int to_z) -> std::uint32_t& {
+    return corners_[g.first_corner + static_cast<std::size_t>((to_z - g.z0) * (g.columns + 1) + to_x - g.x0)];
+  };
+  const Grid& grid = grids_[n];
+  std::uint32_t& number = of(grid, x, z);
+  if (number != unknown) return number;
+  if (n > 0) {
+    const Grid& finer = grids_[n - 1];
+    const int in_x = 2 * x - finer.x0, in_z = 2 * z - finer.z0;
+    if (2 * finer.size == grid.size && in_x >= 0 && in_z >= 0 && in_x <= finer.columns && in_z <= finer.rows)
+      number = of(finer, 2 * x, 2 * z);
+    if (number != unknown) return number;
+  }
+  number = static_cast<std::uint32_t>(rest_m_.size());
+  rest_m_.push_back(grid_origin_m + glm::dvec2(frame.least + grid.size * glm::ivec2(x, z)) * frame.unit_m);
+  return number;
+}
+
 // A node is seen as soon as the box about some of its corners is, since the box about all of them holds that one: so
 // most nodes need one corner only, that of the lattice twice as wide, which four nodes share.
 void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, const EyeFrusta& frusta,
@@ -80,32 +99,14 @@ void WaterCulling::operator()(const WaveField& field, const WaveTiles& tiles, co
   }
   if (left_.empty()) return;
   const QueryPlan plan = plan_queries(field, tiles, {});
-  // The number of a corner, which may be one of the next finer nodes' too.
-  const auto corner = [&](std::size_t n, int x, int z) {
-    const auto of = [this](const Grid& g, int to_x, int to_z) -> std::uint32_t& {
-      return corners_[g.first_corner + static_cast<std::size_t>((to_z - g.z0) * (g.columns + 1) + to_x - g.x0)];
-    };
-    const Grid& grid = grids_[n];
-    std::uint32_t& number = of(grid, x, z);
-    if (number != unknown) return number;
-    if (n > 0) {
-      const Grid& finer = grids_[n - 1];
-      const int in_x = 2 * x - finer.x0, in_z = 2 * z - finer.z0;
-      if (2 * finer.size == grid.size && in_x >= 0 && in_z >= 0 && in_x <= finer.columns && in_z <= finer.rows)
-        number = of(finer, 2 * x, 2 * z);
-      if (number != unknown) return number;
-    }
-    number = static_cast<std::uint32_t>(rest_m_.size());
-    rest_m_.push_back(grid_origin_m + glm::dvec2(frame.least + grid.size * glm::ivec2(x, z)) * frame.unit_m);
-    return number;
-  };
   for (unsigned from = 0, to = left_.size() <= few ? 4 : 1; from < 4 && !left_.empty(); from = to, to = 4) {
     asked_.clear();
     for (const Node& node : left_) {
       const unsigned first = (static_cast<unsigned>(node.x) & 1u) | (static_cast<unsigned>(node.z) & 1u) << 1;
       for (unsigned c = from; c < to; ++c) {
         const unsigned of = first ^ c;
-        asked_.push_back(corner(node.grid, node.x + static_cast<int>(of & 1u), node.z + static_cast<int>(of >> 1)));
+        asked_.push_back(corner(node.grid, node.x + static_cast<int>(of & 1u), node.z + static_cast<int>(of >> 1),
+                                frame, grid_origin_m));
       }
     }
     const std::size_t before = moved_m_.size();

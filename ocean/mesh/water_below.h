@@ -42,6 +42,8 @@ class WaterCulling {
     int x, z;                // in nodes from the tree's least corner
     glm::dvec3 low, high;    // of the corners asked so far
   };
+  // The number of a corner of grid n, which may be one of the next finer nodes' too.
+  std::uint32_t corner(std::size_t n, int x, int z, const TreeFrame& frame, glm::dvec2 grid_origin_m);
   std::vector<Grid> grids_;
   std::vector<std::uint8_t> seen_;      // of nodes
   std::vector<Node> left_;              // that are not known to be seen

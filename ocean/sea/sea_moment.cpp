@@ -36,14 +36,25 @@ const WaveTiles& SeaMoment::tiles() const {
         if (slot >= 0 && tile < field->quality().cascades) continue;
         const auto end = borrowed.begin() + std::ptrdiff_t(count);
         if (std::any_of(borrowed.begin(), end, [&](const BorrowedTile& b) { return b.tile == tile; })) continue;
+        if (tile < field->quality().cascades && begins_whole() && !lender->begins_whole()) continue;
         if (const auto from = same_tile(*field, tile, *lender->field, lender->tiles_))
           borrowed[count++] = {tile, &lender->tiles_, *from}, lends = true;
       }
       if (!lends) lender.reset();
     }
-    field->evaluate(ticks, tiles_, {borrowed.data(), count});
+    field->evaluate(ticks, tiles_, {borrowed.data(), count}, begins_whole());
     if (int(count) < all) store_->count(ticks, detail);
     made_.store(true, std::memory_order_release);
+  });
+  return tiles_;
+}
+
+const WaveTiles& SeaMoment::whole_tiles() const {
+  (void)tiles();
+  if (begins_whole() || whole_.load(std::memory_order_acquire)) return tiles_;
+  tbb::collaborative_call_once(*slopes_once_, [this] {
+    field->add_slopes(tiles_);
+    whole_.store(true, std::memory_order_release);
   });
   return tiles_;
 }
@@ -128,6 +139,8 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
   moment->now = std::move(now);
   moment->left_out_m = left_out_m;
   moment->once_.emplace();
+  moment->slopes_once_.emplace();
+  moment->whole_.store(false, std::memory_order_relaxed);
   moment->made_.store(false, std::memory_order_relaxed);
   std::size_t lenders = 0;
   for (auto& lender : moment->lenders_) lender.reset();

@@ -34,8 +34,11 @@ struct SeaNow {
 // What all questions of one moment ask.
 class SeaMoment {
  public:
-  // The tiles, which the first caller computes on all cores; others wait, or help. Any thread.
+  // The tiles, which the first caller computes on all cores; others wait, or help. Any thread. Of `felt` moments the
+  // cascades' may lack slopes and moments, which queries do not read.
   const WaveTiles& tiles() const;
+  // The same with all planes.
+  const WaveTiles& whole_tiles() const;
 
   std::int64_t ticks = 0;
   SeaDetail detail = SeaDetail::drawn;
@@ -48,11 +51,12 @@ class SeaMoment {
  private:
   friend class MomentStore;
   explicit SeaMoment(bool velocity) : tiles_(velocity) {}
+  bool begins_whole() const { return detail != SeaDetail::felt; }
   std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
   MomentStore* store_ = nullptr;
   mutable WaveTiles tiles_;
-  mutable std::optional<tbb::collaborative_once_flag> once_;
-  mutable std::atomic<bool> made_{false};
+  mutable std::optional<tbb::collaborative_once_flag> once_, slopes_once_;
+  mutable std::atomic<bool> made_{false}, whole_{false};
   // Moments of the same time and waves, some of whose tiles may serve here.
   mutable std::array<std::shared_ptr<const SeaMoment>, sea_details> lenders_;
 };

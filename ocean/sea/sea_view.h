@@ -56,7 +56,8 @@ class SeaView {
   // Standard deviation, m, of the waves that this detail lacks.
   double left_out_m() const { return moment_->left_out_m; }
 
-  // What takes the waves elsewhere reads them here: foam row by row, pictures whole.
+  // What takes the waves elsewhere reads them here: foam row by row, pictures whole. Of `felt` views the cascades'
+  // tiles may have displacements alone.
   const WaveField& field() const { return *moment_->field; }
   const WaveTiles& tiles() const { return moment_->tiles(); }
   const PlaceSea& places() const { return *moment_->places; }

@@ -279,11 +279,11 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       };
       const int rows_here = strip >> level;
       average_down(from_row(levels[std::size_t(level) - 1], 2 * rows_here * part),
-                   from_row(levels[std::size_t(level)], rows_here * part), planes, 0, n >> level, rows_here);
+                   from_row(levels[std::size_t(level)], rows_here * part), 0, n >> level, rows_here);
     }
   });
   for (std::size_t level = 5; level < levels.size(); ++level)
-    average_down(levels[level - 1], levels[level], planes, 0, n >> level, n >> level);
+    average_down(levels[level - 1], levels[level], 0, n >> level, n >> level);
 }
 
 }  // namespace seascape

@@ -251,7 +251,9 @@ glm::dvec2 Gerstner::drawn(const GerstnerWave& wave) const {
   return Lattice{laying_.side_m, laying_.rotation_rad}.k({wave.mx, wave.mz});
 }
 
-std::size_t Gerstner::workspace_floats(bool velocity) const { return seascape::workspace_floats(plan_, velocity) + 16; }
+std::size_t Gerstner::workspace_floats(bool velocity) const {
+  return seascape::workspace_floats(plan_, {.velocity = velocity}) + 16;
+}
 
 void Gerstner::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
                         std::span<float> workspace) const {
@@ -261,15 +263,15 @@ void Gerstner::evaluate(std::int64_t ticks, bool velocity, std::span<const Plane
                                              sizeof(float);  // a cache line's begin
   constexpr int pairs_a_piece = 4;
   tbb::parallel_for(0, (row_pairs(plan_) + pairs_a_piece - 1) / pairs_a_piece, [&](int i) {
-    waves_along_x(table_, plan_, ticks, velocity, i * pairs_a_piece,
+    waves_along_x(table_, plan_, ticks, {.velocity = velocity}, i * pairs_a_piece,
                   std::min((i + 1) * pairs_a_piece, row_pairs(plan_)), work);
   });
   tbb::parallel_for(0, tile / strip_width, [&](int i) {
-    strip_along_z(table_, plan_, work, velocity, i * strip_width, levels[0]);
-    strip_mips(plan_, velocity, i * strip_width, levels.data());
+    strip_along_z(table_, plan_, work, {.velocity = velocity}, i * strip_width, levels[0]);
+    strip_mips(plan_, i * strip_width, levels.data());
   });
   for (std::size_t level = strip_levels + 1; level < levels.size(); ++level)
-    average_down(levels[level - 1], levels[level], velocity ? 4 : 3, 0, tile >> level, tile >> level);
+    average_down(levels[level - 1], levels[level], 0, tile >> level, tile >> level);
 }
 
 }  // namespace seascape

@@ -165,21 +165,37 @@ void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
   first_ = own_first_;
 }
 
-void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed) const {
+PlaneLevel WaveTiles::plane_level(int tile, int level, const TileFields& fields) {
+  const bool there[] = {fields.shift, fields.slopes, fields.slopes, fields.velocity};
+  PlaneLevel result{};
+  for (int plane = 0; plane < 4; ++plane)
+    if (there[plane]) result.texels[plane] = writable(tile, WavePlane(plane), level);
+  result.stride = stride(tile, level);
+  return result;
+}
+
+void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed,
+                         bool slopes) const {
   const bool velocity = tiles.has_velocity();
-  const int cascades = quality_.cascades;
   tiles.shape(quality_, others_);
   tiles.ticks_ = ticks;
-  std::array<bool, gpu::max_cascades + most_sources> here{};  // or else it is borrowed
-  here.fill(true);
+  tiles.borrowed_.fill(false);
   for (const BorrowedTile& loan : borrowed) {
     const WaveTiles& from = *loan.from;
     assert(from.samples(loan.from_tile) == tiles.samples(loan.tile) && from.planes_ >= tiles.planes_ &&
            from.ticks_ == ticks);
     tiles.first_[std::size_t(loan.tile)] = from.first_[std::size_t(loan.from_tile)];
     tiles.layout_.tiles[std::size_t(loan.tile)] = from.layout_.tiles[std::size_t(loan.from_tile)];
-    here[std::size_t(loan.tile)] = false;
+    tiles.borrowed_[std::size_t(loan.tile)] = true;
   }
+  fill_cascades(tiles, {.slopes = slopes, .velocity = velocity});
+  fill_others(tiles);
+}
+
+void WaveField::add_slopes(WaveTiles& tiles) const { fill_cascades(tiles, {.shift = false}); }
+
+void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields) const {
+  const int cascades = quality_.cascades;
   std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
   // The number of its first piece of rows, and of its first strip.
   constexpr int piece_pairs = 16;
@@ -188,8 +204,8 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const B
   std::size_t floats = 0;
   for (int i = 0; i < cascades; ++i) {
     workspace[std::size_t(i)] = floats;
-    floats += workspace_floats(plans_[i], velocity);
-    const bool work = here[std::size_t(i)];
+    floats += workspace_floats(plans_[i], fields);
+    const bool work = !tiles.borrowed_[std::size_t(i)];
     pieces[std::size_t(i) + 1] =
         pieces[std::size_t(i)] + (work ? (row_pairs(plans_[i]) + piece_pairs - 1) / piece_pairs : 0);
     strips[std::size_t(i) + 1] = strips[std::size_t(i)] + (work ? plans_[i].n / strip_width : 0);
@@ -199,44 +215,45 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const B
     while (piece >= firsts[std::size_t(cascade) + 1]) ++cascade;
     return cascade;
   };
-  const std::size_t of_waves = floats;
-  for (const auto& source : others_) floats = std::max(floats, of_waves + source->workspace_floats(velocity));
-  if (tiles.workspace_.size() != floats) tiles.workspace_.assign(floats, 0.0f);
-  const auto plane_level = [&](int cascade, int level) {
-    PlaneLevel result{};
-    for (int plane = 0; plane < tiles.planes_; ++plane)
-      result.texels[plane] = tiles.writable(cascade, WavePlane(plane), level);
-    result.stride = tiles.stride(cascade, level);
-    return result;
-  };
+  if (tiles.workspace_.size() < floats) tiles.workspace_.assign(floats, 0.0f);
+  const auto plane_level = [&](int cascade, int level) { return tiles.plane_level(cascade, level, fields); };
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same
   // bits.
   tbb::parallel_for(0, pieces[std::size_t(cascades)], [&](int i) {
     const int cascade = cascade_of(pieces, i), first = (i - pieces[std::size_t(cascade)]) * piece_pairs;
     const FftPlan& plan = plans_[cascade];
-    waves_along_x(tables_[cascade], plan, ticks, velocity, first, std::min(first + piece_pairs, row_pairs(plan)),
+    waves_along_x(tables_[cascade], plan, tiles.ticks_, fields, first, std::min(first + piece_pairs, row_pairs(plan)),
                   &tiles.workspace_[workspace[std::size_t(cascade)]]);
   });
   tbb::parallel_for(0, strips[std::size_t(cascades)], [&](int i) {
     const int cascade = cascade_of(strips, i), x = (i - strips[std::size_t(cascade)]) * strip_width;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], velocity, x,
+    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], fields, x,
                   levels[0]);
-    strip_mips(plans_[cascade], velocity, x, levels);
+    strip_mips(plans_[cascade], x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade)
-    for (int level = strip_levels + 1; here[std::size_t(cascade)] && level < tiles.levels(cascade); ++level) {
+    for (int level = strip_levels + 1; !tiles.borrowed_[std::size_t(cascade)] && level < tiles.levels(cascade);
+         ++level) {
       const int size = plans_[cascade].n >> level;
-      average_down(plane_level(cascade, level - 1), plane_level(cascade, level), tiles.planes_, 0, size, size);
+      average_down(plane_level(cascade, level - 1), plane_level(cascade, level), 0, size, size);
     }
+}
+
+void WaveField::fill_others(WaveTiles& tiles) const {
+  const bool velocity = tiles.has_velocity();
+  std::size_t floats = 0;
+  for (const auto& source : others_) floats = std::max(floats, source->workspace_floats(velocity));
+  if (tiles.workspace_.size() < floats) tiles.workspace_.assign(floats, 0.0f);
   for (std::size_t s = 0; s < others_.size(); ++s) {
     std::array<PlaneLevel, 10> levels;
-    const int tile = cascades + int(s), count = tiles.levels(tile);
-    if (!here[std::size_t(tile)]) continue;
-    for (int level = 0; level < count; ++level) levels[std::size_t(level)] = plane_level(tile, level);
-    others_[s]->evaluate(ticks, velocity, {levels.data(), std::size_t(count)},
-                         {tiles.workspace_.data() + of_waves, floats - of_waves});
+    const int tile = quality_.cascades + int(s), count = tiles.levels(tile);
+    if (tiles.borrowed_[std::size_t(tile)]) continue;
+    for (int level = 0; level < count; ++level)
+      levels[std::size_t(level)] = tiles.plane_level(tile, level, {.velocity = velocity});
+    others_[s]->evaluate(tiles.ticks_, velocity, {levels.data(), std::size_t(count)},
+                         {tiles.workspace_.data(), floats});
   }
 }
 

@@ -95,6 +95,7 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins);
 
 // Displacement, derivatives and their mip chains of each cascade at one time.
 class WaveTiles;  // ocean/waves/wave_tiles.h
+struct TileFields;
 struct BorrowedTile;
 
 // The surface at one rest position.
@@ -143,7 +144,11 @@ class WaveField {
   // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea,
   // the quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of
   // another shape.
-  void evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed = {}) const;
+  void evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed = {},
+                bool slopes = true) const;
+  // Fills the planes `slope` and `moments` that an evaluation without `slopes` has left: of cascades that were not
+  // borrowed.
+  void add_slopes(WaveTiles& tiles) const;
 
   // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each
   // cascade is sampled trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile
@@ -203,6 +208,8 @@ class WaveField {
   TileSources others_;
   template <class Visit>
   void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, bool curved, Visit visit) const;
+  void fill_cascades(WaveTiles& tiles, const TileFields& fields) const;
+  void fill_others(WaveTiles& tiles) const;
 };
 
 }  // namespace seascape

@@ -195,11 +195,11 @@ void WaveParticles::evaluate(std::int64_t ticks, bool velocity, std::span<const 
       };
       const int rows = 16 >> level;
       average_down(from_row(levels[std::size_t(level) - 1], 2 * rows * k),
-                   from_row(levels[std::size_t(level)], rows * k), planes, 0, tile >> level, rows);
+                   from_row(levels[std::size_t(level)], rows * k), 0, tile >> level, rows);
     }
   });
   for (std::size_t level = 5; level < levels.size(); ++level)
-    average_down(levels[level - 1], levels[level], planes, 0, tile >> level, tile >> level);
+    average_down(levels[level - 1], levels[level], 0, tile >> level, tile >> level);
 }
 
 }  // namespace seascape

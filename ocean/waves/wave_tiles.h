@@ -15,12 +15,20 @@
 
 namespace seascape {
 
+struct PlaneLevel;  // ocean/waves/wave_tiles_simd.h
+
 enum class WavePlane {
   shift,     // Dx, h, Dz, dDx/dz
   slope,     // dh/dx, dh/dz, dDx/dx, dDz/dz
   moments,   // (dh/dx)^2, (dh/dz)^2, dh/dx dh/dz, (dDx/dx + dDz/dz)^2, times WaveTable::moment_share: averaged, not
              // recomputed, in the mip chain
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
+};
+
+// What the tiles of cascades are filled with; those of other sources have it all but where there is no velocity.
+struct TileFields {
+  bool shift = true, slopes = true;  // slopes: planes slope and moments
+  bool velocity = false;
 };
 
 // Where the texels of tiles lie, counted from their first: plane after plane, in it tile after tile (those of the
@@ -77,10 +85,12 @@ class WaveTiles {
  private:
   friend class WaveField;
   void shape(const WaveQuality& quality, const TileSources& others);
+  PlaneLevel plane_level(int tile, int level, const TileFields& fields);  // of the planes of these fields
   glm::vec4* writable(int tile, WavePlane plane, int level) {
     return const_cast<glm::vec4*>(texels(tile, plane, level));
   }
   int planes_;
+  std::array<bool, gpu::max_cascades + most_sources> borrowed_{};
   std::int64_t ticks_ = 0;
   WaveTileLayout layout_;
   Places first_{};  // what the levels' offsets count from

@@ -18,8 +18,8 @@ namespace seascape {
 // are padded against cache aliasing, and begin with cache lines.
 struct Workspace {
   std::ptrdiff_t row, plane, floats;
-  Workspace(const FftPlan& plan, bool velocity)
-      : row(plan.n + 16), plane(row * plan.band + 16), floats(2 * packed_fields(velocity) * plane) {}
+  Workspace(const FftPlan& plan, const TileFields& fields)
+      : row(plan.n + 16), plane(row * plan.band + 16), floats(2 * packed_fields(fields) * plane) {}
 };
 }  // namespace seascape
 #endif
@@ -95,7 +95,7 @@ HWY_INLINE void turned_row(const WaveTable& table, int band, int i, std::uint64_
 // A row of the packed spectra: [field][re, im][mx + band/2], planes `width` apart. Height: H(m) = (r(m) + conj r(-m)) /
 // 2, so that the field is real. The rest are H times a factor each (a field's gradient is i k, its displacement i k /
 // |k| times chop, which narrows crests), packed as packed_fields() says. `mirror`: row -mz.
-HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocity, const float* here,
+HWY_INLINE void packed_row(const WaveTable& table, int band, int i, const TileFields& fields, const float* here,
                            const float* mirror, float* to, std::ptrdiff_t width) {
   const Lanes d;
   const float *mirror_re = mirror + band, *mirror_im = mirror + width + band;
@@ -107,24 +107,30 @@ HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocit
     const std::ptrdiff_t at = std::ptrdiff_t(i) * band + j;
     const Vector kx = hn::LoadU(d, table.kx.data() + at), kz = hn::LoadU(d, table.kz.data() + at);
     const Vector sx = hn::LoadU(d, table.shift_x.data() + at), sz = hn::LoadU(d, table.shift_z.data() + at);
-    const auto put = [&](int field, Vector re, Vector im) HWY_ATTR {
-      hn::StoreU(re, d, to + (2 * field) * width + j);
-      hn::StoreU(im, d, to + (2 * field + 1) * width + j);
+    const auto put = [&](int which, Vector re, Vector im) HWY_ATTR {
+      hn::StoreU(re, d, to + (2 * which) * width + j);
+      hn::StoreU(im, d, to + (2 * which + 1) * width + j);
     };
     const Vector shift_height = hn::Add(one, sx);  // i H (1 + sx)
-    put(0, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
-    const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(length, kx)));  // i H sz (1 - length kx)
-    put(1, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
-    put(2, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
-        hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
-    const Vector xx = hn::Mul(sx, kx), zz = hn::Mul(sz, kz);  // -H (sx kx + i sz kz)
-    put(3, hn::Sub(hn::Mul(h_im, zz), hn::Mul(h_re, xx)), hn::Neg(hn::Add(hn::Mul(h_re, zz), hn::Mul(h_im, xx))));
-    if (velocity) {
+    int field = 0;
+    if (fields.shift) {
+      put(field++, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
+      const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(length, kx)));  // i H sz (1 - length kx)
+      put(field++, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
+    }
+    if (fields.slopes) {
+      put(field++, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
+          hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
+      const Vector xx = hn::Mul(sx, kx), zz = hn::Mul(sz, kz);  // -H (sx kx + i sz kz)
+      put(field++, hn::Sub(hn::Mul(h_im, zz), hn::Mul(h_re, xx)),
+          hn::Neg(hn::Add(hn::Mul(h_re, zz), hn::Mul(h_im, xx))));
+    }
+    if (fields.velocity) {
       // dh/dt: W(m) = -i w (r(m) - conj r(-m)) / 2.
       const Vector w = hn::Mul(half_of, hn::LoadU(d, table.frequency.data() + at));
       const Vector w_re = hn::Mul(w, hn::Add(r_im, m_im)), w_im = hn::Mul(w, hn::Sub(m_re, r_re));
-      put(4, hn::Neg(hn::Mul(w_im, shift_height)), hn::Mul(w_re, shift_height));
-      put(5, hn::Neg(hn::Mul(w_im, sz)), hn::Mul(w_re, sz));
+      put(field++, hn::Neg(hn::Mul(w_im, shift_height)), hn::Mul(w_re, shift_height));
+      put(field++, hn::Neg(hn::Mul(w_im, sz)), hn::Mul(w_re, sz));
     }
   }
 }
@@ -132,10 +138,10 @@ HWY_INLINE void packed_row(const WaveTable& table, int band, int i, bool velocit
 
 std::size_t rows_scratch(const FftPlan& plan) { return std::size_t(16 * (plan.band + 16) + row_work(plan)); }
 
-void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last,
-                  float* workspace, float* scratch) {
+void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, const TileFields& fields, int first,
+                  int last, float* workspace, float* scratch) {
   const int band = plan.band;
-  const Workspace layout(plan, velocity);
+  const Workspace layout(plan, fields);
   const std::ptrdiff_t width = band + 16;
   float *turned = scratch, *packed = scratch + 4 * width, *work = scratch + 16 * width;
   for (int pair = first; pair < last; ++pair) {
@@ -145,10 +151,10 @@ void rows_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t tick
                  turned + (2 * side + 1) * width);
     if (pair == 0) std::fill_n(turned + 2 * width, 2 * width, 0.0f);  // m = -band/2 has no mirror
     for (int side = 0; side < (pair == 0 || pair == band / 2 ? 1 : 2); ++side) {
-      packed_row(table, band, rows[side], velocity, turned + 2 * side * width, turned + 2 * (1 - side) * width, packed,
+      packed_row(table, band, rows[side], fields, turned + 2 * side * width, turned + 2 * (1 - side) * width, packed,
                  width);
       float* to = workspace + rows[side] * layout.row;
-      for (int field = 0; field < packed_fields(velocity); ++field)
+      for (int field = 0; field < packed_fields(fields); ++field)
         transform_row(plan, packed + 2 * field * width, packed + (2 * field + 1) * width, to + 2 * field * layout.plane,
                       to + (2 * field + 1) * layout.plane, work);
     }
@@ -164,16 +170,21 @@ std::size_t strip_scratch(const FftPlan& plan) {
                      std::ptrdiff_t(pair_planes) * plan.core * std::ptrdiff_t(hn::MaxLanes(Strip())));
 }
 
-void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int first_x,
+void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int first_x,
              const PlaneLevel& level, float* scratch) {
   const Strip d;
   constexpr int lanes = int(hn::MaxLanes(Strip()));
-  const Workspace layout(plan, velocity);
+  const Workspace layout(plan, fields);
   const std::ptrdiff_t part = std::ptrdiff_t(plan.core) * lanes;
   float *work = scratch, *results = scratch + column_work<Strip>(plan);
   const auto shear = hn::Set(d, 1.0f / table.shear_length_m), share = hn::Set(d, table.moment_share);
+  WavePlane planes[3];  // of each pair
+  int pairs = 0;
+  if (fields.shift) planes[pairs++] = WavePlane::shift;
+  if (fields.slopes) planes[pairs++] = WavePlane::slope;
+  if (fields.velocity) planes[pairs++] = WavePlane::velocity;
   for (int x = first_x; x < first_x + strip_width; x += lanes)
-    for (int pair = 0; 2 * pair < packed_fields(velocity); ++pair)
+    for (int pair = 0; pair < pairs; ++pair)
       for (int r = 0; r < plan.repeats; ++r) {
         for (int p = 0; p < pair_planes; p += 2) {
           const float* from = workspace + (pair_planes * pair + p) * layout.plane + x;
@@ -185,9 +196,9 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
           const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * lanes); };
           const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
           const auto a = value(0), b = value(1), c = value(2), e = value(3);
-          if (pair == 0) {
+          if (planes[pair] == WavePlane::shift) {
             hn::StoreInterleaved4(a, b, c, hn::Mul(shear, e), d, plane(WavePlane::shift));
-          } else if (pair == 1) {
+          } else if (planes[pair] == WavePlane::slope) {
             const auto divergence = hn::Add(c, e);
             hn::StoreInterleaved4(a, b, c, e, d, plane(WavePlane::slope));
             const auto moment = [&](auto one, auto other) HWY_ATTR { return hn::Mul(hn::Mul(one, other), share); };
@@ -200,10 +211,10 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
       }
 }
 
-void average(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
+void average(const PlaneLevel& from, const PlaneLevel& to, int x, int width, int height) {
   const hn::FixedTag<float, 4> texel;
-  for (int plane = 0; plane < planes; ++plane)
-    for (int z = 0; z < height; ++z) {
+  for (int plane = 0; plane < 4; ++plane)
+    for (int z = 0; z < height && to.texels[plane] != nullptr; ++z) {
       const float* a = &from.texels[plane][std::ptrdiff_t(2 * z) * from.stride + 2 * x].x;
       const float* b = a + std::ptrdiff_t(4) * from.stride;
       float* out = &to.texels[plane][std::ptrdiff_t(z) * to.stride + x].x;
@@ -248,29 +259,29 @@ float* scratch_of(std::size_t floats) {
 }
 }  // namespace
 
-std::size_t workspace_floats(const FftPlan& plan, bool velocity) {
-  return std::size_t(Workspace(plan, velocity).floats);
+std::size_t workspace_floats(const FftPlan& plan, const TileFields& fields) {
+  return std::size_t(Workspace(plan, fields).floats);
 }
 
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last,
-                   float* workspace) {
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, const TileFields& fields, int first,
+                   int last, float* workspace) {
   float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(rows_scratch)(plan));
-  HWY_DYNAMIC_DISPATCH(rows_along_x)(table, plan, ticks, velocity, first, last, workspace, scratch);
+  HWY_DYNAMIC_DISPATCH(rows_along_x)(table, plan, ticks, fields, first, last, workspace, scratch);
 }
 
-void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height) {
-  HWY_DYNAMIC_DISPATCH(average)(from, to, planes, x, width, height);
+void average_down(const PlaneLevel& from, const PlaneLevel& to, int x, int width, int height) {
+  HWY_DYNAMIC_DISPATCH(average)(from, to, x, width, height);
 }
 
-void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x,
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
                    const PlaneLevel& level) {
   float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
-  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, velocity, x, level, scratch);
+  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, fields, x, level, scratch);
 }
 
-void strip_mips(const FftPlan& plan, bool velocity, int x, const PlaneLevel* levels) {
+void strip_mips(const FftPlan& plan, int x, const PlaneLevel* levels) {
   for (int level = 1; level <= strip_levels; ++level)
-    average_down(levels[level - 1], levels[level], velocity ? 4 : 3, x >> level, strip_width >> level, plan.n >> level);
+    average_down(levels[level - 1], levels[level], x >> level, strip_width >> level, plan.n >> level);
 }
 
 }  // namespace seascape

@@ -9,37 +9,37 @@
 
 namespace seascape {
 
-// Fields packed two real ones to a complex transform: Dx + i h, Dz + i dDx/dz, dh/dx + i dh/dz, dDx/dx + i dDz/dz, and
-// with velocity dDx/dt + i dh/dt, dDz/dt.
-inline int packed_fields(bool velocity) { return velocity ? 6 : 4; }
+// Fields packed two real ones to a complex transform: Dx + i h, Dz + i dDx/dz of the displacement; dh/dx + i dh/dz,
+// dDx/dx + i dDz/dz of slopes; dDx/dt + i dh/dt, dDz/dt of the velocity.
+inline int packed_fields(const TileFields& fields) { return 2 * (fields.shift + fields.slopes + fields.velocity); }
 
 // Floats of a cascade's workspace, which begins with a cache line (64 bytes); a multiple of 16.
-std::size_t workspace_floats(const FftPlan& plan, bool velocity);
+std::size_t workspace_floats(const FftPlan& plan, const TileFields& fields);
 
 // The spectrum at a time and its transforms along x, into a cascade's workspace: rows mz and -mz together, of which
 // there are row_pairs(plan), from `first` to `last` - 1.
 inline int row_pairs(const FftPlan& plan) { return plan.band / 2 + 1; }
-void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, bool velocity, int first, int last,
-                   float* workspace);
+void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, const TileFields& fields, int first,
+                   int last, float* workspace);
 
 constexpr int strip_width = 16;
 constexpr int strip_levels = 4;  // mip levels that a strip of 16 columns has of its own, after level 0
 
 // One level of the planes of a cascade.
 struct PlaneLevel {
-  glm::vec4* texels[4];  // by WavePlane; velocity null where there is none
+  glm::vec4* texels[4];  // by WavePlane; null where there is none
   int stride;
 };
 
 // The transforms along z of columns x to x + strip_width - 1, into level 0.
-void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, bool velocity, int x,
+void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
                    const PlaneLevel& level);
 
 // The strip's mip chain, from levels[0] into levels[1] to levels[strip_levels].
-void strip_mips(const FftPlan& plan, bool velocity, int x, const PlaneLevel* levels);
+void strip_mips(const FftPlan& plan, int x, const PlaneLevel* levels);
 
 // Averages two by two texels of columns 2 x to 2 (x + width) - 1 into columns x to x + width - 1 of the next level,
-// `height` rows of it.
-void average_down(const PlaneLevel& from, const PlaneLevel& to, int planes, int x, int width, int height);
+// `height` rows of it, of the planes that are there.
+void average_down(const PlaneLevel& from, const PlaneLevel& to, int x, int width, int height);
 
 }  // namespace seascape

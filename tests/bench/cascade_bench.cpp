@@ -28,7 +28,7 @@ WaveTable random_waves(int band) {
 // threads.
 struct WholeCascade {
   WholeCascade(int n, int band)
-      : plan(make_fft_plan(n, band)), table(random_waves(band)), workspace(workspace_floats(plan, false)) {
+      : plan(make_fft_plan(n, band)), table(random_waves(band)), workspace(workspace_floats(plan, {})) {
     for (int level = 0; level <= strip_levels; ++level) {
       const int size = n >> level, stride = size + 4;
       levels[level].stride = stride;
@@ -41,11 +41,11 @@ struct WholeCascade {
   void run(std::int64_t ticks, bool mips) {
     const int pairs = row_pairs(plan), piece = 16;
     tbb::parallel_for(0, (pairs + piece - 1) / piece, [&](int i) {
-      waves_along_x(table, plan, ticks, false, i * piece, std::min((i + 1) * piece, pairs), workspace.data());
+      waves_along_x(table, plan, ticks, {}, i * piece, std::min((i + 1) * piece, pairs), workspace.data());
     });
     tbb::parallel_for(0, plan.n / strip_width, [&](int i) {
-      strip_along_z(table, plan, workspace.data(), false, i * strip_width, levels[0]);
-      if (mips) strip_mips(plan, false, i * strip_width, levels);
+      strip_along_z(table, plan, workspace.data(), {}, i * strip_width, levels[0]);
+      if (mips) strip_mips(plan, i * strip_width, levels);
     });
   }
   FftPlan plan;
