@@ -89,6 +89,38 @@ TEST(Sea, MakesTilesOnceForATimeAndADetail) {
   EXPECT_EQ(sea.made(SeaDetail::crests), before + 12u);
 }
 
+// Felt tiles have slopes from the first that asks for them on, on any thread: those of a sea that draws in the same
+// quality, to the bit, and crests of the same time, which need slopes from the beginning, borrow none from them.
+// Controls seen: slopes that are never made; crests that borrow felt tiles.
+TEST(Sea, FeltTilesHaveSlopesWhenAskedFor) {
+  Sea sea(small_spec()), whole(small_spec());
+  const SeaView felt = sea.view_at(2.0, SeaDetail::felt), same = whole.view_at(2.0, SeaDetail::crests);
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec2 place(13.7 * i, -9.1 * i);
+    EXPECT_EQ(felt.query(place).normal.x, whole.view_at(2.0, SeaDetail::felt).query(place).normal.x);
+  }
+  const SeaView crests = sea.view_at(2.0, SeaDetail::crests);
+  const auto slopes_of = [](const SeaView& view, int i) {
+    return view.field().sea(view.tiles(), {13.7 * i, -9.1 * i}, 0.0).height_gradient.x;
+  };
+  std::vector<double> slopes(64);
+  tbb::parallel_for(0, 64, [&](int i) {
+    slopes[std::size_t(i)] = felt.at({13.7 * i, -9.1 * i}, 0.0).height_gradient.x;
+  });
+  double largest = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    EXPECT_EQ(slopes_of(crests, i), slopes_of(same, i)) << i;
+    SeaSample three;  // of the three cascades that are felt
+    WaveField::Filter filter = same.field().filter(0.0);
+    filter.share[3] = 0.0f;
+    three = same.field().sea(same.tiles(), {13.7 * i, -9.1 * i}, filter);
+    EXPECT_NEAR(slopes[std::size_t(i)], three.height_gradient.x, 1e-7) << i;
+    largest = std::max(largest, std::abs(slopes[std::size_t(i)]));
+  }
+  EXPECT_GT(largest, 0.05);
+  EXPECT_EQ(sea.made(SeaDetail::felt), 1u);
+}
+
 // Two threads ask at once for tiles that are not made yet: both have them whole, and they are made once.
 TEST(Sea, ManyThreadsAskAtOnce) {
   Sea sea(small_spec());
