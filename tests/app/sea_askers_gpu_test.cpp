@@ -27,8 +27,8 @@ struct Program {
 };
 
 // In every scene, in explore, replay and capture, tiles of a time and a detail are computed once, whoever asks; those
-// of the picture once a frame where the processor makes them, and never where the GPU does. Controls seen: a store that
-// never finds what it keeps; foam stepped before spray (storm); felt water asked of a time of its own (every scene).
+// of the picture once a frame where the processor makes them, and never where the GPU does. Control seen: foam stepped
+// before spray (storm).
 TEST_P(SeaAskers, HaveTilesOfATimeAndADetailMadeOnce) {
   const bool every = std::getenv("SEASCAPE_LONG") != nullptr;
   const Program programs[] = {{"explore", true, 72.0, every ? 12 : 4},

@@ -68,7 +68,7 @@ void change(Sea& sea, const SeaState& state, const glm::dvec3& at_m) {
 
 // Drawn on two devices, the first of which goes in mid-frame while a view is held, with a rebuild and a change of the
 // sea between, against a sea that nobody draws: state and felt water equal to the bit. Controls seen: a sea made anew
-// with the drawing; felt fields that a rebuild forgets while the waves change; steps taken by the frame's time.
+// with the drawing; a change that another quality of the picture ends at once.
 TEST_F(SeaKept, ThroughAChangeARebuildAndADeviceThatIsLost) {
   const Scene scene = pressed_scene();
   const Pose head = pose({0.0, 2.0, 5.0}, 10.0, -15.0);

@@ -110,9 +110,9 @@ SeaShot shot_of(const std::string& scene, const std::string& preset, WavePlace w
 }
 
 // Every scene at every preset, places as the picture's windows have them: within a thousandth of the significant wave
-// height and 5 mm where tiles are 32-bit floats. Controls within: a twentieth of a second late, and dynamic waves left
-// out. Controls seen: texels of places as if a query had no viewer (rivers 5.6 m, harbour_clip 12 mm, lagoon 8 mm);
-// land that does not give way to the open sea at the edge of all windows (rivers).
+// height and 5 mm where tiles are 32-bit floats. Controls within: a twentieth of a second late; dynamic waves left out;
+// texels of places as if there were no viewer. Control seen: land that does not give way to the open sea at the edge of
+// all windows (rivers, lagoon, harbour_clip).
 TEST_P(DrawnQuery, AnswersAreWhereTheSurfaceIsDrawn) {
   constexpr double time_s = 33.3;
   for (const std::string preset : {"low", "medium", "high", "ultra"})
