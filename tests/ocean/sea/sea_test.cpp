@@ -95,28 +95,23 @@ TEST(Sea, MakesTilesOnceForATimeAndADetail) {
 TEST(Sea, FeltTilesHaveSlopesWhenAskedFor) {
   SeaSpec spec = small_spec();
   spec.crests_velocity = false;  // or they could borrow none at all
-  Sea sea(spec), whole(spec);
-  const SeaView felt = sea.view_at(2.0, SeaDetail::felt), same = whole.view_at(2.0, SeaDetail::crests);
-  for (int i = 0; i < 20; ++i) {
-    const glm::dvec2 place(13.7 * i, -9.1 * i);
-    EXPECT_EQ(felt.query(place).normal.x, whole.view_at(2.0, SeaDetail::felt).query(place).normal.x);
-  }
+  Sea sea(spec), of_crests(spec);
+  const SeaView felt = sea.view_at(2.0, SeaDetail::felt), same = of_crests.view_at(2.0, SeaDetail::crests);
+  (void)felt.query({0.0, 0.0});
   const SeaView crests = sea.view_at(2.0, SeaDetail::crests);
-  (void)crests.tiles();  // while felt ones have no slopes
   const auto slopes_of = [](const SeaView& view, int i) {
     return view.field().sea(view.tiles(), {13.7 * i, -9.1 * i}, 0.0).height_gradient.x;
   };
+  for (int i = 0; i < 64; ++i) EXPECT_EQ(slopes_of(crests, i), slopes_of(same, i)) << i;
   std::vector<double> slopes(64);
   tbb::parallel_for(0, 64, [&](int i) {
     slopes[std::size_t(i)] = felt.at({13.7 * i, -9.1 * i}, 0.0).height_gradient.x;
   });
   double largest = 0.0;
   for (int i = 0; i < 64; ++i) {
-    EXPECT_EQ(slopes_of(crests, i), slopes_of(same, i)) << i;
-    SeaSample three;  // of the three cascades that are felt
     WaveField::Filter filter = same.field().filter(0.0);
-    filter.share[3] = 0.0f;
-    three = same.field().sea(same.tiles(), {13.7 * i, -9.1 * i}, filter);
+    filter.share[3] = 0.0f;  // three cascades are felt
+    const SeaSample three = same.field().sea(same.tiles(), {13.7 * i, -9.1 * i}, filter);
     EXPECT_NEAR(slopes[std::size_t(i)], three.height_gradient.x, 1e-7) << i;
     largest = std::max(largest, std::abs(slopes[std::size_t(i)]));
   }
