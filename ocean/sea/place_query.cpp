@@ -144,6 +144,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   plan.waves.most_iterations = waves.most_iterations;
   plan.waves.tolerance_m = waves.tolerance_m;
   plan.waves.velocity = waves.velocity;
+  plan.waves.slopes = waves.slopes;
   plan.waves.depth_m = waves.depth_m;
   plan.waves.left_out_m = beside.left_out_m;
   plan.places = this;
@@ -226,7 +227,7 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
                            count);
     });
   }
-  if (!clips()) return;
+  if (!clips() || (options.fields & query_clip) == 0) return;
   const double time_s = double(tiles.ticks()) / double(gpu::ticks_per_second);
   for_blocks([&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)

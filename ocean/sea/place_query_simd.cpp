@@ -247,7 +247,7 @@ HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* place
          [&](std::uint64_t left, int) HWY_ATTR { displace(d, plan, g, at, left, count, sums); });
   alignas(64) float water[4 * group] = {}, with_time[4 * group] = {};
   if (plan.waves.velocity) move_water(d, plan, g, at, count, water);
-  differentiate(d, plan, g, at, count, with_time);
+  if (plan.waves.slopes) differentiate(d, plan, g, at, count, with_time);
   for (int i = 0; i < 4 * count; ++i) g.velocity[i] = water[i] + with_time[i];
   for (int i = 0; plan.bed && i < count; ++i)  // land stands still
     if (g.shift[4 * i + 1] <= at.now.value[PlaceTexel::water][4 * i + 1])

@@ -18,7 +18,8 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
   // The nearest float that is no larger: what is within the one is within the other.
   plan.tolerance_m = float(options.tolerance_m);
   if (double(plan.tolerance_m) > options.tolerance_m) plan.tolerance_m = std::nextafter(plan.tolerance_m, -1.0f);
-  plan.velocity = tiles.has_velocity();
+  plan.velocity = tiles.has_velocity() && (options.fields & query_velocity) != 0;
+  plan.slopes = plan.velocity || (options.fields & query_slopes) != 0;
   plan.depth_m = field.state().depth_m;
   const std::size_t places = field.curved() + (curved && field.has_curved() ? 1 : 0);
   for (std::size_t c = 0; c < places; ++c) {

@@ -38,6 +38,15 @@ struct QueryAnswer {
   bool converged = false;  // the residual is within the tolerance and the surface is not folded over at the point found
 };
 
+// Parts of an answer that take time of their own, to be combined.
+enum QueryField : unsigned {
+  query_slopes = 1,    // normal, contraction, and whether the surface is folded over; the height is carried over the
+                       // residual. Without them it is that of the point found
+  query_velocity = 2,  // orbital and Eulerian; needs slopes and has them found
+  query_clip = 4,      // clipped
+  query_all = 7
+};
+
 struct QueryOptions {
   double footprint_m = 0.0;   // size of the object asking: shorter waves are left out (WaveField::sea)
   int most_iterations = 8;    // steps x <- q - D(x), which converge at the rate sup |grad D| where that is below 1
@@ -47,6 +56,7 @@ struct QueryOptions {
   std::span<const QueryAnswer> previous = {};
   // Whether dynamic waves and the bodies of actors are in the answers, which depend on what came before (SeaView).
   bool history = true;
+  unsigned fields = query_all;  // what is found; the rest of an answer is as of calm water, and not clipped
   // Has what belongs to places as a picture with these windows shows it, coarser with distance; it has to outlive the
   // call. Null: in the finest texels that the footprint leaves, wherever the place is.
   const LodPlacement* seen = nullptr;

@@ -312,6 +312,8 @@ HWY_INLINE void begin(D d, const QueryPlan& plan, const glm::dvec2* places, cons
   // What is never sampled is computed with all the same, and denormals would be slow.
   for (float* texels : {g.shift, g.along_x, g.along_z, g.velocity})
     std::fill(texels + 4 * count, texels + 4 * padded, 0.0f);
+  for (float* along : {g.along_x, g.along_z})
+    if (!plan.slopes) std::fill(along, along + 4 * count, 0.0f);
   place_in_tiles(plan, g, padded);
 }
 

@@ -29,8 +29,8 @@ HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* place
       sample<false>(plan, g, nullptr, 0, plan.count, point, {{g.weight, &QueryLayer::shift, g.shift + 4 * point}});
     }
   });
-  for (int i = 0; i < count; i += lanes) locate_slopes(d, plan, g, i);
-  for (int point = 0; point < count; ++point) {
+  for (int i = 0; plan.slopes && i < count; i += lanes) locate_slopes(d, plan, g, i);
+  for (int point = 0; plan.slopes && point < count; ++point) {
     const Take along_x{g.weight_x, &QueryLayer::shift, g.along_x + 4 * point},
         along_z{g.weight_z, &QueryLayer::shift, g.along_z + 4 * point},
         velocity{g.weight, &QueryLayer::velocity, g.velocity + 4 * point};

@@ -34,7 +34,7 @@ struct QueryPlan {
   int count = 0;
   int most_iterations = 0;
   float tolerance_m = 0.0f;
-  bool velocity = false;
+  bool velocity = false, slopes = true;
   double depth_m = 0.0, left_out_m = 0.0;  // for every answer
 };
 

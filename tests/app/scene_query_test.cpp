@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -77,6 +78,49 @@ TEST(SceneQuery, AnswersDoNotDependOnBatchesOrThreads) {
         EXPECT_EQ(different, 0) << name << " at " << footprint << " m";
       }
     }
+}
+
+// What is left out of the fields is as of calm water; the rest is as without a mask, to the bit, but for heights, which
+// are those of the points found. Control seen: velocities found all the same.
+TEST(SceneQuery, FindsTheFieldsThatAreAskedFor) {
+  for (const char* name : {"storm", "lagoon", "whirlpool", "harbour_clip"}) {
+    const SceneSea one(name);
+    std::vector<glm::dvec2> places = one.places(300);
+    if (std::string(name) == "harbour_clip")
+      for (glm::dvec2& place : places) place.y -= 190.0;  // around the dock
+    const SeaView view = one.sea->view_at(time_s, SeaDetail::felt);
+    const auto ask = [&](unsigned fields) {
+      std::vector<QueryAnswer> answers(places.size());
+      view.query(places, answers, {.fields = fields});
+      return answers;
+    };
+    const auto all = ask(query_all), none = ask(0), slopes = ask(query_slopes), moving = ask(query_velocity),
+               clip = ask(query_clip);
+    int clipped = 0, level = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      EXPECT_EQ(all[i].displacement, none[i].displacement);
+      EXPECT_NEAR(all[i].height_m, none[i].height_m, 2e-3);
+      EXPECT_EQ(none[i].height_m, none[i].displacement.y);
+      EXPECT_EQ(none[i].normal, glm::dvec3(0.0, 1.0, 0.0));
+      EXPECT_EQ(none[i].contraction, 0.0);
+      for (const auto* still : {&none[i], &slopes[i], &clip[i]}) {
+        EXPECT_EQ(still->orbital_velocity_mps, glm::dvec3(0.0));
+        EXPECT_EQ(still->eulerian_velocity_mps, glm::dvec3(0.0));
+      }
+      EXPECT_EQ(slopes[i].normal, all[i].normal);
+      EXPECT_EQ(slopes[i].height_m, all[i].height_m);
+      EXPECT_EQ(moving[i].orbital_velocity_mps, all[i].orbital_velocity_mps);
+      EXPECT_EQ(moving[i].eulerian_velocity_mps, all[i].eulerian_velocity_mps);
+      EXPECT_EQ(clip[i].clipped, all[i].clipped);
+      EXPECT_FALSE(none[i].clipped || moving[i].clipped);
+      EXPECT_EQ(none[i].flow_mps, all[i].flow_mps);
+      EXPECT_EQ(none[i].depth_m, all[i].depth_m);
+      clipped += all[i].clipped;
+      level += all[i].normal.y > 0.999999;
+    }
+    EXPECT_LT(level, 200) << name;
+    EXPECT_TRUE(std::string(name) != "harbour_clip" || clipped > 5) << clipped;
+  }
 }
 
 // Once the tiles are there, also where the points come to places that nobody has asked for. Control seen: pages that
