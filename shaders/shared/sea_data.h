@@ -45,7 +45,7 @@ struct PlaceData {
   vec4 shift_along[bent_cascades];  // x, y: along which their patterns are shifted over a bed; z of the first: how high
                                     // run-up wets a beach, m; of the second: from which height above the water land is
                                     // green, m, 0 never; of the third: how bright sand is
-  ivec4 clip_origin;                // x, y: the grid origin's x and z, whole metres; z, w: unused
+  ivec4 clip_origin;                // x, y: the grid origin's x and z, whole metres
   vec4 clip_from;                   // x, y: what the grid origin has beyond whole metres
   vec4 flow;  // two phases of water that is carried along: x, y: how long each has been, s; z: the first one's share;
               // w: half of a phase's time, s
