@@ -76,7 +76,9 @@ double Breaking::below(double jacobian, double variance, double threshold) const
 
 void Breaking::evaluate(std::int64_t ticks) {
   if (view_ && view_.ticks() == ticks && waves_ == sea_.waves_version()) return;
-  view_ = {};  // whose memory the next one may take
+  // Whole, so that a view that knows more of this time may borrow them.
+  if (ahead_ && ahead_.ticks() == ticks && ahead_waves_ == sea_.waves_version()) (void)ahead_.tiles();
+  view_ = ahead_ = {};  // whose memory the next one may take
   view_ = sea_.view(ticks, SeaDetail::crests);
   waves_ = sea_.waves_version();
   const WaveTiles& tiles = this->tiles();
@@ -88,6 +90,17 @@ void Breaking::evaluate(std::int64_t ticks) {
                breaking = 1.35 * whole / ((1.0 - whole) * life_s_ * foam_breaking_per_s);
   lowest_ = quantile(std::min(breaking, 0.5));
   threshold_ = threshold_of(variance_);
+}
+
+void Breaking::prepare(std::int64_t ticks, double share) {
+  if (sea_.changing()) return;
+  if (!ahead_ || ahead_.ticks() != ticks || ahead_waves_ != sea_.waves_version()) {
+    ahead_ = {};
+    ahead_ = sea_.view(ticks, SeaDetail::crests);
+    ahead_waves_ = sea_.waves_version();
+  }
+  // All of it a little before it is due, since frames fall as they like.
+  ahead_.prepare(1.2 * share);
 }
 
 void Breaking::at(std::int64_t ticks, double texel_m, int slices) {

@@ -31,7 +31,9 @@ class Breaking {
   bool ever() const;
   // Waves and threshold as they are at a time; nothing where they are of that already.
   void evaluate(std::int64_t ticks);
-  // The same, for texels of a slice i of texel_m 2^i (lod_texel_m).
+  // Makes part of the waves of a time to come, of which this share (0 to 1) has gone; not while the sea changes.
+  void prepare(std::int64_t ticks, double share);
+  // As evaluate(), for texels of a slice i of texel_m 2^i (lod_texel_m).
   void at(std::int64_t ticks, double texel_m, int slices);
   // Of the whole sea, by the same Gaussian, as of evaluate().
   double mean_share() const { return below(1.0, variance_, threshold_); }
@@ -80,8 +82,8 @@ class Breaking {
   double below(double jacobian, double variance, double threshold) const;
   double slope_variance() const;
   Sea& sea_;
-  SeaView view_;
-  std::uint64_t waves_ = 0;  // Sea::waves_version() that the view is of
+  SeaView view_, ahead_;                       // as of evaluate(), and of prepare()
+  std::uint64_t waves_ = 0, ahead_waves_ = 0;  // Sea::waves_version() that they are of
   std::vector<Slice> slices_;
   double life_s_;
   double others_variance_ = 0.0;  // no less than the divergence's

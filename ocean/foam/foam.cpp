@@ -54,10 +54,9 @@ void validate(const FoamSettings& s) {
 }
 
 Foam::Foam(const FoamSettings& settings)
-    : settings_(settings),
-      field_(settings.windows, 0.0f, lod_placement(settings.windows, glm::dvec2(0.0), {})),
-      before_(field_) {
+    : settings_(settings), field_(settings.windows, 0.0f, lod_placement(settings.windows, glm::dvec2(0.0), {})) {
   validate(settings);
+  before_.resize(std::size_t(settings.windows.resolution) * std::size_t(settings.windows.resolution));
 }
 
 void Foam::set_flow(Flow flow, bool still) {
@@ -106,21 +105,22 @@ void Foam::carry(int slice, double dt) {
   const double texel_m = field_.texel_m(slice);
   const std::int64_t side = settings_.windows.resolution;
   const SliceRows<float> to(field_.texels(slice), side, first);
-  const SliceRows<const float> from(std::as_const(before_).texels(slice), side, first);
+  std::copy_n(std::as_const(field_).texels(slice), before_.size(), before_.begin());
+  const SliceRows<const float> from(before_.data(), side, first);
   const SliceRows<const glm::vec2> speeds(std::as_const(*speed_).texels(slice), side, first);
   // What lies `way` texels from a texel, of before the step: of this slice, or beyond its window of the next coarser
   // one.
   const auto there = [&](std::int64_t x, std::int64_t z, glm::dvec2 way) {
     const glm::dvec2 at = glm::dvec2(double(x), double(z)) + way, cell = glm::floor(at);
     if (!(cell.x >= 1.0 && cell.y >= 1.0 && cell.x < double(side - 2) && cell.y < double(side - 2))) {
-      if (slice + 1 >= before_.slices()) return 0.0f;
+      if (slice + 1 >= field_.slices()) return 0.0f;
       const glm::dvec2 place = (glm::dvec2(first) + at + 0.5) * texel_m;
-      const glm::dvec2 coarse = glm::floor(place / before_.texel_m(slice + 1) - 0.5),
-                       begin(before_.first(slice + 1));  // of a long step no whole number has room for it
+      const glm::dvec2 coarse = glm::floor(place / field_.texel_m(slice + 1) - 0.5),
+                       begin(field_.first(slice + 1));  // of a long step no whole number has room for it
       const double last = double(side - 2);
       if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last))
         return 0.0f;
-      return before_.bilinear(slice + 1, place);
+      return field_.bilinear(slice + 1, place);
     }
     const glm::vec4 along = cubic(float(at.x - cell.x)), across = cubic(float(at.y - cell.y));
     const std::int64_t i0 = std::int64_t(cell.x) - 1, j0 = std::int64_t(cell.y) - 1;
@@ -159,20 +159,16 @@ void Foam::carry(int slice, double dt) {
   for (std::int64_t i = 0; i < side * side; ++i) field_.texels(slice)[i] *= left;
 }
 
-std::uint32_t Foam::step(double dt, const Gain& gain) {
-  const std::uint32_t had = foamy_;
-  if (had == 0 && !gain) return 0;
-  if (had != 0 && flows_) {
-    before_ = field_;
-    for (int i = 0; i < field_.slices(); ++i) carry(i, dt);
-  }
+std::uint32_t Foam::step_slice(int slice, double dt, const Gain& gain) {
+  const std::uint32_t bit = 1u << slice, had = foamy_ & bit;
+  if (flows_ && (foamy_ & (bit | bit << 1)) != 0)
+    carry(slice, dt);
+  else if (had == 0 && !gain)
+    return 0;
   const std::int64_t side = settings_.windows.resolution;
   const float loss = float(1.0 / settings_.life_s), lasting = float(std::exp(-dt / settings_.life_s));
-  std::atomic<std::uint32_t> foamy{0};
-  std::atomic<bool> wrong{false};
-  tbb::parallel_for(std::int64_t(0), side * field_.slices(), [&](std::int64_t n) {
-    const int slice = int(n / side);
-    const std::int64_t z = n % side;
+  std::atomic<bool> foamy{false}, wrong{false};
+  tbb::parallel_for(std::int64_t(0), side, [&](std::int64_t z) {
     const SliceRows<float> rows(field_.texels(slice), side, field_.first(slice));
     thread_local std::vector<float> gains;
     gains.assign(std::size_t(side), 0.0f);
@@ -195,11 +191,11 @@ std::uint32_t Foam::step(double dt, const Gain& gain) {
       if (f < least) f = 0.0f;
       holds = holds || f > 0.0f;
     }
-    if (holds) foamy.fetch_or(1u << slice, std::memory_order_relaxed);
+    if (holds) foamy.store(true, std::memory_order_relaxed);
   });
-  foamy_ = foamy.load();
+  foamy_ = (foamy_ & ~bit) | (foamy.load() ? bit : 0u);
   if (wrong.load()) fault_ = "foam: what was no share of the water was taken out";
-  return had | foamy_;
+  return had | (foamy_ & bit);
 }
 
 std::optional<std::string> Foam::take_fault() {

@@ -48,7 +48,13 @@ class Foam {
   std::uint32_t follow(const LodPlacement& placement, float fresh);
   // Time goes on by dt seconds, more than 0. Without a gain (null) foam goes only. Gives the slices that hold or held
   // foam, as follow() does.
-  std::uint32_t step(double dt, const Gain& gain);
+  std::uint32_t step(double dt, const Gain& gain) {
+    std::uint32_t changed = 0;
+    for (int i = 0; i < field_.slices(); ++i) changed |= step_slice(i, dt, gain);
+    return changed;
+  }
+  // The same of one slice. The finest comes first, since water carries into each what the next coarser one had before.
+  std::uint32_t step_slice(int slice, double dt, const Gain& gain);
 
   // At a rest position (m), for a footprint (m), as shaders read it; beyond the windows none.
   float covered(glm::dvec2 rest_m, double footprint_m) const { return field_.sample(rest_m, footprint_m); }
@@ -61,7 +67,8 @@ class Foam {
  private:
   void carry(int slice, double dt);
   FoamSettings settings_;
-  LodField<float> field_, before_;
+  LodField<float> field_;
+  std::vector<float> before_;  // of the slice that steps
   Flow flow_;
   bool flow_still_ = true, flows_ = false;
   std::optional<LodField<glm::vec2>> speed_;

@@ -13,6 +13,8 @@ namespace seascape {
 namespace {
 // Coverages that settle long before are stepped by less often.
 constexpr double settling_step_s = 0.25;
+// A step is over when this share of the time until the next one has gone.
+constexpr double step_share = 2.0 / 3.0;
 // Rows refreshed per update after the water changes; at most 3 ms.
 constexpr int rows_an_update = 24;
 
@@ -164,18 +166,27 @@ bool FoamSea::any_source(bool wakes) const {
          (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
 }
 
-std::uint32_t FoamSea::advance(double time_s, double dt) {
+void FoamSea::begin_step() {
+  const std::int64_t ticks = next_ticks();
+  tick_ += ticks;
+  step_s_ = double(ticks) / spec_.settings.rate_hz;
+  stepped_ = 0;
   // Of the time that settles neither dynamic waves nor actors are known.
-  const bool wakes = sea_.dynamic_waves() != nullptr && !settling_;
+  wakes_ = sea_.dynamic_waves() != nullptr && !settling_;
   discs_.clear();
-  if (!settling_) sea_.foam().append(time_s - dt, time_s, discs_);
-  if (!any_source(wakes)) return foam_.step(dt, nullptr);
-  const LodField<float>& field = foam_.field();
-  breaking_.at(ticks_from_seconds(time_s), field.texel_m(0), field.slices());
-  fresh_ = spec_.settings.simulated ? mean_cover() : 0.0f;
-  const DynamicSurface* pressed = wakes ? breaking_.view().dynamic() : nullptr;
-  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, time_s, pressed); };
-  return foam_.step(dt, std::cref(gain));  // by reference: nothing is allocated
+  if (!settling_) sea_.foam().append(step_time_s() - step_s_, step_time_s(), discs_);
+  gains_ = any_source(wakes_);
+  if (coarse_left_ > 0)
+    --coarse_left_;
+  else if (!settling_)
+    --steps_left_;
+}
+
+std::uint32_t FoamSea::step_slice(int slice) {
+  if (!gains_) return foam_.step_slice(slice, step_s_, nullptr);
+  const DynamicSurface* pressed = wakes_ ? breaking_.view().dynamic() : nullptr;
+  const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, step_time_s(), pressed); };
+  return foam_.step_slice(slice, step_s_, std::cref(gain));  // by reference: nothing is allocated
 }
 
 void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
@@ -185,6 +196,8 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
       !std::isfinite(viewer.y))
     return;
   const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
+  const double since = std::max(time_s * s.rate_hz - double(now), 0.0) + 1e-6;  // in steps
+  slices_due_ = std::min(1 + int(since / step_share * slices()), slices());
   const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
@@ -202,6 +215,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   coarse_ticks_ = std::max<std::int64_t>(1, std::llround(settling_step_s * s.rate_hz));
   coarse_left_ = std::int64_t(std::ceil((all - fine) * s.rate_hz / double(coarse_ticks_)));
   tick_ = now - std::int64_t(std::ceil(fine * s.rate_hz)) - coarse_left_ * coarse_ticks_;
+  stepped_ = slices();
 }
 
 void FoamSea::follow(const LodPlacement& placement, std::int64_t tick) {
@@ -255,19 +269,29 @@ std::int64_t FoamSea::next_ticks() const {
 }
 
 std::optional<double> FoamSea::next_s() const {
+  if (stepped_ < (tick_ < due_ ? slices() : slices_due_)) return step_time_s();
   return tick_ < due_ ? std::optional(double(tick_ + next_ticks()) / spec_.settings.rate_hz) : std::nullopt;
 }
 
 void FoamSea::step() {
-  const std::int64_t ticks = next_ticks();
-  tick_ += ticks;
-  changed_ |= advance(double(tick_) / spec_.settings.rate_hz, double(ticks) / spec_.settings.rate_hz);
-  if (coarse_left_ > 0) {
-    if (std::exchange(first_, false)) foam_.fill(fresh_);
-    --coarse_left_;
-  } else if (!settling_) {
-    --steps_left_;
+  const bool fills = first_ && coarse_left_ > 0;
+  if (stepped_ == slices()) begin_step();
+  if (gains_) {
+    breaking_.at(ticks_from_seconds(step_time_s()), foam_.field().texel_m(0), slices());
+    fresh_ = spec_.settings.simulated ? mean_cover() : 0.0f;
   }
+  if (fills) {  // what a long step before there was foam comes to
+    first_ = false;
+    foam_.fill(fresh_);
+    stepped_ = slices();
+  }
+  for (const int due = tick_ < due_ ? slices() : slices_due_; stepped_ < due; ++stepped_)
+    changed_ |= step_slice(stepped_);
+}
+
+void FoamSea::prepare(double time_s) {
+  const double rate = spec_.settings.rate_hz;
+  if (begun_ && gains_) breaking_.prepare(ticks_from_seconds(double(tick_ + 1) / rate), time_s * rate - double(tick_));
 }
 
 }  // namespace seascape

@@ -40,6 +40,9 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 // Over a bed each texel keeps the still water (PlaceSea::still_water) as it was at time 0, asked once when the texel
 // comes into a window. After a change of the sea all texels are asked anew, over a second or two of updates.
 //
+// A step's slices are spread over two thirds of the time until the next one, the finest at once; so are the crests of
+// the next. A frame then costs a part of a step, and the coarsest slice is by that time older than the finest.
+//
 // Shores take the water's height above the bed beneath its rest position: the edge of the foam runs up and down with
 // the waves.
 class FoamSea {
@@ -58,19 +61,24 @@ class FoamSea {
     while (next_s()) step();
     return changed();
   }
-  // The same in parts, for who steps others beside it (CrestSteps): what is due, the time (s) of the next step, it, and
-  // what has changed since begin().
+  // The same in parts, for who steps others beside it (crest_steps.h): what is due, the time (s) of the step that is
+  // next or goes on, as much of it as is due, and what has changed since begin().
   void begin(double time_s, const glm::dvec3& viewer_m);
   std::optional<double> next_s() const;
   void step();
   std::uint32_t changed() const { return changed_; }
+  // Makes crests of the next step ahead, as many as the time since the last one asks for.
+  void prepare(double time_s);
   const Foam& foam() const { return foam_; }
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }
   std::optional<std::string> take_fault() { return foam_.take_fault(); }
 
  private:
-  std::uint32_t advance(double time_s, double dt);
+  void begin_step();
+  std::uint32_t step_slice(int slice);
+  int slices() const { return spec_.settings.windows.slices; }
+  double step_time_s() const { return double(tick_) / spec_.settings.rate_hz; }
   void follow(const LodPlacement& placement, std::int64_t tick);
   using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
   void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
@@ -90,7 +98,10 @@ class FoamSea {
   float fresh_ = 0.0f;
   double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
   std::int64_t next_ticks() const;
-  std::int64_t tick_ = 0, due_ = 0;  // of the last step, and of the last that is due
+  std::int64_t tick_ = 0, due_ = 0;     // of the last step that has begun, and of the last that is due
+  int stepped_ = 0, slices_due_ = 0;    // slices of the one, all of them once it is over, and of the other
+  double step_s_ = 0.0;                 // how long the step is
+  bool gains_ = false, wakes_ = false;  // whether anything feeds it, dynamic waves too
   std::int64_t coarse_ticks_ = 1, coarse_left_ = 0, steps_left_ = 0;
   bool settling_ = false, first_ = false;  // steps before the first moment shown; the first of them
   std::uint32_t changed_ = 0;

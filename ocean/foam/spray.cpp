@@ -306,6 +306,12 @@ std::optional<double> Spray::next_s() const {
   return tick_ < due_ ? std::optional(double(tick_ + 1) / settings_.rate_hz) : std::nullopt;
 }
 
+void Spray::prepare(double time_s) {
+  const double since = time_s * settings_.rate_hz - double(tick_);
+  if (begun_ && breaking_.view() && breaking_.view().ticks() == ticks_from_seconds(step_s()))
+    breaking_.prepare(ticks_from_seconds(double(tick_ + 1) / settings_.rate_hz), since);
+}
+
 std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu::SprayPuff> to) const {
   const double since = std::max(time_s - step_s(), 0.0);
   std::size_t count = 0;

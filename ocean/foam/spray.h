@@ -54,10 +54,13 @@ class Spray {
     begin(time_s, viewer_m);
     while (next_s()) step();
   }
-  // The same in parts, for who steps others beside it (CrestSteps): what is due, the time (s) of the next step, and it.
+  // The same in parts, for who steps others beside it (crest_steps.h): what is due, the time (s) of the next step, and
+  // it.
   void begin(double time_s, const glm::dvec3& viewer_m);
   std::optional<double> next_s() const;
   void step();
+  // Makes crests of the next step ahead, as many as the time since the last one asks for.
+  void prepare(double time_s);
   // As of the last step, in order of their beginning.
   std::span<const Puff> puffs() const { return puffs_; }
   double step_s() const { return double(tick_) / settings_.rate_hz; }

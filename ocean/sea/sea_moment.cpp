@@ -26,8 +26,9 @@ const WaveTiles& SeaMoment::tiles() const {
   tbb::collaborative_call_once(*once_, [this] {
     std::array<BorrowedTile, gpu::max_cascades + most_sources> borrowed;
     std::size_t count = 0;
-    const int all = field->quality().cascades + int(field->others().size());
+    const int all = field->tile_count();
     for (auto& lender : lenders_) {
+      if (prepared_ > 0) break;
       bool lends = false;
       const bool able = lender != nullptr && lender->made_.load(std::memory_order_acquire) &&
                         (lender->tiles_.has_velocity() || !tiles_.has_velocity());
@@ -42,11 +43,27 @@ const WaveTiles& SeaMoment::tiles() const {
       }
       if (!lends) lender.reset();
     }
-    field->evaluate(ticks, tiles_, {borrowed.data(), count}, begins_whole());
-    if (int(count) < all) store_->count(ticks, detail);
+    if (prepared_ == 0) {
+      field->begin(ticks, tiles_, {borrowed.data(), count});
+      if (int(count) < all) store_->count(ticks, detail);
+    }
+    field->fill(tiles_, prepared_, field->piece_count(), begins_whole());
     made_.store(true, std::memory_order_release);
   });
   return tiles_;
+}
+
+void SeaMoment::prepare(double share) const {
+  if (made_.load(std::memory_order_acquire)) return;
+  const int due = field->pieces_within(share);
+  if (due <= prepared_) return;
+  if (prepared_ == 0) {
+    for (auto& lender : lenders_) lender.reset();
+    field->begin(ticks, tiles_);
+    store_->count(ticks, detail);
+  }
+  field->fill(tiles_, prepared_, due, begins_whole());
+  prepared_ = due;
 }
 
 const WaveTiles& SeaMoment::whole_tiles() const {
@@ -116,18 +133,19 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
                                                      double left_out_m) {
   const std::lock_guard lock(mutex_);
   ++asked_;
+  std::shared_ptr<SeaMoment> same;
   for (const auto& kept : moments_)
     if (kept->ticks == key.ticks && kept->detail == key.detail && kept->waves_ == key.waves &&
         kept->tiles_.has_velocity() == key.velocity) {
       kept->asked_ = asked_;
-      // The tiles are the same whatever steps have done since; who holds a view keeps what it has.
       if (kept->now == now) return kept;
-      if (kept.use_count() == 1) {
-        kept->now = std::move(now);
-        return kept;
-      }
-      break;
+      same = same == nullptr && kept.use_count() == 1 ? kept : same;
     }
+  // The tiles are the same whatever steps have done since; who holds a view keeps what it has.
+  if (same != nullptr) {
+    same->now = std::move(now);
+    return same;
+  }
   const std::shared_ptr<SeaMoment> moment = free_moment(key);
   moment->ticks = key.ticks;
   moment->detail = key.detail;
@@ -138,6 +156,7 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
   moment->places = std::move(places);
   moment->now = std::move(now);
   moment->left_out_m = left_out_m;
+  moment->prepared_ = 0;
   moment->once_.emplace();
   moment->slopes_once_.emplace();
   moment->whole_.store(false, std::memory_order_relaxed);

@@ -37,7 +37,9 @@ class SeaMoment {
   // The tiles, which the first caller computes on all cores; others wait, or help. Any thread. Of `felt` moments the
   // cascades' may lack slopes and moments, which queries do not read.
   const WaveTiles& tiles() const;
-  // The same with all planes.
+  // Does this share (0 to 1) of the tiles' work, so that the first question finds less to do. Nobody asks meanwhile.
+  void prepare(double share) const;
+  // The same as tiles() with all planes.
   const WaveTiles& whole_tiles() const;
 
   std::int64_t ticks = 0;
@@ -55,6 +57,7 @@ class SeaMoment {
   std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
   MomentStore* store_ = nullptr;
   mutable WaveTiles tiles_;
+  mutable int prepared_ = 0;  // pieces of WaveField::fill() that are done before the first question
   mutable std::optional<tbb::collaborative_once_flag> once_, slopes_once_;
   mutable std::atomic<bool> made_{false}, whole_{false};
   // Moments of the same time and waves, some of whose tiles may serve here.

@@ -60,6 +60,8 @@ class SeaView {
   // tiles may have displacements alone.
   const WaveField& field() const { return *moment_->field; }
   const WaveTiles& tiles() const { return moment_->tiles(); }
+  // Does a share (0 to 1) of the tiles' work ahead of the first question: the owner's thread, before anybody asks.
+  void prepare(double share) const { moment_->prepare(share); }
   const PlaceSea& places() const { return *moment_->places; }
   const DynamicSurface* dynamic() const { return moment_->now.dynamic.get(); }
   // With the bodies of actors as of the last advance, where the view is of its time; null where nothing clips.

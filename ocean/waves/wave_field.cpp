@@ -174,9 +174,7 @@ PlaneLevel WaveTiles::plane_level(int tile, int level, const TileFields& fields)
   return result;
 }
 
-void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed,
-                         bool slopes) const {
-  const bool velocity = tiles.has_velocity();
+void WaveField::begin(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed) const {
   tiles.shape(quality_, others_);
   tiles.ticks_ = ticks;
   tiles.borrowed_.fill(false);
@@ -188,27 +186,71 @@ void WaveField::evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const B
     tiles.layout_.tiles[std::size_t(loan.tile)] = from.layout_.tiles[std::size_t(loan.from_tile)];
     tiles.borrowed_[std::size_t(loan.tile)] = true;
   }
-  fill_cascades(tiles, {.slopes = slopes, .velocity = velocity});
-  fill_others(tiles);
 }
 
-void WaveField::add_slopes(WaveTiles& tiles) const { fill_cascades(tiles, {.shift = false}); }
+void WaveField::fill(WaveTiles& tiles, int first, int last, bool slopes) const {
+  const int cascades = cascade_pieces();
+  fill_cascades(tiles, {.slopes = slopes, .velocity = tiles.has_velocity()}, first, std::min(last, cascades));
+  fill_others(tiles, std::max(first - cascades, 0), last - cascades);
+}
 
-void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields) const {
+void WaveField::add_slopes(WaveTiles& tiles) const { fill_cascades(tiles, {.shift = false}, 0, cascade_pieces()); }
+
+namespace {
+// A cascade's pieces of work: those of its rows, then strips of its columns.
+constexpr int piece_pairs = 16;
+int row_pieces(const FftPlan& plan) { return (row_pairs(plan) + piece_pairs - 1) / piece_pairs; }
+int strips_of(const FftPlan& plan) { return plan.n / strip_width; }
+}  // namespace
+
+int WaveField::cascade_pieces() const {
+  int count = 0;
+  for (const FftPlan& plan : plans_) count += row_pieces(plan) + strips_of(plan);
+  return count;
+}
+
+int WaveField::pieces_within(double share) const {
+  // A piece costs as its rows and columns are long; a source about as much as a cascade of its size.
+  const auto of_source = [](const TileSource& source) { return source.samples() * source.samples() / strip_width; };
+  std::int64_t all = 0;
+  for (const FftPlan& plan : plans_) all += std::int64_t(row_pieces(plan) + strips_of(plan)) * plan.n;
+  for (const auto& source : others_) all += of_source(*source);
+  std::int64_t left = std::int64_t(std::clamp(share, 0.0, 1.0) * double(all));
+  int count = 0;
+  for (const FftPlan& plan : plans_) {
+    const std::int64_t here = std::min<std::int64_t>(left / plan.n, row_pieces(plan) + strips_of(plan));
+    count += int(here);
+    if (here < row_pieces(plan) + strips_of(plan)) return count;
+    left -= here * plan.n;
+  }
+  for (const auto& source : others_) {
+    left -= of_source(*source);
+    if (left < 0) return count;
+    ++count;
+  }
+  return count;
+}
+
+void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields, int begin, int end) const {
   const int cascades = quality_.cascades;
   std::array<std::size_t, gpu::max_cascades> workspace{};  // where each cascade's begins
-  // The number of its first piece of rows, and of its first strip.
-  constexpr int piece_pairs = 16;
+  // How many pieces of rows are before a cascade's, and its first; and strips alike.
   using Firsts = std::array<int, gpu::max_cascades + 1>;
-  Firsts pieces{}, strips{};
+  Firsts pieces{}, strips{}, first_piece{}, first_strip{};
   std::size_t floats = 0;
+  int before = 0;
   for (int i = 0; i < cascades; ++i) {
     workspace[std::size_t(i)] = floats;
     floats += workspace_floats(plans_[i], fields);
+    const int rows = row_pieces(plans_[i]), columns = strips_of(plans_[i]);
     const bool work = !tiles.borrowed_[std::size_t(i)];
-    pieces[std::size_t(i) + 1] =
-        pieces[std::size_t(i)] + (work ? (row_pairs(plans_[i]) + piece_pairs - 1) / piece_pairs : 0);
-    strips[std::size_t(i) + 1] = strips[std::size_t(i)] + (work ? plans_[i].n / strip_width : 0);
+    const auto within = [&](int from, int count, int& first) {
+      first = std::clamp(begin - from, 0, count);
+      return work ? std::clamp(end - from, first, count) - first : 0;
+    };
+    pieces[std::size_t(i) + 1] = pieces[std::size_t(i)] + within(before, rows, first_piece[std::size_t(i)]);
+    strips[std::size_t(i) + 1] = strips[std::size_t(i)] + within(before + rows, columns, first_strip[std::size_t(i)]);
+    before += rows + columns;
   }
   const auto cascade_of = [](const Firsts& firsts, int piece) {
     int cascade = 0;
@@ -220,40 +262,45 @@ void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields) const 
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same
   // bits.
   tbb::parallel_for(0, pieces[std::size_t(cascades)], [&](int i) {
-    const int cascade = cascade_of(pieces, i), first = (i - pieces[std::size_t(cascade)]) * piece_pairs;
+    const int cascade = cascade_of(pieces, i),
+              first = (i - pieces[std::size_t(cascade)] + first_piece[std::size_t(cascade)]) * piece_pairs;
     const FftPlan& plan = plans_[cascade];
     waves_along_x(tables_[cascade], plan, tiles.ticks_, fields, first, std::min(first + piece_pairs, row_pairs(plan)),
                   &tiles.workspace_[workspace[std::size_t(cascade)]]);
   });
   tbb::parallel_for(0, strips[std::size_t(cascades)], [&](int i) {
-    const int cascade = cascade_of(strips, i), x = (i - strips[std::size_t(cascade)]) * strip_width;
+    const int cascade = cascade_of(strips, i),
+              x = (i - strips[std::size_t(cascade)] + first_strip[std::size_t(cascade)]) * strip_width;
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
     strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], fields, x,
                   levels[0]);
     strip_mips(plans_[cascade], x, levels);
   });
-  for (int cascade = 0; cascade < cascades; ++cascade)
-    for (int level = strip_levels + 1; !tiles.borrowed_[std::size_t(cascade)] && level < tiles.levels(cascade);
-         ++level) {
+  for (int cascade = 0; cascade < cascades; ++cascade) {
+    // Of cascades whose last strip was among them.
+    const int done = strips[std::size_t(cascade) + 1] - strips[std::size_t(cascade)];
+    if (done == 0 || first_strip[std::size_t(cascade)] + done < strips_of(plans_[cascade])) continue;
+    for (int level = strip_levels + 1; level < tiles.levels(cascade); ++level) {
       const int size = plans_[cascade].n >> level;
       average_down(plane_level(cascade, level - 1), plane_level(cascade, level), 0, size, size);
     }
+  }
 }
 
-void WaveField::fill_others(WaveTiles& tiles) const {
+void WaveField::fill_others(WaveTiles& tiles, int begin, int end) const {
   const bool velocity = tiles.has_velocity();
   std::size_t floats = 0;
   for (const auto& source : others_) floats = std::max(floats, source->workspace_floats(velocity));
   if (tiles.workspace_.size() < floats) tiles.workspace_.assign(floats, 0.0f);
-  for (std::size_t s = 0; s < others_.size(); ++s) {
+  for (int s = begin; s < end; ++s) {
     std::array<PlaneLevel, 10> levels;
-    const int tile = quality_.cascades + int(s), count = tiles.levels(tile);
+    const int tile = quality_.cascades + s, count = tiles.levels(tile);
     if (tiles.borrowed_[std::size_t(tile)]) continue;
     for (int level = 0; level < count; ++level)
       levels[std::size_t(level)] = tiles.plane_level(tile, level, {.velocity = velocity});
-    others_[s]->evaluate(tiles.ticks_, velocity, {levels.data(), std::size_t(count)},
-                         {tiles.workspace_.data(), floats});
+    others_[std::size_t(s)]->evaluate(tiles.ticks_, velocity, {levels.data(), std::size_t(count)},
+                                      {tiles.workspace_.data(), floats});
   }
 }
 

@@ -145,7 +145,18 @@ class WaveField {
   // the quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of
   // another shape.
   void evaluate(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed = {},
-                bool slopes = true) const;
+                bool slopes = true) const {
+    begin(ticks, tiles, borrowed);
+    fill(tiles, 0, piece_count(), slopes);
+  }
+  // The same in parts: begin() shapes the tiles for a time, and fill() does the pieces of the work from `first` to
+  // `last` - 1, of which all before have been done.
+  void begin(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed = {}) const;
+  void fill(WaveTiles& tiles, int first, int last, bool slopes = true) const;
+  int piece_count() const { return cascade_pieces() + int(others_.size()); }
+  // How many pieces are within a share (0 to 1) of the work.
+  int pieces_within(double share) const;
+  int tile_count() const { return quality_.cascades + int(others_.size()); }
   // Fills the planes `slope` and `moments` that an evaluation without `slopes` has left: of cascades that were not
   // borrowed.
   void add_slopes(WaveTiles& tiles) const;
@@ -208,8 +219,9 @@ class WaveField {
   TileSources others_;
   template <class Visit>
   void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, bool curved, Visit visit) const;
-  void fill_cascades(WaveTiles& tiles, const TileFields& fields) const;
-  void fill_others(WaveTiles& tiles) const;
+  int cascade_pieces() const;
+  void fill_cascades(WaveTiles& tiles, const TileFields& fields, int begin, int end) const;
+  void fill_others(WaveTiles& tiles, int begin, int end) const;
 };
 
 }  // namespace seascape

@@ -109,7 +109,8 @@ TEST(ActorFoam, CoversWhatItsRateSays) {
   sea.add(std::make_shared<Stirrer>([](double) {
     return FoamDisc{.at_m = {2.1, 3.3}, .radius_m = 0.6, .per_s = 0.2};
   }));
-  for (int i = 0; i <= 60; ++i) sea.advance(5.0 + i / 60.0, head), foam.update(5.0 + i / 60.0, head);
+  // To a time at which all slices have had the last step.
+  for (int i = 0; i <= 64; ++i) sea.advance(5.0 + i / 60.0, head), foam.update(5.0 + i / 60.0, head);
   const LodField<float>& field = foam.foam().field();
   std::array<double, 3> area{};
   for (int slice = 0; slice < 3; ++slice)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -91,6 +92,38 @@ TEST(FoamSea, IsTheSameAtEveryFrameRate) {
     for (int i = 0; i <= int(rate); ++i) foam.update(40.0 + i / rate, head);
     EXPECT_EQ(texels(foam), want) << rate;
   }
+}
+
+// At 72 frames a second no frame steps more than one slice, and the tiles of a step's crests are all made in the frames
+// before it, once for a step. In time for the next step all slices have been stepped: then foam is that of one who
+// takes steps whole. Controls seen: a step at once (three slices); crests that nobody prepares; a step that
+// takes twice the time until the next one.
+TEST(FoamSea, SpreadsAStepOverFrames) {
+  SeaState sea;
+  sea.wind_speed_mps = 15.0;
+  test::OwnFoam spread(small_spec(), sea, coarse()), whole(small_spec(), sea, coarse());
+  const auto to = [](test::OwnFoam& foam, double time_s) {
+    foam.begin(time_s, head);
+    while (foam.next_s()) foam.step();
+    foam.prepare(time_s);
+  };
+  to(spread, 40.0);
+  to(whole, 40.0);
+  std::uint64_t made = 0;
+  for (int i = 1; i <= 72; ++i) {
+    const std::uint64_t before = spread.own->made(SeaDetail::crests);
+    to(spread, 40.0 + i / 72.0);
+    EXPECT_LE(std::popcount(spread.changed()), 1) << i;
+    const std::uint64_t after = spread.own->made(SeaDetail::crests);
+    if (i % 6 == 0) {
+      EXPECT_EQ(after, before) << i << ": the crests of this step were made ahead";
+    }
+    made += after - before;
+    if (i % 6 != 5) continue;
+    whole.update(40.0 + i / 72.0, head);
+    EXPECT_EQ(texels(spread), texels(whole)) << i;
+  }
+  EXPECT_EQ(made, 12u);
 }
 
 // A jump of the time begins anew: forwards beyond longest_s or backwards, the foam is to the bit that of a scene that

@@ -4,8 +4,10 @@
 #include <tbb/global_control.h>
 
 #include <cstring>
+#include <memory>
 #include <random>
 
+#include "ocean/waves/gerstner.h"
 #include "tests/support/spectrum_truth.h"
 
 namespace seascape {
@@ -216,6 +218,41 @@ TEST(WaveTiles, hard_10_bits_do_not_depend_on_threads_or_history) {
         ASSERT_EQ(std::memcmp(one.texels(c, plane, level), many.texels(c, plane, level), bytes), 0)
             << c << " " << level;
       }
+}
+
+// Tiles made in parts are those that are made at once, to the bit, with other sources too. Controls seen: strips that
+// begin with the first of their cascade in each part; coarsest levels made only where a part has all strips.
+TEST(WaveTiles, MadeInPartsAreTheSame) {
+  SeaState sea = windy();
+  const WaveQuality quality{.resolution = 64, .cascades = 3};
+  GerstnerSettings settings;
+  const WaveField field(sea, quality, {std::make_shared<Gerstner>(settings)});
+  for (const int parts : {2, 5, 1000}) {
+    WaveTiles whole(true), pieces(true);
+    field.evaluate(123456789, whole);
+    field.evaluate(99, pieces);
+    field.begin(123456789, pieces);
+    int done = 0;
+    for (int part = 1; part <= parts; ++part) {
+      const int due = field.pieces_within(double(part) / parts);
+      EXPECT_GE(due, done);
+      field.fill(pieces, done, due);
+      done = due;
+    }
+    EXPECT_EQ(done, field.piece_count());
+    for (int tile = 0; tile < field.tile_count(); ++tile)
+      for (int level = 0; level < whole.levels(tile); ++level)
+        for (const WavePlane plane : {WavePlane::shift, WavePlane::slope, WavePlane::moments, WavePlane::velocity})
+          for (int z = 0, size = whole.layout().level(tile, level).size; z < size; ++z) {
+            const std::ptrdiff_t row = std::ptrdiff_t(z) * whole.stride(tile, level);
+            ASSERT_EQ(std::memcmp(whole.texels(tile, plane, level) + row, pieces.texels(tile, plane, level) + row,
+                                  std::size_t(size) * sizeof(glm::vec4)),
+                      0)
+                << parts << " parts, tile " << tile << " level " << level << " row " << z;
+          }
+  }
+  EXPECT_EQ(field.pieces_within(0.0), 0);
+  EXPECT_EQ(field.pieces_within(7.0), field.piece_count());
 }
 
 TEST(WaveTiles, samples_between_texels_and_across_footprints) {
