@@ -1,10 +1,12 @@
 // The surface of the dynamic waves at one time, as sea() adds it: displacement, sharpened sideways but never folded,
 // and its slopes.
 #pragma once
-#include <complex>
+#include <tbb/cache_aligned_allocator.h>
+
 #include <span>
 #include <vector>
 
+#include "ocean/places/dynamic_surface_simd.h"
 #include "ocean/places/dynamic_waves.h"
 
 namespace seascape {
@@ -64,15 +66,15 @@ class DynamicSurface {
   bool still(int level) const { return levels_[std::size_t(level)].still; }
 
  private:
+  using Plane = std::vector<glm::vec4, tbb::cache_aligned_allocator<glm::vec4>>;
   struct Level {
     bool still = true;
     Extent extent;  // its shift before `share`
-    double texel_m = 1.0, squeeze = 0.0, widths_texel_m = 0.0, widths_depth_m = 0.0;
-    std::vector<double> widths;  // of each wave: how far the water moves sideways, of its height, over its wave number
-    std::vector<glm::vec4> shift, slope, velocity;
-    std::vector<float> re, im, spectrum_re, spectrum_im, workspace;
-    std::vector<std::complex<double>> ahead;  // the waves of a later time
+    double texel_m = 1.0, squeeze = 0.0, table_texel_m = 0.0, table_depth_m = 0.0;
+    LevelTable table;
+    Plane shift, slope, velocity;
   };
+  void make_table(const WaveLevel& waves, Level& level) const;
   void evaluate(const WaveLevel& waves, Level& level, double border_m, double ahead_s);
   DynamicWavesSettings settings_;
   bool velocity_ = false;

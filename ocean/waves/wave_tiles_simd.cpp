@@ -1,15 +1,15 @@
 #include "ocean/waves/wave_tiles_simd.h"
 
-#include <tbb/cache_aligned_allocator.h>
-
 #include <algorithm>
-#include <vector>
+
+#include "ocean/waves/thread_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ocean/waves/wave_tiles_simd.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
 #include "ocean/waves/fft-inl.h"
+#include "ocean/waves/turns-inl.h"
 
 #ifndef SEASCAPE_WAVE_TILES_SIMD_ONCE
 #define SEASCAPE_WAVE_TILES_SIMD_ONCE
@@ -34,32 +34,6 @@ using Lanes = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Lanes>;
 using Ints = hn::RebindToSigned<Lanes>;
 
-// gpu::cos_sin_turns (shaders/shared/phase.h), the same operations in the same order.
-HWY_INLINE void cos_sin_turns(hn::Vec<Ints> turns, Vector& cosine, Vector& sine) {
-  const Lanes d;
-  const Ints di;
-  const hn::RebindToUnsigned<Lanes> du;
-  const auto quarter = hn::ShiftRight<30>(hn::BitCast(du, hn::Add(turns, hn::Set(di, 0x20000000))));
-  const auto rest = hn::Sub(turns, hn::BitCast(di, hn::ShiftLeft<30>(quarter)));
-  const Vector f = hn::Mul(hn::ConvertTo(d, rest), hn::Set(d, 2.3283064365386963e-10f));
-  const Vector f2 = hn::Mul(f, f);
-  Vector s = hn::Mul(f2, hn::Set(d, -75.401612699015970f));
-  s = hn::Mul(f2, hn::Add(hn::Set(d, 81.592542871205710f), s));
-  s = hn::Mul(f2, hn::Add(hn::Set(d, -41.341662570547270f), s));
-  s = hn::Mul(f, hn::Add(hn::Set(d, 6.2831852878129455f), s));
-  Vector c = hn::Mul(f2, hn::Set(d, 59.424105800289940f));
-  c = hn::Mul(f2, hn::Add(hn::Set(d, -85.448820084313820f), c));
-  c = hn::Mul(f2, hn::Add(hn::Set(d, 64.939369051373060f), c));
-  c = hn::Mul(f2, hn::Add(hn::Set(d, -19.739208789987394f), c));
-  c = hn::Add(hn::Set(d, 1.0f), c);
-  const auto swap = hn::MaskFromVec(hn::BitCast(d, hn::Neg(hn::BitCast(di, hn::And(quarter, hn::Set(du, 1u))))));
-  const auto sign = hn::Set(du, 0x80000000u);
-  const auto sign_x = hn::And(hn::ShiftLeft<30>(hn::Add(quarter, hn::Set(du, 1u))), sign);
-  const auto sign_y = hn::And(hn::ShiftLeft<30>(quarter), sign);
-  cosine = hn::Xor(hn::IfThenElse(swap, s, c), hn::BitCast(d, sign_x));
-  sine = hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sign_y));
-}
-
 HWY_INLINE Vector reversed(const float* last) {  // last[0], last[-1], ...
   const Lanes d;
   return hn::Reverse(d, hn::LoadU(d, last - (hn::Lanes(d) - 1)));
@@ -83,7 +57,7 @@ HWY_INLINE void turned_row(const WaveTable& table, int band, int i, std::uint64_
   const std::ptrdiff_t row = std::ptrdiff_t(i) * band;
   for (int j = 0; j < band; j += int(hn::Lanes(d))) {
     Vector c, s;
-    cos_sin_turns(phases(table.turns.data() + row + j, ticks), c, s);
+    cos_sin_turns(d, phases(table.turns.data() + row + j, ticks), c, s);
     const Vector a = hn::LoadU(d, table.amplitude_re.data() + row + j),
                  b = hn::LoadU(d, table.amplitude_im.data() + row + j);
     hn::StoreU(hn::Add(hn::Mul(a, c), hn::Mul(b, s)), d, re + j);
@@ -250,22 +224,13 @@ HWY_EXPORT(strip_scratch);
 HWY_EXPORT(along_z);
 HWY_EXPORT(average);
 
-namespace {
-// The thread's own, so that it stays in its core's caches from one piece of work to the next.
-float* scratch_of(std::size_t floats) {
-  thread_local std::vector<float, tbb::cache_aligned_allocator<float>> memory;
-  if (memory.size() < floats) memory.resize(floats);
-  return memory.data();
-}
-}  // namespace
-
 std::size_t workspace_floats(const FftPlan& plan, const TileFields& fields) {
   return std::size_t(Workspace(plan, fields).floats);
 }
 
 void waves_along_x(const WaveTable& table, const FftPlan& plan, std::int64_t ticks, const TileFields& fields, int first,
                    int last, float* workspace) {
-  float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(rows_scratch)(plan));
+  float* scratch = thread_scratch(HWY_DYNAMIC_DISPATCH(rows_scratch)(plan));
   HWY_DYNAMIC_DISPATCH(rows_along_x)(table, plan, ticks, fields, first, last, workspace, scratch);
 }
 
@@ -275,7 +240,7 @@ void average_down(const PlaneLevel& from, const PlaneLevel& to, int x, int width
 
 void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
                    const PlaneLevel& level) {
-  float* scratch = scratch_of(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
+  float* scratch = thread_scratch(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
   HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, fields, x, level, scratch);
 }
 
