@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ocean/places/band_transform.h"
+#include "ocean/places/wave_level_simd.h"
 #include "ocean/waves/dispersion.h"
 
 namespace seascape {
@@ -158,32 +159,20 @@ void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const 
 
 void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> along_z, const float* open) {
   if (still_) return;
-  const std::size_t n = std::size_t(n_), stride = n + 16;
-  for (std::size_t i = 0; i < modes_.size(); ++i)
-    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
-  inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), re_.data(), im_.data(), int(stride), workspace_);
+  const int stride = n_ + 16;
+  floats_from_modes(modes_, spectrum_re_.data(), spectrum_im_.data());
+  inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), re_.data(), im_.data(), stride, workspace_);
   // What is taken away is what goes back: of the rest no transform rounds anything.
-  for (std::size_t z = 0; z < n; ++z) {
-    float *re = re_.data() + z * stride, *im = im_.data() + z * stride;
-    for (std::size_t x = 0; x < n; ++x) {
-      const float lost = along_x[x] * along_z[z] * (open ? open[z * n + x] : 1.0f) - 1.0f;
-      re[x] *= lost, im[x] *= lost;
-    }
-  }
-  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
-               workspace_);
-  const double scale = 1.0 / (double(n_) * n_);
-  for (std::size_t i = 0; i < modes_.size(); ++i)
-    if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+  multiply_by_loss(re_.data(), im_.data(), n_, stride, along_x.data(), along_z.data(), open);
+  forward_band(to_waves_, band_, re_.data(), im_.data(), stride, spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  add_to_modes(modes_, share_.data(), 1.0 / (double(n_) * n_), spectrum_re_.data(), spectrum_im_.data());
 }
 
 void WaveLevel::add(std::span<const float> height, std::span<const float> quarter) {
   still_ = false;
   forward_band(to_waves_, band_, height.data(), quarter.data(), n_, spectrum_re_.data(), spectrum_im_.data(),
                workspace_);
-  const double scale = 1.0 / (double(n_) * n_);
-  for (std::size_t i = 0; i < modes_.size(); ++i)
-    if (share_[i] > 0.0) modes_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+  add_to_modes(modes_, share_.data(), 1.0 / (double(n_) * n_), spectrum_re_.data(), spectrum_im_.data());
 }
 
 void WaveLevel::shift_by(glm::dvec2 by) {
@@ -199,8 +188,7 @@ void WaveLevel::surface(std::span<float> height, std::span<float> quarter) const
     std::fill(quarter.begin(), quarter.end(), 0.0f);
     return;
   }
-  for (std::size_t i = 0; i < modes_.size(); ++i)
-    spectrum_re_[i] = float(modes_[i].real()), spectrum_im_[i] = float(modes_[i].imag());
+  floats_from_modes(modes_, spectrum_re_.data(), spectrum_im_.data());
   inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), height.data(), quarter.data(), n_, workspace_);
 }
 

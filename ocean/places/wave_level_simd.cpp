@@ -1,0 +1,97 @@
+#include "ocean/places/wave_level_simd.h"
+
+#include <cassert>
+#include <cstddef>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "ocean/places/wave_level_simd.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace seascape {
+namespace HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = hn::CappedTag<double, 8>;
+using Floats = hn::Rebind<float, Doubles>;
+using Lanes = hn::CappedTag<float, 16>;
+}  // namespace
+
+void to_floats(const double* modes, std::ptrdiff_t count, float* re, float* im) {
+  const Doubles dd;
+  const Floats df;
+  for (std::ptrdiff_t i = 0; i < count; i += std::ptrdiff_t(hn::Lanes(dd))) {
+    hn::Vec<Doubles> a, b;
+    hn::LoadInterleaved2(dd, modes + 2 * i, a, b);
+    hn::StoreU(hn::DemoteTo(df, a), df, re + i);
+    hn::StoreU(hn::DemoteTo(df, b), df, im + i);
+  }
+}
+
+void add_modes(double* modes, std::ptrdiff_t count, const double* share, double scale, const float* re,
+               const float* im) {
+  const Doubles dd;
+  const Floats df;
+  const auto by = hn::Set(dd, scale);
+  for (std::ptrdiff_t i = 0; i < count; i += std::ptrdiff_t(hn::Lanes(dd))) {
+    hn::Vec<Doubles> a, b;
+    hn::LoadInterleaved2(dd, modes + 2 * i, a, b);
+    const auto carried = hn::Gt(hn::LoadU(dd, share + i), hn::Zero(dd));
+    const auto more = [&](const float* from) HWY_ATTR {
+      return hn::IfThenElseZero(carried, hn::Mul(by, hn::PromoteTo(dd, hn::LoadU(df, from + i))));
+    };
+    hn::StoreInterleaved2(hn::Add(a, more(re)), hn::Add(b, more(im)), dd, modes + 2 * i);
+  }
+}
+
+void multiply(float* re, float* im, std::ptrdiff_t n, std::ptrdiff_t stride, const float* along_x, const float* along_z,
+              const float* open) {
+  const Lanes d;
+  const auto one = hn::Set(d, 1.0f);
+  for (std::ptrdiff_t z = 0; z < n; ++z) {
+    const auto across = hn::Set(d, along_z[z]);
+    for (std::ptrdiff_t x = 0; x < n; x += std::ptrdiff_t(hn::Lanes(d))) {
+      auto left = hn::Mul(hn::LoadU(d, along_x + x), across);
+      if (open != nullptr) left = hn::Mul(left, hn::LoadU(d, open + z * n + x));
+      const auto lost = hn::Sub(left, one);
+      for (float* part : {re, im}) {
+        float* at = part + z * stride + x;
+        hn::StoreU(hn::Mul(hn::LoadU(d, at), lost), d, at);
+      }
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace seascape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace seascape {
+
+HWY_EXPORT(to_floats);
+HWY_EXPORT(add_modes);
+HWY_EXPORT(multiply);
+
+void floats_from_modes(std::span<const std::complex<double>> modes, float* re, float* im) {
+  assert(modes.size() % 16 == 0);
+  HWY_DYNAMIC_DISPATCH(to_floats)
+  (reinterpret_cast<const double*>(modes.data()), std::ptrdiff_t(modes.size()), re, im);
+}
+
+void add_to_modes(std::span<std::complex<double>> modes, const double* share, double scale, const float* re,
+                  const float* im) {
+  assert(modes.size() % 16 == 0);
+  HWY_DYNAMIC_DISPATCH(add_modes)
+  (reinterpret_cast<double*>(modes.data()), std::ptrdiff_t(modes.size()), share, scale, re, im);
+}
+
+void multiply_by_loss(float* re, float* im, int n, int stride, const float* along_x, const float* along_z,
+                      const float* open) {
+  assert(n % 16 == 0);
+  HWY_DYNAMIC_DISPATCH(multiply)(re, im, n, stride, along_x, along_z, open);
+}
+
+}  // namespace seascape
+#endif
