@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ocean/waves/thread_scratch.h"
 
@@ -33,13 +34,13 @@ namespace {
 
 using Lanes = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Lanes>;
-using Strip = hn::CappedTag<float, 16>;  // its results of all fields stay in the nearest caches
-constexpr std::ptrdiff_t line = 16;     // floats
+using Strip = Lanes;                 // whose results of all fields stay in the second-level cache
+constexpr std::ptrdiff_t line = 16;  // floats
 
 // A thread's memory. Rows are padded against cache aliasing.
 struct Scratch {
   std::ptrdiff_t width, row, plane, strip_row, strip_plane;
-  float *middle;  // [field][re, im][mz + band/2][x]
+  float* middle;  // [field][re, im][mz + band/2][x]
   float *turned, *packed, *rows, *columns, *sums;
   float* results;  // of a strip: [field][re, im][z][x]
   float* east;     // of both slopes, right of the strip: [re, im][z]
@@ -208,10 +209,9 @@ HWY_NOINLINE void texels(const FftPlan& plan, const Scratch& s, int x, const Lev
   const std::ptrdiff_t n = plan.n;
   Greatest g = greatest;
   for (std::ptrdiff_t z = 0; z < n; ++z) {
-    const auto at = [&](int part, std::ptrdiff_t row) HWY_ATTR {
-      return s.results + part * s.strip_plane + row * s.strip_row;
-    };
-    const auto value = [&](int part) HWY_ATTR { return hn::Min(hn::Max(hn::Load(d, at(part, z)), least), most); };
+    const float *here = s.results + z * s.strip_row, *north = s.results + ((z + 1) & (n - 1)) * s.strip_row;
+    const auto value = [&](int part)
+                           HWY_ATTR { return hn::Min(hn::Max(hn::Load(d, here + part * s.strip_plane), least), most); };
     const auto square = [](V v) HWY_ATTR { return hn::Mul(v, v); };
     float* shift = &planes.shift[z * n + x].x;
     float* slope = &planes.slope[z * n + x].x;
@@ -223,13 +223,12 @@ HWY_NOINLINE void texels(const FftPlan& plan, const Scratch& s, int x, const Lev
     g.shift = hn::Max(g.shift, hn::Add(square(dx), square(dz)));
     const V across = hn::Mul(half_of, hn::Sub(xx, zz)), middle = hn::Mul(half_of, hn::Add(xx, zz));
     g.squeeze = hn::Max(g.squeeze, hn::Sub(hn::Sqrt(hn::Add(square(across), square(xz))), middle));
-    const std::ptrdiff_t north = (z + 1) & (n - 1);
     const auto differ = [&](int part) HWY_ATTR {
-      const float* here = at(part, z);
+      const float* from = here + part * s.strip_plane;
       float& column = s.east[(part - 4) * n + z];
-      const V is = hn::Load(d, here), east = hn::IfThenElse(inside, hn::LoadU(d, here + 1), hn::Set(d, column));
-      column = *here;
-      return hn::Add(square(hn::Sub(east, is)), square(hn::Sub(hn::Load(d, at(part, north)), is)));
+      const V is = hn::Load(d, from), east = hn::IfThenElse(inside, hn::LoadU(d, from + 1), hn::Set(d, column));
+      column = *from;
+      return hn::Add(square(hn::Sub(east, is)), square(hn::Sub(hn::Load(d, north + part * s.strip_plane), is)));
     };
     g.step = hn::Max(g.step, hn::Add(differ(4), differ(5)));
     if (planes.velocity == nullptr) continue;
