@@ -1,12 +1,12 @@
 #include "ocean/foam/breaking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "shaders/shared/flow_height.h"
-#include "shaders/shared/surface_slope.h"
+#include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
 
@@ -33,23 +33,6 @@ double quantile(double share) {
 
 }  // namespace
 
-// Between texels of a level: dDx/dx, dDz/dz, dDx/dz at a rest position.
-glm::vec3 Breaking::gradient(const WaveTiles& tiles, const Reading& r, glm::dvec2 rest) {
-  const double u = glm::dot(r.along_x, rest) + r.offset, v = glm::dot(r.along_z, rest) + r.offset;  // in texels
-  const double floor_u = std::floor(u), floor_v = std::floor(v);
-  const auto wrapped = [&](double whole) { return int(std::int64_t(whole) & std::int64_t(r.size - 1)); };
-  const int x0 = wrapped(floor_u), z0 = wrapped(floor_v), x1 = (x0 + 1) & (r.size - 1), z1 = (z0 + 1) & (r.size - 1);
-  const float fx = float(u - floor_u), fz = float(v - floor_v);
-  const glm::vec4 *slope = tiles.texels(r.tile, WavePlane::slope, r.level),
-                  *shift = tiles.texels(r.tile, WavePlane::shift, r.level);
-  const auto texel = [&](int x, int z) {
-    const std::ptrdiff_t at = std::ptrdiff_t(z) * r.stride + x;
-    return glm::vec3(slope[at].z, slope[at].w, shift[at].w);
-  };
-  const glm::vec3 low = glm::mix(texel(x0, z0), texel(x1, z0), fx), high = glm::mix(texel(x0, z1), texel(x1, z1), fx);
-  return glm::mix(low, high, fz);
-}
-
 Breaking::Breaking(Sea& sea, double life_s) : sea_(sea), life_s_(life_s) {
   for (const auto& source : sea.spec().sources) {
     const SourceStatistics s = source->statistics();
@@ -69,8 +52,8 @@ double Breaking::threshold_of(double sea_variance) const {
   return std::clamp(1.0 + lowest_ * (thinner * std::sqrt(sea_variance) + least_sigma), least_threshold, most_threshold);
 }
 
-double Breaking::below(double jacobian, double variance, double threshold) const {
-  const double sigma = thinner * std::sqrt(variance) + least_sigma, z = (jacobian - threshold) / sigma;
+double Breaking::mean_share() const {
+  const double sigma = thinner * std::sqrt(variance_) + least_sigma, z = (1.0 - threshold_) / sigma;
   return z > 4.0 ? 0.0 : 0.5 * std::erfc(z / std::numbers::sqrt2);
 }
 
@@ -113,6 +96,7 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
     const WaveField::Filter filter = field.filter(footprint);
     Slice& slice = slices_[std::size_t(i)];
     slice.readings.clear();
+    slice.displaced = plan_queries(field, tiles, {.footprint_m = footprint, .fields = 0});
     slice.variance = 0.0;
     for (std::size_t p = 0; p < field.places().size(); ++p) {
       const int tile = field.places()[p].tile, last = tiles.levels(tile) - 1;
@@ -149,39 +133,32 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
   }
 }
 
-void Breaking::add_gradient(const Slice& slice, glm::dvec2 rest, glm::vec3& sum) const {
-  for (const Reading& reading : slice.readings) sum += reading.share * gradient(tiles(), reading, rest);
+void Breaking::add(const FoamRow& row, float per_s, const BreakingWater& water, const FlowPhase& phase,
+                   std::span<float> gains) const {
+  const Slice& slice = slices_[std::size_t(row.slice)];
+  std::array<BreakingLayer, most_breaking_layers> layers;
+  std::size_t count = 0;
+  for (const Reading& r : slice.readings)
+    layers[count++] = {tiles().texels(r.tile, WavePlane::slope, r.level),
+                       tiles().texels(r.tile, WavePlane::shift, r.level),
+                       r.size - 1,
+                       r.stride,
+                       glm::dot(r.along_x, row.first_m) + r.offset,
+                       glm::dot(r.along_z, row.first_m) + r.offset,
+                       r.along_x.x * row.texel_m,
+                       r.along_z.x * row.texel_m,
+                       float(r.along_x.x),
+                       float(r.along_x.y),
+                       float(2.0 * std::numbers::pi / std::sqrt(r.longest_m * r.shortest_m)),
+                       r.share};
+  const BreakingLaw law{float(thinner),        float(least_sigma),    float(least_threshold),
+                        float(most_threshold), float(lowest_),        float(threshold_),
+                        float(variance_),      float(slice.variance), float(least_flow_mps)};
+  breaking_row({layers.data(), count}, law, water, phase, per_s, gains);
 }
 
-double Breaking::share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const {
-  const Slice& slice = slices_[std::size_t(row.slice)];
-  const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), flow(water.flow_mps);
-  glm::vec3 g(0.0f);
-  if (!(water.kept > 0.0)) {
-    // The water is moved by others alone.
-  } else if (glm::dot(flow, flow) < least_flow_mps * least_flow_mps) {
-    add_gradient(slice, rest, g);
-  } else {  // two patterns that the flow carries along in turn
-    const double way = glm::length(flow) * std::abs(phase.second_s - phase.first_s);
-    for (const Reading& reading : slice.readings) {
-      const float height =
-          reading.share * float(gpu::flow_height(reading.longest_m, reading.shortest_m, way, phase.first));
-      g += height * float(phase.first) * gradient(tiles(), reading, rest - phase.first_s * flow);
-      g += height * float(1.0 - phase.first) * gradient(tiles(), reading, rest - phase.second_s * flow);
-    }
-  }
-  const glm::dvec3 d = water.kept * glm::dvec3(g) + water.shift_gradient;
-  return below(gpu::surface_jacobian(d.x, d.y, d.z, d.z), water.kept * water.kept * slice.variance + water.variance,
-               water.sea_variance > 0.0 ? threshold_of(variance_ + water.sea_variance) : threshold_);
-}
-
-void Breaking::add(const FoamRow& row, float per_s, std::span<float> gains) const {
-  const Slice& slice = slices_[std::size_t(row.slice)];
-  for (std::size_t i = 0; i < gains.size(); ++i) {
-    glm::vec3 g(0.0f);
-    add_gradient(slice, row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), g);
-    gains[i] += per_s * float(below(double(gpu::surface_jacobian(g.x, g.y, g.z, g.z)), slice.variance, threshold_));
-  }
+void Breaking::displace(int slice, std::span<const glm::dvec2> rest, std::span<glm::vec3> displacements) const {
+  displace_points(slices_[std::size_t(slice)].displaced, rest.data(), displacements.data(), rest.size());
 }
 
 }  // namespace seascape

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "ocean/foam/breaking_simd.h"
 #include "ocean/foam/foam.h"
 #include "ocean/places/flow_phase.h"
+#include "ocean/sea/query_simd.h"
 #include "ocean/sea/sea.h"
 
 namespace seascape {
@@ -36,28 +38,17 @@ class Breaking {
   // As evaluate(), for texels of a slice i of texel_m 2^i (lod_texel_m).
   void at(std::int64_t ticks, double texel_m, int slices);
   // Of the whole sea, by the same Gaussian, as of evaluate().
-  double mean_share() const { return below(1.0, variance_, threshold_); }
+  double mean_share() const;
   double threshold() const { return threshold_; }
   // Of the height of all waves that cover the sea (m^2).
   double height_variance() const { return sea_.statistics().height_variance + others_height_variance_; }
 
-  // What waves do besides: of dynamic waves, of a flow that carries the patterns along, and of shallows that leave
-  // `kept` of them.
-  struct Water {
-    glm::dvec3 shift_gradient{0.0};  // to add: dDx/dx, dDz/dz, dDx/dz
-    double variance = 0.0;           // of the divergence, to add
-    double sea_variance =
-        0.0;  // of the whole sea's divergence, to add: of waves that are as much a part of it here as any
-    glm::vec2 flow_mps{0.0f};
-    double kept = 1.0;
-  };
-  // Of texel i of a row.
-  double share(const FoamRow& row, std::size_t i, const Water& water, const FlowPhase& phase) const;
-  // The same of the waves alone, of all texels: adds per_s times it.
-  void add(const FoamRow& row, float per_s, std::span<float> gains) const;
-  glm::dvec3 displacement(glm::dvec2 rest_m, double footprint_m) const {
-    return field().displacement(tiles(), rest_m, footprint_m);
-  }
+  // Adds per_s times the share of each of a row's texels that breaks, a multiple of breaking_group of them. `water`:
+  // what else moves it.
+  void add(const FoamRow& row, float per_s, const BreakingWater& water, const FlowPhase& phase,
+           std::span<float> gains) const;
+  // Displacements at rest positions, for the texels of a slice, as WaveField has them.
+  void displace(int slice, std::span<const glm::dvec2> rest_m, std::span<glm::vec3> displacements) const;
 
   // As of evaluate().
   const SeaView& view() const { return view_; }
@@ -75,11 +66,9 @@ class Breaking {
   struct Slice {
     std::vector<Reading> readings;
     double variance = 0.0;
+    QueryPlan displaced;
   };
-  static glm::vec3 gradient(const WaveTiles& tiles, const Reading& reading, glm::dvec2 rest_m);
-  void add_gradient(const Slice& slice, glm::dvec2 rest_m, glm::vec3& sum) const;
   double threshold_of(double sea_variance) const;
-  double below(double jacobian, double variance, double threshold) const;
   double slope_variance() const;
   Sea& sea_;
   SeaView view_, ahead_;                       // as of evaluate(), and of prepare()

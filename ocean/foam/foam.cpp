@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/text.h"
+#include "ocean/foam/foam_simd.h"
 
 namespace seascape {
 
@@ -19,26 +20,18 @@ void require(bool holds, double value, const char* name, const char* range) {
     throw Error(name, text_from(value) + " is not " + range, std::string("give a number ") + range);
 }
 
-// Less than this is none: half floats hold no less without loss, and processors are slow with much smaller numbers.
-constexpr float least = 6.2e-5f;
-
-// A slice by rows and columns of its window: without the divisions that texels by their number in the world cost.
+// A row of a slice's window from its first texel on, and back to where it lies. `w`: that texel.
 template <class T>
-struct SliceRows {
-  T* texels;
-  std::int64_t side, column, row;  // where the window begins
-  SliceRows(T* first, std::int64_t side_, LodIndex begin)
-      : texels(first), side(side_), column(((begin.x % side) + side) % side), row(((begin.y % side) + side) % side) {}
-  T& operator()(std::int64_t x, std::int64_t z) const {
-    const std::int64_t c = column + x, r = row + z;
-    return texels[(r < side ? r : r - side) * side + (c < side ? c : c - side)];
-  }
-};
-
-// Weights of four texels for a place a share f of the way from the second to the third (Catmull and Rom 1974).
-glm::vec4 cubic(float f) {
-  return 0.5f * glm::vec4(f * (f * (2.0f - f) - 1.0f), f * f * (3.0f * f - 5.0f) + 2.0f,
-                          f * (f * (4.0f - 3.0f * f) + 1.0f), f * f * (f - 1.0f));
+void take_row(const LodField<T>& field, int slice, LodIndex w, T* to) {
+  const LodRow<T> row = field.row(slice, w);
+  std::copy(row.texels + row.column, row.texels + row.side, to);
+  std::copy(row.texels, row.texels + row.column, to + (row.side - row.column));
+}
+void put_row(LodField<float>& field, int slice, LodIndex w, const float* from) {
+  const LodRow<float> row = field.row(slice, w);
+  float* const texels = &field.texel(slice, w) - row.column;
+  std::copy(from, from + (row.side - row.column), texels + row.column);
+  std::copy(from + (row.side - row.column), from + row.side, texels);
 }
 
 }  // namespace
@@ -56,7 +49,6 @@ void validate(const FoamSettings& s) {
 Foam::Foam(const FoamSettings& settings)
     : settings_(settings), field_(settings.windows, 0.0f, lod_placement(settings.windows, glm::dvec2(0.0), {})) {
   validate(settings);
-  before_.resize(std::size_t(settings.windows.resolution) * std::size_t(settings.windows.resolution));
 }
 
 void Foam::set_flow(Flow flow, bool still) {
@@ -100,60 +92,45 @@ std::uint32_t Foam::follow(const LodPlacement& placement, float fresh) {
   return changed;
 }
 
+// What lies `at`, in texels from the slice's first, before the step: beyond its window, of the next coarser one.
+float Foam::beyond(int slice, glm::dvec2 at) const {
+  if (slice + 1 >= field_.slices()) return 0.0f;
+  const glm::dvec2 place = (glm::dvec2(field_.first(slice)) + at + 0.5) * field_.texel_m(slice);
+  const glm::dvec2 coarse = glm::floor(place / field_.texel_m(slice + 1) - 0.5),
+                   begin(field_.first(slice + 1));  // of a long step no whole number has room for it
+  const double last = double(field_.side() - 2);
+  if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last))
+    return 0.0f;
+  return field_.bilinear(slice + 1, place);
+}
+
 void Foam::carry(int slice, double dt) {
   const LodIndex first = field_.first(slice);
-  const double texel_m = field_.texel_m(slice);
-  const std::int64_t side = settings_.windows.resolution;
-  const SliceRows<float> to(field_.texels(slice), side, first);
-  std::copy_n(std::as_const(field_).texels(slice), before_.size(), before_.begin());
-  const SliceRows<const float> from(before_.data(), side, first);
-  const SliceRows<const glm::vec2> speeds(std::as_const(*speed_).texels(slice), side, first);
-  // What lies `way` texels from a texel, of before the step: of this slice, or beyond its window of the next coarser
-  // one.
-  const auto there = [&](std::int64_t x, std::int64_t z, glm::dvec2 way) {
-    const glm::dvec2 at = glm::dvec2(double(x), double(z)) + way, cell = glm::floor(at);
-    if (!(cell.x >= 1.0 && cell.y >= 1.0 && cell.x < double(side - 2) && cell.y < double(side - 2))) {
-      if (slice + 1 >= field_.slices()) return 0.0f;
-      const glm::dvec2 place = (glm::dvec2(first) + at + 0.5) * texel_m;
-      const glm::dvec2 coarse = glm::floor(place / field_.texel_m(slice + 1) - 0.5),
-                       begin(field_.first(slice + 1));  // of a long step no whole number has room for it
-      const double last = double(side - 2);
-      if (!(coarse.x >= begin.x && coarse.y >= begin.y && coarse.x <= begin.x + last && coarse.y <= begin.y + last))
-        return 0.0f;
-      return field_.bilinear(slice + 1, place);
-    }
-    const glm::vec4 along = cubic(float(at.x - cell.x)), across = cubic(float(at.y - cell.y));
-    const std::int64_t i0 = std::int64_t(cell.x) - 1, j0 = std::int64_t(cell.y) - 1;
-    float value = 0.0f;
-    for (int j = 0; j < 4; ++j)
-      for (int i = 0; i < 4; ++i) value += along[i] * across[j] * from(i0 + i, j0 + j);
-
-    return value;
-  };
+  const std::int64_t side = field_.side();
+  const std::size_t count = std::size_t(side);
+  straight_.resize(count * count);
+  for (std::int64_t z = 0; z < side; ++z) take_row(field_, slice, first + LodIndex(0, z), straight_.data() + z * side);
   // What cubics have below nothing is taken off what they have above, in the order of rows: the sum stays theirs.
-  std::vector<glm::dvec2> sums(std::size_t(side), glm::dvec2(0.0));
+  sums_.resize(count);
   tbb::parallel_for(std::int64_t(0), side, [&](std::int64_t z) {
-    glm::dvec2& sum = sums[std::size_t(z)];
-    for (std::int64_t x = 0; x < side; ++x) {
-      const glm::dvec2 speed(speeds(x, z));
-      double meets = 0.0;  // minus the flow's divergence, 1/s
-      glm::dvec2 midway = speed;
-      if (x > 0 && z > 0 && x + 1 < side && z + 1 < side) {
-        const glm::dvec2 along_x(speeds(x + 1, z) - speeds(x - 1, z)), along_z(speeds(x, z + 1) - speeds(x, z - 1));
-        meets = -(along_x.x + along_z.y) / (2.0 * texel_m);
-        // The velocity half a step upstream, by its own slope here.
-        const glm::dvec2 back = -0.5 * dt / (2.0 * texel_m) * speed;
-        midway += back.x * along_x + back.y * along_z;
-      }
-      float value = to(x, z);
-      if (midway != glm::dvec2(0.0)) value = there(x, z, -dt / texel_m * midway);
-      if (meets != 0.0) value *= float(std::exp(std::clamp(meets * dt, -4.0, 4.0)));
-      (value < 0.0f ? sum.x : sum.y) += double(value);
-      to(x, z) = std::clamp(value, 0.0f, 1.0f);
-    }
+    thread_local std::vector<glm::vec2> speeds, ways;
+    thread_local std::vector<float> values, grow;
+    thread_local std::vector<int> outside;
+    speeds.resize(3 * (count + 2));
+    ways.resize(count), values.resize(count), grow.resize(count), outside.resize(count);
+    const auto speed = [&](std::int64_t by) { return speeds.data() + (by + 1) * (side + 2) + 1; };
+    for (std::int64_t by = -1; by <= 1; ++by)
+      take_row(*speed_, slice, first + LodIndex(0, std::clamp<std::int64_t>(z + by, 0, side - 1)), speed(by));
+    const int left = carry_row(
+        {straight_.data(), speed(-1), speed(0), speed(1), int(side), int(z), float(dt), float(field_.texel_m(slice))},
+        values, grow, outside, ways);
+    for (std::size_t n = 0; n < std::size_t(left); ++n)
+      values[std::size_t(outside[n])] = beyond(slice, glm::dvec2(double(outside[n]), double(z)) + glm::dvec2(ways[n]));
+    sums_[std::size_t(z)] = settle_row(values, grow, values);
+    put_row(field_, slice, first + LodIndex(0, z), values.data());
   });
   glm::dvec2 sum(0.0);
-  for (const glm::dvec2& row : sums) sum += row;
+  for (const glm::dvec2& row : sums_) sum += row;
   if (!(sum.x < 0.0 && sum.y > 0.0)) return;
   const float left = float(std::max(1.0 + sum.x / sum.y, 0.0));
   for (std::int64_t i = 0; i < side * side; ++i) field_.texels(slice)[i] *= left;
@@ -169,29 +146,15 @@ std::uint32_t Foam::step_slice(int slice, double dt, const Gain& gain) {
   const float loss = float(1.0 / settings_.life_s), lasting = float(std::exp(-dt / settings_.life_s));
   std::atomic<bool> foamy{false}, wrong{false};
   tbb::parallel_for(std::int64_t(0), side, [&](std::int64_t z) {
-    const SliceRows<float> rows(field_.texels(slice), side, field_.first(slice));
-    thread_local std::vector<float> gains;
-    gains.assign(std::size_t(side), 0.0f);
-    if (gain) gain({slice, field_.texel_m(slice), field_.middle(slice, field_.first(slice) + LodIndex(0, z))}, gains);
-    bool holds = false;
-    for (std::int64_t x = 0; x < side; ++x) {
-      float& f = rows(x, z);
-      float g = gains[std::size_t(x)];
-      if (!(g >= 0.0f && g < 1e6f && f >= 0.0f && f <= 1.0f)) {
-        wrong.store(true, std::memory_order_relaxed);
-        g = g >= 0.0f ? std::min(g, 1e6f) : 0.0f;
-        f = f >= 0.0f ? std::min(f, 1.0f) : 0.0f;
-      }
-      if (g > 0.0f) {
-        const float rate = g + loss, rest = g / rate;
-        f = std::clamp(rest + (f - rest) * std::exp(-rate * float(dt)), 0.0f, 1.0f);
-      } else {
-        f *= lasting;
-      }
-      if (f < least) f = 0.0f;
-      holds = holds || f > 0.0f;
-    }
-    if (holds) foamy.store(true, std::memory_order_relaxed);
+    const LodIndex w = field_.first(slice) + LodIndex(0, z);
+    thread_local std::vector<float> gains, covered;
+    gains.assign(std::size_t(side), 0.0f), covered.resize(std::size_t(side));
+    if (gain) gain({slice, field_.texel_m(slice), field_.middle(slice, w)}, gains);
+    take_row(field_, slice, w, covered.data());
+    const SpentRow spent = spend_row(loss, float(dt), lasting, gains, covered);
+    put_row(field_, slice, w, covered.data());
+    if (spent.wrong) wrong.store(true, std::memory_order_relaxed);
+    if (spent.holds) foamy.store(true, std::memory_order_relaxed);
   });
   foamy_ = (foamy_ & ~bit) | (foamy.load() ? bit : 0u);
   if (wrong.load()) fault_ = "foam: what was no share of the water was taken out";

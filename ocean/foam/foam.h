@@ -38,8 +38,8 @@ class Foam {
   using Flow = std::function<glm::vec2(glm::dvec2 rest_m, double texel_m)>;
   void set_flow(Flow flow, bool still);
 
-  // Of a texel by its number in the world, where there is a flow.
-  glm::vec2 flow_mps(int slice, LodIndex w) const { return speed_ ? speed_->texel(slice, w) : glm::vec2(0.0f); }
+  // Where there is a flow that does not stand still.
+  const LodField<glm::vec2>* flow_mps() const { return flows_ && speed_ ? &*speed_ : nullptr; }
 
   // All texels have this much.
   void fill(float covered);
@@ -66,9 +66,11 @@ class Foam {
 
  private:
   void carry(int slice, double dt);
+  float beyond(int slice, glm::dvec2 at) const;
   FoamSettings settings_;
   LodField<float> field_;
-  std::vector<float> before_;  // of the slice that steps
+  std::vector<float> straight_;   // the slice that steps as it was, row by row from its window's first
+  std::vector<glm::dvec2> sums_;  // of each row that carry() has made
   Flow flow_;
   bool flow_still_ = true, flows_ = false;
   std::optional<LodField<glm::vec2>> speed_;

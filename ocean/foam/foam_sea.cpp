@@ -1,6 +1,7 @@
 #include "ocean/foam/foam_sea.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -52,73 +53,134 @@ float FoamSea::mean_cover() const {
 
 void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const {
   const FoamSettings& s = spec_.settings;
-  const LodPlacement& placement = foam_.field().placement();
-  const float breaking = float(s.breaking * foam_breaking_per_s);
-  const bool waves = s.simulated && breaking > 0.0f && breaking_.ever();  // or else what breaks is drawn while it does
+  const bool waves = s.simulated && s.breaking > 0.0 && breaking_.ever();  // or else what breaks is drawn while it does
   thread_local std::vector<FoamShore::Moved> along;
-  bool shore_waves = false;
+  Moved moved;
   if (shore_) {
     along.resize(per_s.size());
-    FoamShore::Flow flow;
-    if (flows_) flow = [this, slice = row.slice](LodIndex w) { return foam_.flow_mps(slice, w); };
-    shore_waves = shore_->row(row, breaking_.field(), breaking_.tiles(), flow,
-                              flow_phase(time_s, spec_.place.flow_period_s), along);
+    if (shore_->row(row, breaking_.field(), breaking_.tiles(), foam_.flow_mps(),
+                    flow_phase(time_s, spec_.place.flow_period_s), along))
+      moved = along;
   }
-  if (waves && !flows_ && !wakes && !still_water_ && !shore_waves) {
-    breaking_.add(row, breaking, per_s);
-  } else if ((waves || wakes) && breaking > 0.0f) {
-    const FlowPhase phase = flow_phase(time_s, spec_.place.flow_period_s);
-    const double reach = wakes ? double(wakes->windows(placement.viewer).reach.y) : 0.0;
-    for (std::size_t i = 0; i < per_s.size(); ++i) {
-      const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
-      const LodIndex w(glm::floor(rest / row.texel_m));
-      Breaking::Water water;
-      if (flows_) water.flow_mps = foam_.flow_mps(row.slice, w);
-      if (!waves)
-        water.kept = 0.0;
-      else if (still_water_)
-        water.kept = double(still_water_->texel(row.slice, w).y);
-      if (wakes && double(gpu::lod_distance(glm::vec2(rest - placement.viewer))) < reach)
-        water.shift_gradient = wakes->sea(rest, row.texel_m).shift_gradient;
-      if (waves && shore_waves) {
-        water.shift_gradient += along[i].shift_gradient;
-        water.variance = along[i].variance;
-        water.sea_variance = along[i].whole_variance;
-      }
-      if (!(water.kept > 0.0) && water.shift_gradient == glm::dvec3(0.0)) continue;
-      per_s[i] += breaking * float(breaking_.share(row, i, water, phase));
-    }
-  }
-  if (still_water_)
-    for (std::size_t i = 0; i < per_s.size(); ++i) {
-      const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
-      const glm::vec3 still = still_water_->texel(row.slice, LodIndex(glm::floor(rest / row.texel_m)));
-      double broken = double(still.z), above = 0.0;
-      if (shore_waves && along[i].height_variance > 0.0) {
-        const double of_sea = double(still.y) * double(still.y) * breaking_.height_variance();
-        broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
-        above = along[i].displacement.y;
-      }
-      const bool shore = s.shore_per_s > 0.0 && double(still.x)<2.0 * s.shore_m, surf = breaking> 0.0f && broken > 0.01;
-      if (!(still.x > 0.0f) || !(shore || surf)) continue;
-      // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
-      const double most = 0.39 * double(still.x),
-                   up = std::clamp(double(still.y) * breaking_.displacement(rest, row.texel_m).y + above, -most, most);
-      if (shore) per_s[i] += float(s.shore_per_s * std::clamp(1.0 - (double(still.x) + up) / s.shore_m, 0.0, 1.0));
-      // In a surf zone the crests break.
-      if (surf) per_s[i] += breaking * float(broken) * float(std::clamp(2.0 * up / most, 0.0, 1.0));
-    }
-  const Moved moved = shore_waves ? Moved(along) : Moved();
+  if ((waves || wakes) && s.breaking > 0.0) add_breaking(row, per_s, time_s, waves, wakes, moved);
+  if (still_water_) add_shores(row, per_s, moved);
   if (spec_.inputs && !spec_.inputs->empty()) add_inputs(row, per_s, time_s, moved);
   if (!discs_.empty()) add_discs(row, per_s, moved);
 }
 
-// Where the water of a row's texel stands, in the world.
-glm::dvec2 FoamSea::standing(const FoamRow& row, std::size_t i, Moved along) const {
-  const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
-  glm::dvec3 d = breaking_.displacement(rest, row.texel_m);
-  if (!along.empty()) d += along[i].displacement;
-  return rest + glm::dvec2(d.x, d.z);
+void FoamSea::add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves,
+                           const DynamicSurface* wakes, Moved along) const {
+  thread_local std::array<std::vector<float>, 8> buffers;
+  std::size_t used = 0;
+  const auto buffer = [&](float value) {
+    std::vector<float>& taken = buffers[used++];
+    taken.assign(per_s.size(), value);
+    return taken.data();
+  };
+  const LodIndex first(glm::floor(row.first_m / row.texel_m));
+  const std::size_t count = per_s.size();
+  const bool of_shore = waves && !along.empty();
+  BreakingWater water;
+  if (!waves) {
+    water.kept = buffer(0.0f);
+  } else if (still_water_) {
+    const LodRow<glm::vec3> still = still_water_->row(row.slice, first);
+    float* const kept = buffer(1.0f);
+    for (std::size_t i = 0; i < count; ++i) kept[i] = still[std::int64_t(i)].y;
+    if (std::any_of(kept, kept + count, [](float share) { return share != 1.0f; })) water.kept = kept;
+  }
+  if (const LodField<glm::vec2>* const speeds = waves ? foam_.flow_mps() : nullptr) {
+    const LodRow<glm::vec2> speed = speeds->row(row.slice, first);
+    float *const x = buffer(0.0f), *const z = buffer(0.0f);
+    bool flows = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::vec2 v = speed[std::int64_t(i)];
+      x[i] = v.x, z[i] = v.y;
+      flows = flows || v != glm::vec2(0.0f);
+    }
+    if (flows) water.flow_x = x, water.flow_z = z;
+  }
+  const glm::dvec2 viewer = foam_.field().placement().viewer;
+  double reach = 0.0;
+  for (int i = 0; wakes && i < wakes->levels(); ++i)
+    if (!wakes->still(i)) reach = double(wakes->windows(viewer).reach.y);
+  if (of_shore || std::abs(row.first_m.y - viewer.y) < reach) {
+    float *const xx = buffer(0.0f), *const zz = buffer(0.0f), *const xz = buffer(0.0f);
+    bool moves = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
+      glm::dvec3 gradient(0.0);
+      if (double(gpu::lod_distance(glm::vec2(rest - viewer))) < reach)
+        gradient = wakes->sea(rest, row.texel_m).shift_gradient;
+      if (of_shore) gradient += along[i].shift_gradient;
+      xx[i] = float(gradient.x), zz[i] = float(gradient.y), xz[i] = float(gradient.z);
+      moves = moves || gradient != glm::dvec3(0.0);
+    }
+    if (moves) water.xx = xx, water.zz = zz, water.xz = xz;
+  }
+  if (of_shore) {
+    float *const variance = buffer(0.0f), *const whole = buffer(0.0f);
+    for (std::size_t i = 0; i < count; ++i)
+      variance[i] = float(along[i].variance), whole[i] = float(along[i].whole_variance);
+    water.variance = variance, water.sea_variance = whole;
+  }
+  breaking_.add(row, float(spec_.settings.breaking * foam_breaking_per_s), water,
+                flow_phase(time_s, spec_.place.flow_period_s), per_s);
+}
+
+// Waves that run up a shore, and crests that break in a surf zone.
+void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const {
+  struct Texel {
+    int i;
+    bool shore, surf;
+    float still_m, waves, broken, above_m;
+  };
+  thread_local std::vector<Texel> texels;
+  thread_local std::vector<glm::dvec2> rest;
+  thread_local std::vector<glm::vec3> displaced;
+  texels.clear(), rest.clear();
+  const FoamSettings& s = spec_.settings;
+  const float breaking = float(s.breaking * foam_breaking_per_s);
+  const LodRow<glm::vec3> water = still_water_->row(row.slice, LodIndex(glm::floor(row.first_m / row.texel_m)));
+  for (std::size_t i = 0; i < per_s.size(); ++i) {
+    const glm::vec3 still = water[std::int64_t(i)];
+    double broken = double(still.z), above = 0.0;
+    if (!along.empty() && along[i].height_variance > 0.0) {
+      const double of_sea = double(still.y) * double(still.y) * breaking_.height_variance();
+      broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
+      above = along[i].displacement.y;
+    }
+    const bool shore = s.shore_per_s > 0.0 && double(still.x)<2.0 * s.shore_m, surf = breaking> 0.0f && broken > 0.01;
+    if (!(still.x > 0.0f) || !(shore || surf)) continue;
+    texels.push_back({int(i), shore, surf, still.x, still.y, float(broken), float(above)});
+    rest.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
+  }
+  displaced.resize(rest.size());
+  breaking_.displace(row.slice, rest, displaced);
+  for (std::size_t n = 0; n < texels.size(); ++n) {
+    const Texel& t = texels[n];
+    // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
+    const float most = 0.39f * t.still_m, up = std::clamp(t.waves * displaced[n].y + t.above_m, -most, most);
+    float& gain = per_s[std::size_t(t.i)];
+    if (t.shore) gain += float(s.shore_per_s) * std::clamp(1.0f - (t.still_m + up) / float(s.shore_m), 0.0f, 1.0f);
+    if (t.surf) gain += breaking * t.broken * std::clamp(2.0f * up / most, 0.0f, 1.0f);
+  }
+}
+
+// Where the water of some of a row's texels stands, in the world; until the next call of this thread.
+std::span<const glm::dvec2> FoamSea::standing(const FoamRow& row, std::span<const int> texels, Moved along) const {
+  thread_local std::vector<glm::dvec2> places;
+  thread_local std::vector<glm::vec3> displaced;
+  places.clear();
+  for (const int i : texels) places.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
+  displaced.resize(places.size());
+  breaking_.displace(row.slice, places, displaced);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    glm::dvec3 d(displaced[n]);
+    if (!along.empty()) d += along[std::size_t(texels[n])].displacement;
+    places[n] += glm::dvec2(d.x, d.z);
+  }
+  return places;
 }
 
 double FoamSea::largest_shift_m() const { return shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0); }
@@ -127,10 +189,14 @@ void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time
   const InputBounds bounds = spec_.inputs->bounds();
   const double around = largest_shift_m() + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
-  for (std::size_t i = 0; i < per_s.size(); ++i) {
-    const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
-    if (!bounds.holds(rest, around)) continue;
-    per_s[i] += spec_.inputs->value(standing(row, i, along), row.texel_m, time_s, glm::vec4(0.0f), rest).x;
+  thread_local std::vector<int> texels;
+  texels.clear();
+  for (std::size_t i = 0; i < per_s.size(); ++i)
+    if (bounds.holds(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), around)) texels.push_back(int(i));
+  const std::span<const glm::dvec2> places = standing(row, texels, along);
+  for (std::size_t n = 0; n < texels.size(); ++n) {
+    const glm::dvec2 rest = row.first_m + glm::dvec2(double(texels[n]) * row.texel_m, 0.0);
+    per_s[std::size_t(texels[n])] += spec_.inputs->value(places[n], row.texel_m, time_s, glm::vec4(0.0f), rest).x;
   }
 }
 
@@ -148,15 +214,19 @@ void FoamSea::add_discs(const FoamRow& row, std::span<float> per_s, Moved along)
       near.push_back({&disc, disc.per_s * disc_factor(disc.radius_m, disc.feather_m, row.texel_m), reach});
   }
   if (near.empty()) return;
+  thread_local std::vector<int> texels;
+  texels.clear();
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const double x = row.first_m.x + double(i) * row.texel_m;
-    if (std::none_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))
-      continue;
-    const glm::dvec2 at = standing(row, i, along);
-    for (const Near& n : near)
-      per_s[i] += float(n.per_s *
-                        soft_share(n.disc->radius_m - glm::distance(at, n.disc->at_m), n.disc->feather_m, row.texel_m));
+    if (std::any_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))
+      texels.push_back(int(i));
   }
+  const std::span<const glm::dvec2> places = standing(row, texels, along);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (const Near& n : near)
+      per_s[std::size_t(texels[i])] +=
+          float(n.per_s *
+                soft_share(n.disc->radius_m - glm::distance(places[i], n.disc->at_m), n.disc->feather_m, row.texel_m));
 }
 
 bool FoamSea::any_source(bool wakes) const {

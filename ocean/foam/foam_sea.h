@@ -82,9 +82,12 @@ class FoamSea {
   void follow(const LodPlacement& placement, std::int64_t tick);
   using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
   void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
+  void add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves, const DynamicSurface* wakes,
+                    Moved along) const;
+  void add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const;
   void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const;
   void add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const;
-  glm::dvec2 standing(const FoamRow& row, std::size_t i, Moved along) const;
+  std::span<const glm::dvec2> standing(const FoamRow& row, std::span<const int> texels, Moved along) const;
   double largest_shift_m() const;
   bool any_source(bool wakes) const;
   float mean_cover() const;

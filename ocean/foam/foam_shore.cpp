@@ -49,14 +49,16 @@ void FoamShore::follow(const LodPlacement& placement, const PlaceSea* water) {
     });
 }
 
-bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow,
-                    const FlowPhase& phase, std::span<Moved> moved) const {
+bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles,
+                    const LodField<glm::vec2>* flow, const FlowPhase& phase, std::span<Moved> moved) const {
   const LodIndex first(glm::floor(row.first_m / row.texel_m));
+  const LodRow<Texel> texels = field_->row(row.slice, first);
+  const LodRow<glm::vec2> speeds = flow ? flow->row(row.slice, first) : LodRow<glm::vec2>{};
   bool any = false;
   ShorePart part;
   double of_divergence = 0.0;
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    const Texel& texel = field_->texel(row.slice, first + LodIndex(std::int64_t(i), 0));
+    const Texel& texel = texels[std::int64_t(i)];
     if (!(texel.waves.z > 0.0f)) continue;
     if (!any) {
       any = true;
@@ -71,7 +73,7 @@ bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles&
     part.at.stretch = texel.waves.x;
     part.at.turning_per_m = double(texel.waves.y);
     SeaSample sum;
-    const glm::vec2 velocity = flow ? flow(first + LodIndex(std::int64_t(i), 0)) : glm::vec2(0.0f);
+    const glm::vec2 velocity = flow ? speeds[std::int64_t(i)] : glm::vec2(0.0f);
     if (glm::dot(velocity, velocity) < least_flow_mps * least_flow_mps) {
       part.add(field, tiles, sum);
     } else {

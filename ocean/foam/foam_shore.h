@@ -1,7 +1,6 @@
 // Waves along curves as foam takes them: where each texel of its windows lies along them, and what they do to the water
 // there.
 #pragma once
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,10 +34,9 @@ class FoamShore {
     double whole_variance = 0.0;                        // of it, of all of these waves there
     double height_variance = 0.0, surf = 0.0;           // m^2; the share of it that breaks
   };
-  // Of a row's texels at the time of the tiles, carried by `flow_mps` where that is not null. Gives whether they come
-  // to any of them; if not, nothing is written.
-  using Flow = std::function<glm::vec2(LodIndex w)>;
-  bool row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const Flow& flow_mps,
+  // Of a row's texels at the time of the tiles, carried by `flow_mps` (null: none), whose windows are the same. Gives
+  // whether they come to any of them; if not, nothing is written.
+  bool row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const LodField<glm::vec2>* flow_mps,
            const FlowPhase& phase, std::span<Moved> moved) const;
   double largest_shift_m() const { return largest_shift_m_; }
 

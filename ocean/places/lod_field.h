@@ -16,6 +16,14 @@ auto lod_bilinear(glm::vec2 f, const At& at) {
   return low + (high - low) * f.y;
 }
 
+// A row of a slice's texels, counted from one of them: without the divisions that their numbers in the world cost.
+template <class T>
+struct LodRow {
+  const T* texels;
+  std::int64_t side, column;  // of the first
+  const T& operator[](std::int64_t i) const { return texels[column + i < side ? column + i : column + i - side]; }
+};
+
 // T has +, - and * with a float, as float and glm's vectors of floats have. Nothing that stays in a window is moved or
 // changed, whichever way the window goes: texels lie where their number modulo the resolution says, slices where their
 // octave modulo the number of slices does.
@@ -63,6 +71,11 @@ class LodField {
   // All texels of a slice, resolution rows of as many: number w of the world at w modulo resolution, by row and column.
   const T* texels(int slice) const { return texels_.data() + std::size_t(layer(slice)) * side_ * side_; }
   T* texels(int slice) { return texels_.data() + std::size_t(layer(slice)) * side_ * side_; }
+  // The row of a texel in the slice's window, from it on.
+  LodRow<T> row(int slice, LodIndex w) const {
+    const std::int64_t column = ((w.x % side_) + side_) % side_;
+    return {&texel(slice, w) - column, side_, column};
+  }
   LodIndex first(int slice) const { return placement_.first[std::size_t(slice)]; }
   double texel_m(int slice) const { return lod_texel_m(settings_, placement_, slice); }
   glm::dvec2 middle(int slice, LodIndex w) const { return (glm::dvec2(w) + 0.5) * texel_m(slice); }

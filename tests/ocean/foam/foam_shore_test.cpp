@@ -3,6 +3,7 @@
 #include "ocean/foam/foam_shore.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <chrono>
 #include <cmath>
@@ -163,9 +164,9 @@ TEST(FoamShore, TheWatersEdgeGoesUpAndDownWithThem) {
 }
 
 // Each texel is moved as the sea is that queries see (PlaceSea), around a bend, where the waves fade, and in a current;
-// the same after a walk. What differs is what lies between the texels that the sea's places are read from. Seen: less
-// than a micrometre, 0.0024 of their derivatives. Controls seen: right for left (1.1 m); a current left out (0.09 m);
-// texels that come in as the next coarser ones are.
+// the same after a walk and of each instruction set. What differs is what lies between the texels that the sea's places
+// are read from. Seen: less than a micrometre, 0.0024 of their derivatives. Controls seen: right for left (1.1 m); a
+// current left out (0.09 m); texels that come in as the next coarser ones are.
 TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
   const Along along(many(0.9), bay());
   const WaveField field(calm(), WaveQuality{.resolution = 16, .cascades = 1}, {along.tile});
@@ -180,13 +181,12 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
     const PlaceSea place(inputs, field);
     WaveTiles tiles;
     field.evaluate(ticks_from_seconds(31.7), tiles);
-    FoamShore::Flow flow;
     const glm::vec2 velocity = speed > 0.0 ? glm::vec2(place.flow_mps({0.0, 0.0}, 0.0, 31.7)) : glm::vec2(0.0f);
-    if (speed > 0.0) flow = [&](LodIndex) { return velocity; };
     const FlowPhase phase = flow_phase(31.7, inputs.settings.flow_period_s);
     const LodPlacement here = lod_placement(spec.settings.windows, {18.0, -20.0}, {}),
                        far = lod_placement(spec.settings.windows, {-70.0, 40.0}, {});
     FoamShore fresh(along.lines, spec.settings.windows, field), walked(along.lines, spec.settings.windows, field);
+    const LodField<glm::vec2> flow(spec.settings.windows, velocity, here);
     fresh.follow(here, nullptr);
     walked.follow(far, nullptr);
     for (int i = 1; i <= 10; ++i)
@@ -199,14 +199,25 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
       for (int z = 0; z < 64; ++z) {
         const double texel = windows.texel_m(slice);
         const FoamRow row{slice, texel, windows.middle(slice, windows.first(slice) + LodIndex(0, z))};
-        const bool any = fresh.row(row, field, tiles, flow, phase, moved);
-        ASSERT_EQ(walked.row(row, field, tiles, flow, phase, after), any);
+        const bool any = fresh.row(row, field, tiles, speed > 0.0 ? &flow : nullptr, phase, moved);
+        std::int64_t sets = z % 16 == 0 ? hwy::SupportedTargets() : 0;
+        do {
+          hwy::SetSupportedTargetsForTest(sets & -sets);
+          hwy::GetChosenTarget().DeInit();
+          ASSERT_EQ(walked.row(row, field, tiles, speed > 0.0 ? &flow : nullptr, phase, after), any);
+          for (int i = 0; any && i < 64; ++i) {
+            const FoamShore::Moved &got = after[std::size_t(i)], &want = moved[std::size_t(i)];
+            ASSERT_EQ(got.displacement, want.displacement);
+            ASSERT_EQ(got.shift_gradient, want.shift_gradient);
+            ASSERT_EQ(got.variance, want.variance);
+          }
+          sets &= sets - 1;
+        } while (sets != 0);
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().DeInit();
         for (int i = 0; i < 64; ++i) {
           const SeaSample want = place.sea(field, tiles, row.first_m + glm::dvec2(i * texel, 0.0), texel);
           const FoamShore::Moved got = any ? moved[std::size_t(i)] : FoamShore::Moved{};
-          if (any) {
-            ASSERT_EQ(after[std::size_t(i)].displacement, got.displacement);
-          }
           worst = std::max(worst, glm::distance(want.displacement, got.displacement));
           if (got.height_variance > 0.999 * along.tile->statistics().height_variance)
             worst_gradient = std::max(worst_gradient, glm::distance(want.shift_gradient, got.shift_gradient)), ++seen;
