@@ -90,8 +90,8 @@ HWY_INLINE void add_terms(const BreakingLayer& layer, const BreakingLaw& law, co
     const auto x = hn::Load(d, flow_x + i), z = hn::Load(d, flow_z + i);
     const auto square = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
     const auto stands = hn::Lt(square, hn::Set(d, law.least_flow_mps * law.least_flow_mps));
-    const auto height = flow_height(d, hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(way_s, way_s), square)),
-                                    float(phase.first));
+    const auto height =
+        flow_height(d, hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(way_s, way_s), square)), float(phase.first));
     const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine);
     const auto u = hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z)), v = hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x));
     const auto put = [&](int at, double way, double counts, Vector standing) HWY_ATTR {
@@ -200,8 +200,7 @@ HWY_INLINE void add_share(const BreakingLaw& law, const BreakingWater& water, in
     const auto sigma =
         hn::Add(hn::Mul(thinner, hn::Sqrt(hn::Add(hn::Set(d, law.sea_variance), hn::Max(more, zero)))), least);
     const auto lower = hn::Add(one, hn::Mul(hn::Set(d, law.lowest), sigma));
-    const auto held =
-        hn::Min(hn::Max(lower, hn::Set(d, law.least_threshold)), hn::Set(d, law.most_threshold));
+    const auto held = hn::Min(hn::Max(lower, hn::Set(d, law.least_threshold)), hn::Set(d, law.most_threshold));
     threshold = hn::IfThenElse(hn::Gt(more, zero), held, threshold);
   }
   const auto jacobian = hn::Sub(hn::Mul(hn::Add(one, xx), hn::Add(one, zz)), hn::Mul(xz, xz));

@@ -9,8 +9,8 @@
 
 namespace seascape {
 
-// A level of a place's tile, as a row's texels read it. Rows are read in groups, each from its own place in double: what
-// floats take of it is the same a thousand kilometres out.
+// A level of a place's tile, as a row's texels read it. Rows are read in groups, each from its own place in double:
+// what floats take of it is the same a thousand kilometres out.
 struct BreakingLayer {
   const glm::vec4 *slope, *shift;  // its first texels
   std::int32_t mask, stride;       // size - 1; texels from one row to the next
@@ -36,10 +36,10 @@ struct BreakingWater {
 // of the sea's from 1, within the bounds.
 struct BreakingLaw {
   float thinner, least_sigma, least_threshold, most_threshold;
-  float lowest, threshold;    // of the sea alone
-  float sea_variance;         // of the whole sea's divergence
-  float variance;             // of it, what the layers leave out
-  float least_flow_mps;       // slower, water stands
+  float lowest, threshold;  // of the sea alone
+  float sea_variance;       // of the whole sea's divergence
+  float variance;           // of it, what the layers leave out
+  float least_flow_mps;     // slower, water stands
 };
 
 inline constexpr int breaking_group = 16;

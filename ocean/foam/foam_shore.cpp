@@ -1,11 +1,12 @@
 #include "ocean/foam/foam_shore.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "ocean/places/place_fields.h"
-#include "ocean/sea/shore_sea.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -34,8 +35,8 @@ FoamShore::Texel FoamShore::texel(glm::dvec2 middle, double texel_m, const Place
     surf = std::min(w.placed_surf, 1.0);
   }
   const double period = lines_->period_m();
-  return {glm::vec4(glm::dvec4(at.bent_m.x - period * std::floor(at.bent_m.x / period), at.bent_m.y, at.forward)),
-          glm::vec4(at.stretch, float(at.turning_per_m), float(share), float(surf))};
+  return {{glm::vec4(glm::dvec4(at.bent_m.x - period * std::floor(at.bent_m.x / period), at.bent_m.y, at.forward)),
+           glm::vec4(at.stretch, float(at.turning_per_m), float(share), float(surf))}};
 }
 
 void FoamShore::follow(const LodPlacement& placement, const PlaceSea* water) {
@@ -49,41 +50,68 @@ void FoamShore::follow(const LodPlacement& placement, const PlaceSea* water) {
     });
 }
 
-bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles,
-                    const LodField<glm::vec2>* flow, const FlowPhase& phase, std::span<Moved> moved) const {
+ShorePattern FoamShore::pattern(double footprint, const WaveField& field, const WaveTiles& tiles) const {
+  const WaveField::Place& place = field.curved_place();
+  const WaveField::Filter filter = field.filter(footprint);
+  const std::size_t at = field.curved();
+  const int tile = place.tile, last = tiles.levels(tile) - 1;
+  ShorePattern result{};
+  result.size = float(place.size);
+  result.kept = filter.level[at] >= last ? 0.0f : std::max(filter.share[at], 0.0f);
+  result.whole_moment = tiles.texels(tile, WavePlane::moments, last)->w;
+  result.middle_per_m = float(2.0 * std::numbers::pi / std::sqrt(place.longest_m * place.shortest_m));
+  result.least_flow_mps = least_flow_mps;
+  for (int step = 0; result.kept > 0.0f && step < (filter.between[at] > 0.0f ? 2 : 1); ++step) {
+    const int level = filter.level[at] + step, size = tiles.layout().level(tile, level).size;
+    const double texels = place.inverse_side * size;
+    result.levels[result.count++] = {tiles.texels(tile, WavePlane::shift, level),
+                                     tiles.texels(tile, WavePlane::slope, level),
+                                     tiles.texels(tile, WavePlane::moments, level),
+                                     size - 1,
+                                     tiles.stride(tile, level),
+                                     float(place.cosine * texels),
+                                     float(place.sine * texels),
+                                     float((0.5 / tiles.samples(tile) + place.offset) * size - 0.5),
+                                     step == 0 ? 1.0f - filter.between[at] : filter.between[at]};
+  }
+  return result;
+}
+
+bool FoamShore::row(const FoamRow& row, const WaveField& field, const WaveTiles& tiles, const LodField<glm::vec2>* flow,
+                    const FlowPhase& phase, std::span<Moved> moved) const {
   const LodIndex first(glm::floor(row.first_m / row.texel_m));
   const LodRow<Texel> texels = field_->row(row.slice, first);
   const LodRow<glm::vec2> speeds = flow ? flow->row(row.slice, first) : LodRow<glm::vec2>{};
-  bool any = false;
-  ShorePart part;
-  double of_divergence = 0.0;
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    const Texel& texel = texels[std::int64_t(i)];
-    if (!(texel.waves.z > 0.0f)) continue;
-    if (!any) {
-      any = true;
+  std::array<ShoreTexelPlace, shore_group> group;
+  std::array<glm::vec2, shore_group> velocity;
+  std::array<ShoreMoved, shore_group> result;
+  std::optional<ShorePattern> pattern;
+  for (std::size_t from = 0; from < moved.size(); from += shore_group) {
+    bool any = false;
+    for (std::size_t i = 0; i < shore_group; ++i) {
+      group[i] = texels[std::int64_t(from + i)];
+      any = any || group[i].waves.z > 0.0f;
+      if (flow) velocity[i] = speeds[std::int64_t(from + i)];
+    }
+    if (!any) continue;
+    if (!pattern) {
+      pattern = this->pattern(row.texel_m, field, tiles);
       std::fill(moved.begin(), moved.end(), Moved{});
-      part.filter = field.filter(row.texel_m);
-      const int tile = field.curved_place().tile;
-      of_divergence = double(tiles.texels(tile, WavePlane::moments, tiles.levels(tile) - 1)->w);
     }
-    part.share = double(texel.waves.z);
-    part.at.bent_m = glm::dvec2(texel.place);
-    part.at.forward = glm::dvec2(texel.place.z, texel.place.w);
-    part.at.stretch = texel.waves.x;
-    part.at.turning_per_m = double(texel.waves.y);
-    SeaSample sum;
-    const glm::vec2 velocity = flow ? speeds[std::int64_t(i)] : glm::vec2(0.0f);
-    if (glm::dot(velocity, velocity) < least_flow_mps * least_flow_mps) {
-      part.add(field, tiles, sum);
-    } else {
-      for (const ShorePart& one : part.carried(field, velocity, phase)) one.add(field, tiles, sum);
+    shore_moved(*pattern, phase, group.data(), flow ? velocity.data() : nullptr, result.data());
+    for (std::size_t i = 0; i < shore_group; ++i) {
+      const double share = double(group[i].waves.z), squared = share * share;
+      if (!(share > 0.0)) continue;
+      const ShoreMoved& m = result[i];
+      moved[from + i] = {{m.x, m.y, m.z},
+                         {m.xx, m.zz, m.xz},
+                         double(m.variance),
+                         squared * double(pattern->whole_moment),
+                         squared * height_variance_,
+                         double(group[i].waves.w)};
     }
-    const double squared = part.share * part.share;
-    moved[i] = {sum.displacement,        sum.shift_gradient,         sum.divergence_moment,
-                squared * of_divergence, squared * height_variance_, double(texel.waves.w)};
   }
-  return any;
+  return pattern.has_value();
 }
 
 }  // namespace seascape

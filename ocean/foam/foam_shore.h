@@ -6,6 +6,7 @@
 #include <span>
 
 #include "ocean/foam/foam.h"
+#include "ocean/foam/foam_shore_simd.h"
 #include "ocean/places/flow_phase.h"
 #include "ocean/places/shore_lines.h"
 #include "ocean/sea/place_sea.h"
@@ -41,12 +42,11 @@ class FoamShore {
   double largest_shift_m() const { return largest_shift_m_; }
 
  private:
-  struct Texel {
-    glm::vec4 place{0.0f};  // in the pattern (m, x within a period), and the way along the curve
-    glm::vec4 waves{0.0f};  // stretch, turning, share, surf
-    friend Texel operator+(const Texel& a, const Texel& b) { return {a.place + b.place, a.waves + b.waves}; }
-    friend Texel operator-(const Texel& a, const Texel& b) { return {a.place - b.place, a.waves - b.waves}; }
-    friend Texel operator*(const Texel& a, float by) { return {a.place * by, a.waves * by}; }
+  ShorePattern pattern(double footprint_m, const WaveField& field, const WaveTiles& tiles) const;
+  struct Texel : ShoreTexelPlace {
+    friend Texel operator+(const Texel& a, const Texel& b) { return {{a.place + b.place, a.waves + b.waves}}; }
+    friend Texel operator-(const Texel& a, const Texel& b) { return {{a.place - b.place, a.waves - b.waves}}; }
+    friend Texel operator*(const Texel& a, float by) { return {{a.place * by, a.waves * by}}; }
   };
   Texel texel(glm::dvec2 middle_m, double texel_m, const PlaceSea* water) const;
   std::shared_ptr<const ShoreLines> lines_;

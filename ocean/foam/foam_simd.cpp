@@ -53,9 +53,8 @@ HWY_INLINE bool locate(const CarriedRow& row, int x, int i, Origins& origins, fl
   const Lanes d;
   const hn::RebindToSigned<Lanes> di;
   const auto zero = hn::Zero(d);
-  const auto load = [&](const glm::vec2* from, int at, Vector& vx, Vector& vz) HWY_ATTR {
-    hn::LoadInterleaved2(d, &from[at].x, vx, vz);
-  };
+  const auto load = [&](const glm::vec2* from, int at, Vector& vx, Vector& vz)
+                        HWY_ATTR { hn::LoadInterleaved2(d, &from[at].x, vx, vz); };
   Vector speed_x, speed_z, left_x, left_z, right_x, right_z, above_x, above_z, below_x, below_z;
   const int first = x + i;
   load(row.speed, first, speed_x, speed_z);
@@ -74,18 +73,18 @@ HWY_INLINE bool locate(const CarriedRow& row, int x, int i, Origins& origins, fl
   hn::StoreU(exp_minus(d, hn::Neg(hn::Min(hn::Max(meets, hn::Neg(most)), most))), d, grow + first);
   // The velocity half a step upstream, by its own slope here.
   const auto back = hn::Set(d, -0.5f * row.dt / (2.0f * row.texel_m));
-  const auto back_x = hn::Mul(back, speed_x), back_z = hn::Mul(back, speed_z), steps = hn::Set(d, -row.dt / row.texel_m);
-  const auto midway = [&](Vector speed, Vector by_x, Vector by_z) HWY_ATTR {
-    return hn::Add(speed, hn::Add(hn::Mul(back_x, by_x), hn::Mul(back_z, by_z)));
-  };
+  const auto back_x = hn::Mul(back, speed_x), back_z = hn::Mul(back, speed_z),
+             steps = hn::Set(d, -row.dt / row.texel_m);
+  const auto midway = [&](Vector speed, Vector by_x, Vector by_z)
+                          HWY_ATTR { return hn::Add(speed, hn::Add(hn::Mul(back_x, by_x), hn::Mul(back_z, by_z))); };
   const auto way_x = hn::Mul(steps, midway(speed_x, x_by_x, x_by_z)),
              way_z = hn::Mul(steps, midway(speed_z, z_by_x, z_by_z));
   const auto rests = hn::And(hn::Eq(way_x, zero), hn::Eq(way_z, zero));
   const auto cell_x = hn::Floor(way_x), cell_z = hn::Floor(way_z);
   const auto column = hn::Add(place, cell_x), line = hn::Add(hn::Set(d, float(row.row)), cell_z);
   const auto one = hn::Set(d, 1.0f), end = hn::Set(d, float(row.side - 2));
-  const auto inside = hn::And(hn::And(hn::Ge(column, one), hn::Ge(line, one)),
-                              hn::And(hn::Lt(column, end), hn::Lt(line, end)));
+  const auto inside =
+      hn::And(hn::And(hn::Ge(column, one), hn::Ge(line, one)), hn::And(hn::Lt(column, end), hn::Lt(line, end)));
   const auto from_x = hn::ConvertTo(di, hn::IfThenElse(inside, column, one)),
              from_z = hn::ConvertTo(di, hn::IfThenElse(inside, line, one));
   const auto before = hn::Set(di, 1);
@@ -155,7 +154,8 @@ void settle(std::span<const float> values, std::span<const float> grow, std::spa
   for (int i = 0; i < group; ++i) sums += glm::dvec2(below[i], above[i]);
 }
 
-void spend(float loss, float dt, float lasting, std::span<const float> gains, std::span<float> covered, SpentRow& told) {
+void spend(float loss, float dt, float lasting, std::span<const float> gains, std::span<float> covered,
+           SpentRow& told) {
   const Lanes d;
   const auto zero = hn::Zero(d), most = hn::Set(d, 1e6f), one = hn::Set(d, 1.0f), per_s = hn::Set(d, loss);
   for (std::size_t x = 0; x < gains.size(); x += hn::Lanes(d)) {

@@ -8,12 +8,16 @@
 
 #include "ocean/foam/foam_pattern.h"
 #include "ocean/foam/foam_sea.h"
+#include "ocean/waves/gerstner.h"
 #include "tests/support/own_sea.h"
 
 namespace seascape {
 namespace {
 
-// Resolution, slices, and whether a whirlpool carries it.
+// What a step has to do beside the open sea.
+enum Place { open_sea, whirlpool, beach };  // carried in circles; along the shore of a bed, with waves of its own
+
+// Resolution, slices, and the place.
 void foam_step(benchmark::State& state) {
   FoamSpec spec;
   spec.settings.simulated = true;
@@ -24,11 +28,30 @@ void foam_step(benchmark::State& state) {
   vortex.to = InputTarget::flow;
   vortex.shape =
       VortexInput{.at_m = {0.0, -60.0}, .core_m = 12.0, .reach_m = 120.0, .swirl_mps = 6.0, .inflow_mps = 0.6};
-  if (state.range(2) != 0) spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&vortex, 1));
+  if (state.range(2) == whirlpool) spec.flow = std::make_shared<const Inputs>(InputTarget::flow, std::span(&vortex, 1));
   SeaState sea;
   sea.wind_speed_mps = 15.0;
-  test::OwnFoam foam(spec, sea, WaveQuality{});
-  Sea waves_alone(test::spec_of(sea, WaveQuality{}));
+  TileSources sources;
+  std::shared_ptr<const ShoreLines> shore;
+  PlaceInputs places;
+  if (state.range(2) == beach) {
+    sea.wind_speed_mps = 7.5;
+    GerstnerSettings waves;
+    waves.set1 = {.height_m = 0.5, .wavelength_m = 15.0, .spread_deg = 18.0, .octaves = 1, .shore = true};
+    auto tile = std::make_shared<const Gerstner>(waves, 9.81, 1e6, 0.0, true);
+    InputSpec line;
+    line.to = InputTarget::gerstner;
+    line.feather_m = 20.0;
+    SplineInput curve;
+    for (const double x : {-400.0, 0.0, 400.0})
+      curve.points.push_back({{x, 0.0}, 130.0, glm::vec4(1.0f, 0.0f, 0.0f, 0.0f)});
+    line.shape = curve;
+    shore = std::make_shared<const ShoreLines>(std::span(&line, 1), tile->side_m());
+    sources = {tile};
+    places = test::places_of({test::beach({0.0, 0.0}, {0.0, 1.0})});
+  }
+  test::OwnFoam foam(spec, sea, WaveQuality{}, sources, shore, places);
+  Sea waves_alone(test::spec_of(sea, WaveQuality{}, sources));
   Breaking breaking(waves_alone, spec.settings.life_s);
   double step = 1e30, waves = 1e30, time_s = 100.0;
   tbb::task_arena one(1);
@@ -51,13 +74,16 @@ void foam_step(benchmark::State& state) {
   state.counters["ns_a_texel"] = 1e6 * (step - waves) / double(state.range(0) * state.range(0) * state.range(1));
 }
 BENCHMARK(foam_step)
-    ->ArgNames({"n", "slices", "flow"})
-    ->Args({64, 4, 0})
-    ->Args({128, 4, 0})
-    ->Args({256, 2, 0})
-    ->Args({256, 4, 0})
-    ->Args({256, 6, 0})
-    ->Args({256, 4, 1})
+    ->ArgNames({"n", "slices", "place"})
+    ->Args({64, 4, open_sea})
+    ->Args({128, 4, open_sea})
+    ->Args({128, 4, whirlpool})
+    ->Args({128, 4, beach})
+    ->Args({256, 2, open_sea})
+    ->Args({256, 4, open_sea})
+    ->Args({256, 6, open_sea})
+    ->Args({256, 4, whirlpool})
+    ->Args({256, 4, beach})
     ->Iterations(24)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();

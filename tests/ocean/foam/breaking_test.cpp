@@ -60,8 +60,8 @@ struct Level {
                         double(shift[std::size_t(at)].w));
     };
     const double x = std::floor(u), z = std::floor(v);
-    return glm::mix(glm::mix(texel(x, z), texel(x + 1, z), u - x), glm::mix(texel(x, z + 1), texel(x + 1, z + 1), u - x),
-                    v - z);
+    return glm::mix(glm::mix(texel(x, z), texel(x + 1, z), u - x),
+                    glm::mix(texel(x, z + 1), texel(x + 1, z + 1), u - x), v - z);
   }
 };
 
@@ -110,8 +110,8 @@ struct Waters {
 };
 
 // Rows of all that can come together and of each alone; of each instruction set the same to the bit. Controls seen: the
-// left column's weight for the right one's; the second pattern at the first one's place; the texels past a row's end not
-// wrapped; the sea's threshold where other waves count; land that is not told from water.
+// left column's weight for the right one's; the second pattern at the first one's place; the texels past a row's end
+// not wrapped; the sea's threshold where other waves count; land that is not told from water.
 TEST(Breaking, RowsAreAsTexelByTexel) {
   std::mt19937 random(11);
   std::vector<Level> levels;

@@ -228,8 +228,8 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
     RecordProperty("worst_gradient", std::to_string(worst_gradient));
     EXPECT_GT(seen, 1000);
     EXPECT_GT(highest, 0.4);
-    EXPECT_LT(worst, 0.03) << speed;
-    EXPECT_LT(worst_gradient, 0.03) << speed;
+    EXPECT_LT(worst, 1e-4) << speed;
+    EXPECT_LT(worst_gradient, 0.004) << speed;
   }
 }
 

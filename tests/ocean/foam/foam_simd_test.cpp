@@ -47,9 +47,9 @@ struct Carried {
   std::vector<glm::vec2> ways{std::vector<glm::vec2>(side)};
   glm::dvec2 sums{0.0};
   Carried(const Slice& slice, int z) {
-    const int count = carry_row({slice.before.data(), slice.row(z - 1), slice.row(z), slice.row(z + 1), side, z,
-                                 float(dt), float(texel_m)},
-                                values, grow, beyond, ways);
+    const int count = carry_row(
+        {slice.before.data(), slice.row(z - 1), slice.row(z), slice.row(z + 1), side, z, float(dt), float(texel_m)},
+        values, grow, beyond, ways);
     beyond.resize(std::size_t(count)), ways.resize(std::size_t(count));
     for (const int x : beyond) values[std::size_t(x)] = 0.125f;
     sums = settle_row(values, grow, covered);
@@ -121,8 +121,8 @@ TEST(FoamRows, AreSpentAsTexelByTexel) {
   const double loss = 1.0 / 3.85;
   std::vector<float> gains, covered;
   for (const float g : {0.0f, 1e-6f, 0.02f, 0.5f, 2.0f, 100.0f, 9e5f, 2e6f, -1.0f, nan})
-    for (const float f : {0.0f, 5e-5f, 1e-3f, 0.2f, 0.7f, 1.0f, 1.5f, -0.1f, nan, 0.4f, 0.05f, 0.9f, 0.3f, 0.6f, 0.8f,
-                          0.1f})
+    for (const float f :
+         {0.0f, 5e-5f, 1e-3f, 0.2f, 0.7f, 1.0f, 1.5f, -0.1f, nan, 0.4f, 0.05f, 0.9f, 0.3f, 0.6f, 0.8f, 0.1f})
       gains.push_back(g), covered.push_back(f);
   const auto spent = [&](std::size_t first, SpentRow& told) {
     std::vector<float> row(covered.begin() + std::ptrdiff_t(first), covered.begin() + std::ptrdiff_t(first) + 16);
