@@ -142,19 +142,24 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
   const FoamSettings& s = spec_.settings;
   const float breaking = float(s.breaking * foam_breaking_per_s);
   const LodRow<glm::vec3> water = still_water_->row(row.slice, LodIndex(glm::floor(row.first_m / row.texel_m)));
+  const float shore_depth = s.shore_per_s > 0.0 ? float(2.0 * s.shore_m) : 0.0f;
+  const auto of_sea = float(breaking_.height_variance());
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const glm::vec3 still = water[std::int64_t(i)];
-    double broken = double(still.z), above = 0.0;
+    if (!(still.x > 0.0f)) continue;
+    float broken = still.z, above = 0.0f;
     if (!along.empty() && along[i].height_variance > 0.0) {
-      const double of_sea = double(still.y) * double(still.y) * breaking_.height_variance();
-      broken = (of_sea * broken + along[i].height_variance * along[i].surf) / (of_sea + along[i].height_variance);
-      above = along[i].displacement.y;
+      const float here = still.y * still.y * of_sea, other = float(along[i].height_variance);
+      broken = (here * broken + other * float(along[i].surf)) / (here + other);
+      above = float(along[i].displacement.y);
     }
-    const bool shore = s.shore_per_s > 0.0 && double(still.x)<2.0 * s.shore_m, surf = breaking> 0.0f && broken > 0.01;
-    if (!(still.x > 0.0f) || !(shore || surf)) continue;
-    texels.push_back({int(i), shore, surf, still.x, still.y, float(broken), float(above)});
+    const bool shore = still.x < shore_depth;
+    const bool surf = broken > 0.01f && breaking > 0.0f;
+    if (!shore && !surf) continue;
+    texels.push_back({int(i), shore, surf, still.x, still.y, broken, above});
     rest.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
   }
+  if (texels.empty()) return;
   displaced.resize(rest.size());
   breaking_.displace(row.slice, rest, displaced);
   for (std::size_t n = 0; n < texels.size(); ++n) {
