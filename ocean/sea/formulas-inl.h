@@ -39,7 +39,7 @@ HWY_INLINE V slope_z(const Folded<V>& f, V height_x, V height_z) {
   return hn::Div(hn::Sub(hn::Mul(f.one_xx, height_z), hn::Mul(f.xz, height_x)), f.held);
 }
 
-// exp(-x) of 0 and more, to some 2e-7 of itself; 0 beyond 80. In operations that all instruction sets round alike.
+// exp(-x) of -80 and more, to some 2e-7 of itself; 0 beyond 80. In operations that all instruction sets round alike.
 template <class D>
 HWY_INLINE hn::Vec<D> exp_minus(D d, hn::Vec<D> x) {
   const hn::RebindToSigned<D> di;
