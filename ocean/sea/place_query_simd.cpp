@@ -81,11 +81,11 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
   }
   for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
     const int point = std::countr_zero(rest);
-    sample<true>(plan.waves, g, &at.now.patterns, 0, plan.curved, point,
-                 {{g.weight, &QueryLayer::shift, sums.waves + 4 * point}});
+    sample<true>(plan.waves, g, &at.now.patterns, 0, plan.curved, point, &QueryLayer::shift,
+                 {{g.weight, sums.waves + 4 * point}});
     if (plan.shore)
-      sample<true>(plan.waves, g, &at.now.patterns, plan.curved, plan.waves.count, point,
-                   {{g.weight, &QueryLayer::shift, sums.curved + 4 * point}});
+      sample<true>(plan.waves, g, &at.now.patterns, plan.curved, plan.waves.count, point, &QueryLayer::shift,
+                   {{g.weight, sums.curved + 4 * point}});
   }
   // Points that were found before have the same sums as then.
   for (int i = 0; i < count; i += lanes)
@@ -196,11 +196,11 @@ template <class D>
 HWY_INLINE void move_water(D d, const PlacePlan& plan, const Group& g, const Places& at, int count, float* water) {
   Sums sums = {};
   for (int point = 0; point < count; ++point) {
-    sample<true>(plan.waves, g, &at.now.patterns, 0, plan.curved, point,
-                 {{g.weight, &QueryLayer::velocity, sums.waves + 4 * point}});
+    sample<true>(plan.waves, g, &at.now.patterns, 0, plan.curved, point, &QueryLayer::velocity,
+                 {{g.weight, sums.waves + 4 * point}});
     if (plan.shore)
-      sample<true>(plan.waves, g, &at.now.patterns, plan.curved, plan.waves.count, point,
-                   {{g.weight, &QueryLayer::velocity, sums.curved + 4 * point}});
+      sample<true>(plan.waves, g, &at.now.patterns, plan.curved, plan.waves.count, point, &QueryLayer::velocity,
+                   {{g.weight, sums.curved + 4 * point}});
   }
   for (int i = 0; i < count; i += int(hn::Lanes(d))) compose(d, plan, at.now, sums, true, i, water);
 }

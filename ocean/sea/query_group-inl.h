@@ -166,84 +166,90 @@ HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
   }
 }
 
-// Two texels of a row.
-template <class D8>
-HWY_INLINE hn::Vec<D8> pair(D8 d, const float* texels, std::ptrdiff_t at, std::int32_t mask) {
-  if (HWY_LIKELY(at >= 0)) return hn::LoadU(d, texels + at);
-  const hn::Half<D8> half;
-  return hn::Combine(d, hn::LoadU(half, texels + ~at - 4 * std::ptrdiff_t(mask)), hn::LoadU(half, texels + ~at));
-}
-
 using Plane = const float* QueryLayer::*;
 
-// What to sum up: a plane's texels by these weights, four floats a point.
+// Texels of a sample that a vector holds, and vectors that hold its four.
+constexpr int texels_at_once = HWY_MAX_BYTES >= 64 ? 4 : HWY_MAX_BYTES >= 32 ? 2 : 1, parts = 4 / texels_at_once;
+using Texels = hn::FixedTag<float, 4 * texels_at_once>;
+
+// The four texels that a point's sample of a layer blends.
+HWY_INLINE void read_texels(const float* plane, const Group& g, const QueryLayer& layer, int l, int point,
+                            hn::Vec<Texels> (&to)[parts]) {
+  [[maybe_unused]] const Texels d;
+  const std::ptrdiff_t upper = g.upper[l][point], lower = g.lower[l][point];
+#if HWY_MAX_BYTES >= 32
+  const hn::FixedTag<float, 8> d8;
+  const auto pair = [&](std::ptrdiff_t at) HWY_ATTR {
+    if (HWY_LIKELY(at >= 0)) return hn::LoadU(d8, plane + at);
+    const hn::Half<decltype(d8)> half;
+    return hn::Combine(d8, hn::LoadU(half, plane + ~at - 4 * std::ptrdiff_t(layer.mask)), hn::LoadU(half, plane + ~at));
+  };
+#if HWY_MAX_BYTES >= 64
+  to[0] = hn::Combine(d, pair(lower), pair(upper));
+#else
+  to[0] = pair(upper);
+  to[1] = pair(lower);
+#endif
+#else
+  const std::ptrdiff_t right = upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
+  const float* const above = plane + (upper >= 0 ? upper : ~upper);
+  const float* const below = plane + (lower >= 0 ? lower : ~lower);
+  to[0] = hn::LoadU(d, above);
+  to[1] = hn::LoadU(d, above + right);
+  to[2] = hn::LoadU(d, below);
+  to[3] = hn::LoadU(d, below + right);
+#endif
+}
+
+// By which weights to sum texels up, and where to: four floats a point.
 struct Take {
   const float (*weight)[4 * group];
-  Plane plane;
   float* to;
 };
 
-// The four floats of each plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and
-// then over these: two at a time where vectors are wide enough. `placed`: times what their patterns count for.
+// The four floats of a plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and then
+// over these. `placed`: times what their patterns count for.
 template <bool placed, std::size_t count>
 HWY_INLINE void sample(const QueryPlan& plan, const Group& g, const Patterns* patterns, int first, int end, int point,
-                       const Take (&take)[count]) {
-  const hn::FixedTag<float, 4> d4;
-#if HWY_MAX_BYTES >= 32
-  const hn::FixedTag<float, 8> d;
-  alignas(32) static constexpr std::int32_t spread_upper[8] = {0, 0, 0, 0, 1, 1, 1, 1},
-                                            spread_lower[8] = {2, 2, 2, 2, 3, 3, 3, 3};
-  const auto of_upper = hn::SetTableIndices(d, spread_upper), of_lower = hn::SetTableIndices(d, spread_lower);
-  hn::Vec<decltype(d)> upper[count], lower[count];
-  for (std::size_t p = 0; p < count; ++p) upper[p] = lower[p] = hn::Zero(d);
-#else
-  hn::Vec<decltype(d4)> upper_left[count], upper_right[count], lower_left[count], lower_right[count];
-  for (std::size_t p = 0; p < count; ++p)
-    upper_left[p] = upper_right[p] = lower_left[p] = lower_right[p] = hn::Zero(d4);
-#endif
+                       Plane plane, const Take (&take)[count]) {
+  const Texels d;
+  alignas(64) static constexpr std::int32_t spread[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+  hn::Vec<Texels> sums[count][parts];
+  for (auto& sum : sums)
+    for (auto& part : sum) part = hn::Zero(d);
   for (int l = first; l < end; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
     if (placed && patterns->scale[l][4 * point + 1] == 0.0f) continue;
-    const std::ptrdiff_t at_upper = g.upper[l][point], at_lower = g.lower[l][point];
-    const bool scaled = placed || !layer.plain;
-    const float* const scale = placed ? patterns->scale[l] + 4 * point : layer.laid.data();
-    for (std::size_t p = 0; p < count; ++p) {
-      const float* const texels = layer.*take[p].plane;
-      if (placed && texels == nullptr) continue;
-#if HWY_MAX_BYTES >= 32
-      const auto weight = hn::LoadDup128(d, take[p].weight[l] + 4 * point);
-      auto above = pair(d, texels, at_upper, layer.mask), below = pair(d, texels, at_lower, layer.mask);
-      if (placed || HWY_UNLIKELY(scaled)) {
-        const auto laid = hn::LoadDup128(d, scale);
-        above = hn::Mul(laid, above);
-        below = hn::Mul(laid, below);
+    const float* const from = layer.*plane;
+    if (placed && from == nullptr) continue;
+    hn::Vec<Texels> texels[parts];
+    read_texels(from, g, layer, l, point, texels);
+    if (placed || HWY_UNLIKELY(!layer.plain)) {
+      const auto scale = hn::LoadDup128(d, placed ? patterns->scale[l] + 4 * point : layer.laid.data());
+      for (auto& part : texels) part = hn::Mul(scale, part);
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto weights = hn::LoadDup128(d, take[n].weight[l] + 4 * point);
+      for (int i = 0; i < parts; ++i) {
+        const auto of_part = hn::SetTableIndices(d, spread + 4 * texels_at_once * i);
+        sums[n][i] = hn::Add(sums[n][i], hn::Mul(hn::TableLookupLanes(weights, of_part), texels[i]));
       }
-      upper[p] = hn::Add(upper[p], hn::Mul(hn::TableLookupLanes(weight, of_upper), above));
-      lower[p] = hn::Add(lower[p], hn::Mul(hn::TableLookupLanes(weight, of_lower), below));
-#else
-      const float* const weight = take[p].weight[l] + 4 * point;
-      const std::ptrdiff_t right = at_upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
-      const float* const above = texels + (at_upper >= 0 ? at_upper : ~at_upper);
-      const float* const below = texels + (at_lower >= 0 ? at_lower : ~at_lower);
-      const auto laid = hn::LoadU(d4, scale);
-      const auto add = [&](auto& sum, float share, const float* at) HWY_ATTR {
-        const auto value = hn::LoadU(d4, at);
-        sum = hn::Add(sum, hn::Mul(hn::Set(d4, share), scaled ? hn::Mul(laid, value) : value));
-      };
-      add(upper_left[p], weight[0], above);
-      add(upper_right[p], weight[1], above + right);
-      add(lower_left[p], weight[2], below);
-      add(lower_right[p], weight[3], below + right);
-#endif
     }
   }
-  for (std::size_t p = 0; p < count; ++p) {
+  const hn::FixedTag<float, 4> d4;
+  for (std::size_t n = 0; n < count; ++n) {
+#if HWY_MAX_BYTES >= 64
+    const hn::Half<Texels> half;
+    const auto upper = hn::LowerHalf(half, sums[n][0]), lower = hn::UpperHalf(half, sums[n][0]);
+#elif HWY_MAX_BYTES >= 32
+    const auto upper = sums[n][0], lower = sums[n][1];
+#endif
 #if HWY_MAX_BYTES >= 32
-    hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper[p]), hn::UpperHalf(d4, upper[p])),
-                      hn::Add(hn::LowerHalf(d4, lower[p]), hn::UpperHalf(d4, lower[p]))),
-              d4, take[p].to);
+    hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper), hn::UpperHalf(d4, upper)),
+                      hn::Add(hn::LowerHalf(d4, lower), hn::UpperHalf(d4, lower))),
+              d4, take[n].to);
 #else
-    hn::Store(hn::Add(hn::Add(upper_left[p], upper_right[p]), hn::Add(lower_left[p], lower_right[p])), d4, take[p].to);
+    hn::Store(hn::Add(hn::Add(sums[n][0], sums[n][1]), hn::Add(sums[n][2], sums[n][3])), d4, take[n].to);
 #endif
   }
 }

@@ -26,18 +26,16 @@ HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* place
       if ((left >> i & some) != 0) locate<false>(d, plan, g, nullptr, i);
     for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
       const int point = std::countr_zero(rest);
-      sample<false>(plan, g, nullptr, 0, plan.count, point, {{g.weight, &QueryLayer::shift, g.shift + 4 * point}});
+      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift, {{g.weight, g.shift + 4 * point}});
     }
   });
   for (int i = 0; plan.slopes && i < count; i += lanes) locate_slopes(d, plan, g, i);
   for (int point = 0; plan.slopes && point < count; ++point) {
-    const Take along_x{g.weight_x, &QueryLayer::shift, g.along_x + 4 * point},
-        along_z{g.weight_z, &QueryLayer::shift, g.along_z + 4 * point},
-        velocity{g.weight, &QueryLayer::velocity, g.velocity + 4 * point};
+    sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift,
+                  {{g.weight_x, g.along_x + 4 * point}, {g.weight_z, g.along_z + 4 * point}});
     if (plan.velocity)
-      sample<false>(plan, g, nullptr, 0, plan.count, point, {along_x, along_z, velocity});
-    else
-      sample<false>(plan, g, nullptr, 0, plan.count, point, {along_x, along_z});
+      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::velocity,
+                    {{g.weight, g.velocity + 4 * point}});
   }
   finish(d, plan, g, count, answers);
 }
@@ -65,7 +63,7 @@ void displace_all(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* di
     for (int at = 0; at < some; at += int(hn::Lanes(d))) locate<false>(d, plan, g, nullptr, at);
     for (int point = 0; point < some; ++point) {
       float* const shift = g.shift + 4 * point;
-      sample<false>(plan, g, nullptr, 0, plan.count, point, {{g.weight, &QueryLayer::shift, shift}});
+      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift, {{g.weight, shift}});
       displacements[i + std::size_t(point)] = {shift[0], shift[1], shift[2]};
     }
   }
