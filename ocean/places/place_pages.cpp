@@ -8,9 +8,9 @@ namespace seascape {
 PlacePages::PlacePages(int vectors, Fill fill)
     : vectors_(vectors),
       fill_(std::move(fill)),
-      page_floats_(std::size_t(texels * texels * 4 * vectors)),
+      page_floats_((std::size_t(texels * texels * 4 * vectors) + 15) / 16 * 16),
       slots_(std::make_unique<Slot[]>(slots)),
-      memory_(new float[slots * page_floats_]) {}
+      memory_(LargePages<float>().allocate(slots * page_floats_)) {}
 
 const float* PlacePages::find(const Key& key, std::uint32_t& found) const {
   std::uint64_t bits;
@@ -29,9 +29,9 @@ const float* PlacePages::find(const Key& key, std::uint32_t& found) const {
       return texels_of(slot);
     }
     if (state == Slot::being_made || !at.state.compare_exchange_strong(state, Slot::being_made)) continue;
-    used_.fetch_add(1, std::memory_order_relaxed);
+    at.page = std::uint32_t(used_.fetch_add(1, std::memory_order_relaxed));
     at.key = key;
-    float* to = memory_.get() + slot * page_floats_;
+    float* to = memory_.get() + at.page * page_floats_;
     for (int z = 0; z < texels; ++z)
       for (int x = 0; x < texels; ++x, to += 4 * vectors_)
         fill_((glm::dvec2(double(key.x * cells + x), double(key.z * cells + z)) + 0.5) * key.texel_m, key.texel_m,
@@ -44,10 +44,11 @@ const float* PlacePages::find(const Key& key, std::uint32_t& found) const {
 }
 
 PlacePages::Cell PlacePages::own_cell(std::int64_t x, std::int64_t z, double texel_m, double time_s, Own& own) const {
+  const std::ptrdiff_t right = 4 * vectors_, below = right * texels;
   for (int i = 0; i < 4; ++i)
-    fill_((glm::dvec2(double(x + (i & 1)), double(z + (i >> 1))) + 0.5) * texel_m, texel_m, time_s, own.texel[i]);
-  constexpr std::ptrdiff_t next = 4 * most_vectors;
-  return {own.texel[0], next, 2 * next};
+    fill_((glm::dvec2(double(x + (i & 1)), double(z + (i >> 1))) + 0.5) * texel_m, texel_m, time_s,
+          own.texel + (i & 1) * right + (i >> 1) * below);
+  return {own.texel, right, below};
 }
 
 }  // namespace seascape

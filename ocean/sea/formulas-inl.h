@@ -53,13 +53,17 @@ HWY_INLINE hn::Vec<D> exp_minus(D d, hn::Vec<D> x) {
   return hn::IfThenElse(hn::Lt(x, hn::Set(d, 80.0f)), hn::Mul(sum, hn::BitCast(d, power)), hn::Zero(d));
 }
 
-// flow_height() of half the square of the way, in radians of the band's middle wave.
+// flow_height() of exp(-x), x being half the square of the way, in radians of the band's middle wave.
+template <class D>
+HWY_INLINE hn::Vec<D> height_of_alike(D d, hn::Vec<D> alike, float first) {
+  const float second = 1.0f - first;
+  const auto sum =
+      hn::Add(hn::Set(d, first * first + second * second), hn::Mul(hn::Set(d, 2.0f * first * second), alike));
+  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(sum));
+}
 template <class D>
 HWY_INLINE hn::Vec<D> flow_height(D d, hn::Vec<D> half_square, float first) {
-  const float second = 1.0f - first;
-  const auto sum = hn::Add(hn::Set(d, first * first + second * second),
-                           hn::Mul(hn::Set(d, 2.0f * first * second), exp_minus(d, half_square)));
-  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(sum));
+  return height_of_alike(d, exp_minus(d, half_square), first);
 }
 
 }  // namespace

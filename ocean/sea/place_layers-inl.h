@@ -1,5 +1,5 @@
-// What is known of the places of a group of points, read from pages, and how much of each layer of waves there is
-// there, for the instruction set that Highway compiles this for.
+// How much of each layer of waves there is at the places of a group of points, and what the layers come to, with
+// derivatives where they are wanted, for the instruction set that Highway compiles this for.
 #include <hwy/highway.h>
 
 #include <cmath>
@@ -13,249 +13,278 @@
 #define SEASCAPE_PLACE_LAYERS_INL_H
 #endif
 
-#include "ocean/sea/query_group-inl.h"
+#include "ocean/sea/place_texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace seascape {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr int vectors = PlacePages::most_vectors;
-
-// What is known of the places of a group's points, and what it makes of the layers there.
-struct Known {
-  alignas(64) float value[vectors][4 * group];  // PlaceTexel
-  // Of waves along curves: where the pattern is taken (m), how it is stretched, and where forward is.
-  alignas(64) float bent_x[group], bent_z[group], stretch[group], forward_x[group], forward_z[group];
-  Patterns patterns;
-};
-
-struct Places {
-  PlacePages::Own own;
-  // Sizes of the texels that are read, the finer ones and the coarser (m), the coarser ones' share, and how much there
-  // is of both (gpu::LodRead).
-  alignas(64) double texel_m[2][group], per_m[2][group];
-  float coarser[group], present[group];
-  // Where points lie between texels, the finer ones and the coarser: the first texel, how far from it, and the slot of
-  // the page that they lay in last.
-  alignas(64) double first_x[2][group], first_z[2][group];
-  alignas(64) float right[2][group], below[2][group];
-  std::uint32_t slot[2][group];
-  alignas(64) float grows_x[vectors][4 * group], grows_z[vectors][4 * group];  // PlaceTexel's, in a metre
-  alignas(64) float from_viewer_x[group], from_viewer_z[group];                // of the places asked
-  Known now, to_x, to_z;  // at the points, and a little further along x and along z
-  Patterns later;         // a little later, of what a current carries
-};
-
-// Sums of layers: those of the waves, and those along curves, which have the curve's axes.
-struct Sums {
-  alignas(64) float waves[4 * group], curved[4 * group];
-};
-
-constexpr float apart_m = 1.0f / 64.0f;   // a little further: places' numbers grow evenly over it
-constexpr double apart_s = 1.0 / 1024.0;  // a little later
-
-// Which texels a point's numbers are read from.
-inline void choose_texels(const PlaceReading& reading, Places& at, int point) {
-  at.texel_m[0][point] = reading.fine_texel_m();
-  at.texel_m[1][point] = 2.0 * at.texel_m[0][point];
-  for (int i = 0; i < 2; ++i) at.per_m[i][point] = 1.0 / at.texel_m[i][point];
-  at.coarser[point] = reading.read.coarser;
-  at.present[point] = reading.read.present;
+// flow_height() of two patterns that a current of this square carries, of which the first has the share that `phase`
+// says.
+template <class V, int count>
+HWY_INLINE Dual<V, count> carried_height(const Dual<V, count>& square, float factor, const FlowPhase& phase,
+                                         float share_per_s) {
+  const hn::DFromV<V> d;
+  const float first = float(phase.first), second = 1.0f - first;
+  const auto half_square = times(square, factor);
+  const auto alike = exp_minus(d, half_square.value), height = height_of_alike(d, alike, first);
+  auto result = constant<count>(height);
+  if constexpr (count > by_time) {
+    const auto cube = hn::Mul(height, hn::Mul(height, height));
+    const auto of_way = hn::Mul(cube, hn::Mul(alike, hn::Set(d, first * second)));
+    for (const std::size_t by : {by_x, by_z}) result.by[by] = hn::Mul(of_way, half_square.by[by]);
+    result.by[by_time] =
+        hn::Mul(hn::Mul(cube, hn::Sub(alike, hn::Set(d, 1.0f))), hn::Set(d, share_per_s * (first - second)));
+  }
+  return result;
 }
 
-// Finds between which texels the rest positions of points i to i + lanes - 1 lie.
-template <class D>
-HWY_INLINE void find_texels(D d, const PlacePlan& plan, const Group& g, Places& at, int i) {
-  const hn::CappedTag<double, hn::MaxLanes(D()) / 2> dd;
-  const hn::Rebind<float, decltype(dd)> df;
-  for (int coarser = 0; coarser <= (plan.seen != nullptr || plan.reading.read.coarser > 0.0f ? 1 : 0); ++coarser) {
-    const auto half = hn::Set(dd, 0.5), most = hn::Set(dd, 0x1p40);
-    const auto find = [&](int p, const double* place, const float* way, double* first, float* beyond) HWY_ATTR {
-      const auto per_m = hn::Load(dd, at.per_m[coarser] + p);
-      auto of = hn::Sub(hn::Mul(hn::Add(hn::Load(dd, place), hn::PromoteTo(dd, hn::Load(df, way))), per_m), half);
-      of = hn::IfThenElseZero(hn::Lt(hn::Abs(of), most), of);  // no number, or too far: texels at the origin
-      const auto floor = hn::Floor(of);
-      hn::Store(floor, dd, first);
-      hn::Store(hn::DemoteTo(df, hn::Sub(of, floor)), df, beyond);
+// How much there is of dynamic waves at rest positions that lie so from the viewer.
+template <class V, int count>
+HWY_INLINE Dual<V, count> dynamic_share(const PlacedLayer& layer, const Dual<V, count>& x, const Dual<V, count>& z) {
+  const hn::DFromV<V> d;
+  const auto zero = constant<count>(hn::Zero(d));
+  const auto size = [&](const Dual<V, count>& of) HWY_ATTR {
+    return select(hn::Lt(of.value, zero.value), zero - of, of);
+  };
+  const auto inside = constant<count>(hn::Set(d, layer.end_m)) - larger(size(x), size(z));
+  return times(clamped(times(inside, layer.per_border)), layer.counts);
+}
+
+// How much of each layer there is at the rest positions of points i to i + lanes - 1, and where its pattern is taken:
+// put(l, place_x, place_z, there, sideways) gets, of layer l, the way from the places asked (m), what it is to be
+// multiplied with, and what of that its Dx and Dz have.
+template <int count, class D, class Put>
+HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, int i, const Put& put) {
+  using N = Dual<hn::Vec<D>, count>;
+  const N zero = constant<count>(hn::Zero(d)), one = constant<count>(hn::Set(d, 1.0f));
+  const auto of = [&](int which, float absent) HWY_ATTR { return number<count>(d, plan, at, which, absent, i); };
+  N way_x = constant<count>(hn::Load(d, g.way_x + i)), way_z = constant<count>(hn::Load(d, g.way_z + i));
+  N first = constant<count>(hn::Set(d, float(plan.phase.first))), second = one - first;
+  N first_s = constant<count>(hn::Set(d, float(plan.phase.first_s))),
+    second_s = constant<count>(hn::Set(d, float(plan.phase.second_s)));
+  const float share_per_s = float((plan.phase.first_s < 0.0 ? 2.0 : -2.0) / plan.period_s);
+  if constexpr (count > 0) way_x.by[by_x] = way_z.by[by_z] = one.value;
+  if constexpr (count > by_time) {
+    first.by[by_time] = hn::Set(d, share_per_s);
+    second.by[by_time] = hn::Set(d, -share_per_s);
+    first_s.by[by_time] = second_s.by[by_time] = one.value;
+  }
+  N flow_x = zero, flow_z = zero, run_up = zero;
+  if (plan.flow) flow_x = of(PlaceNumbers::flow_x, 0.0f), flow_z = of(PlaceNumbers::flow_z, 0.0f);
+  if (plan.bed) run_up = of(PlaceNumbers::run_up, 0.0f);
+  const N square = flow_x * flow_x + flow_z * flow_z;
+  AlongCurve<N> curve;
+  N curve_x = zero, curve_z = zero, curve_square = zero;  // the current in the axes of the curve's pattern
+  if (plan.shore) {
+    curve = along_curve<count>(d, plan, at, i);
+    const auto keep = [&](const N& value, float(*to)[group]) HWY_ATTR {
+      hn::Store(value.value, d, to[0] + i);
+      for (std::size_t n = 0; n < std::size_t(count); ++n) hn::Store(value.by[n], d, to[n + 1] + i);
     };
-    for (int p = i; p < i + int(hn::Lanes(d)); p += int(hn::Lanes(dd))) {
-      find(p, g.x + p, g.way_x + p, at.first_x[coarser] + p, at.right[coarser] + p);
-      find(p, g.z + p, g.way_z + p, at.first_z[coarser] + p, at.below[coarser] + p);
+    keep(curve.forward_x, at.forward_x);
+    keep(curve.forward_z, at.forward_z);
+    if (plan.flow) {
+      curve_x = curve.stretch * (flow_x * curve.forward_x + flow_z * curve.forward_z);
+      curve_z = flow_z * curve.forward_x - flow_x * curve.forward_z;
+      curve_square = curve_x * curve_x + curve_z * curve_z;
     }
   }
-}
-
-// Has a point's numbers give way to those beyond all windows. Of a place along a curve only its share does.
-inline void fade(const PlacePlan& plan, Places& at, int point, bool gradients) {
-  const float present = at.present[point];
-  for (int n = 0; n < 4 * plan.vectors; ++n) {
-    const int v = n / 4, part = 4 * point + n % 4;
-    if (v >= PlaceTexel::shore && n != 4 * PlaceTexel::shore + 3) continue;
-    const float outside = plan.outside[std::size_t(n)];
-    float& value = at.now.value[v][part];
-    value = outside + (value - outside) * present;
-    if (!gradients) continue;
-    at.grows_x[v][part] *= present;
-    at.grows_z[v][part] *= present;
-  }
-}
-
-// Reads a point's texels.
-HWY_INLINE void read(const PlacePlan& plan, Places& at, int point, bool gradients) {
-  const hn::FixedTag<float, 4> d4;
-  const hn::CappedTag<float, 16> d;
-  const hn::CappedTag<float, 8> d8;
-  const auto take = [&](double texel_m, float share, int which) HWY_ATTR {
-    const PlacePages::Cell cell =
-        plan.pages->cell(std::int64_t(at.first_x[which][point]), std::int64_t(at.first_z[which][point]), texel_m,
-                         plan.place_time_s, at.slot[which][point], at.own);
-    const bool first = which == 0;
-    const auto put_one = [&](float* of_point, hn::Vec<decltype(d4)> one) HWY_ATTR {
-      // Of the finer texels all, and then what the coarser ones differ by: what is the same in both stays.
-      if (!first) {
-        const auto fine = hn::Load(d4, of_point);
-        one = hn::Add(fine, hn::Mul(hn::Sub(one, fine), hn::Set(d4, share)));
-      }
-      hn::Store(one, d4, of_point);
-    };
-    const auto put = [&](auto tag, float(*to)[4 * group], int v, auto value) HWY_ATTR {
-      const auto halves = [&](int from, auto two) HWY_ATTR {
-        put_one(to[from] + 4 * point, hn::LowerHalf(d4, two));
-        put_one(to[from + 1] + 4 * point, hn::UpperHalf(d4, two));
-      };
-      if constexpr (hn::MaxLanes(decltype(tag)()) == 16) {
-        halves(v, hn::LowerHalf(d8, value));
-        halves(v + 2, hn::UpperHalf(d8, value));
-      } else if constexpr (hn::MaxLanes(decltype(tag)()) == 8) {
-        halves(v, value);
-      } else {
-        put_one(to[v] + 4 * point, value);
-      }
-    };
-    const auto some = [&](auto tag, int v) HWY_ATTR {
-      const auto right = hn::Set(tag, at.right[which][point]), below = hn::Set(tag, at.below[which][point]);
-      const float* const from = cell.first + 4 * v;
-      const auto a = hn::LoadU(tag, from), b = hn::LoadU(tag, from + cell.right), c = hn::LoadU(tag, from + cell.below),
-                 e = hn::LoadU(tag, from + cell.below + cell.right);
-      const auto above = hn::Sub(b, a), under = hn::Sub(e, c);
-      const auto low = hn::Add(a, hn::Mul(above, right)), high = hn::Add(c, hn::Mul(under, right));
-      put(tag, at.now.value, v, hn::Add(low, hn::Mul(hn::Sub(high, low), below)));
-      if (!gradients) return;
-      const auto per_m = hn::Set(tag, float(1.0 / texel_m));
-      put(tag, at.grows_x, v, hn::Mul(hn::Add(above, hn::Mul(hn::Sub(under, above), below)), per_m));
-      put(tag, at.grows_z, v, hn::Mul(hn::Sub(high, low), per_m));
-    };
-    constexpr int at_once = int(hn::MaxLanes(d)) / 4;
-    int v = 0;
-    for (; v + at_once <= plan.vectors; v += at_once) some(d, v);
-    for (; at_once > 2 && v + 2 <= plan.vectors; v += 2) some(d8, v);
-    for (; v < plan.vectors; ++v) some(d4, v);
-  };
-  take(at.texel_m[0][point], 1.0f, 0);
-  if (at.coarser[point] > 0.0f) take(at.texel_m[1][point], at.coarser[point], 1);
-  if (plan.seen != nullptr) fade(plan, at, point, gradients);
-}
-
-// The angle of a point (x, y) in turns, -0.5 to 0.5, to some 1e-7 (Hastings 1955, sheet 13, for the arc tangent).
-template <class D>
-HWY_INLINE hn::Vec<D> turns_of(D d, hn::Vec<D> x, hn::Vec<D> y) {
-  const auto a = hn::Abs(x), b = hn::Abs(y), zero = hn::Zero(d);
-  const auto t = hn::Div(hn::Min(a, b), hn::Max(hn::Max(a, b), hn::Set(d, 1e-30f))), square = hn::Mul(t, t);
-  auto sum = hn::Set(d, 0.0028662257f);
-  for (const float c : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f, -0.1420889944f, 0.1999355085f,
-                        -0.3333314528f, 1.0f})
-    sum = hn::Add(hn::Mul(sum, square), hn::Set(d, c));
-  auto turns = hn::Mul(hn::Mul(sum, t), hn::Set(d, 0.15915494f));
-  turns = hn::IfThenElse(hn::Gt(b, a), hn::Sub(hn::Set(d, 0.25f), turns), turns);
-  turns = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(hn::Set(d, 0.5f), turns), turns);
-  return hn::CopySign(turns, y);
-}
-
-// Where points lie along the curve that their texels tell of (shore_place).
-template <class D>
-HWY_INLINE void bend(D d, const PlacePlan& plan, Known& at, int i) {
-  hn::Vec<D> right, cosine, sine, share, way_x, way_z, unused;
-  hn::LoadInterleaved4(d, at.value[PlaceTexel::shore] + 4 * i, right, cosine, sine, share);
-  hn::LoadInterleaved4(d, at.value[PlaceTexel::shore_way] + 4 * i, way_x, way_z, unused, unused);
-  const auto one = hn::Set(d, 1.0f);
-  const auto length = hn::Sqrt(hn::Add(hn::Mul(way_x, way_x), hn::Mul(way_z, way_z))), size = hn::Max(length, one);
-  // Where there are no waves the direction counts for nothing.
-  const auto there = hn::Gt(share, hn::Zero(d));
-  const auto only = [&](hn::Vec<D> value) HWY_ATTR { return hn::IfThenElseZero(there, value); };
-  hn::Store(only(hn::Mul(turns_of(d, cosine, sine), hn::Set(d, float(plan.shore_period_m)))), d, at.bent_x + i);
-  hn::Store(only(right), d, at.bent_z + i);
-  hn::Store(only(hn::Sub(size, one)), d, at.stretch + i);
-  hn::Store(only(hn::Div(way_x, size)), d, at.forward_x + i);
-  hn::Store(only(hn::Div(way_z, size)), d, at.forward_z + i);
-}
-
-// How much of each layer there is at points i to i + lanes - 1, whose ways from the places asked are given, and where
-// its pattern lies.
-template <class D>
-HWY_INLINE void spread(D d, const PlacePlan& plan, const Places& places, const Known& at, hn::Vec<D> way_x,
-                       hn::Vec<D> way_z, const FlowPhase& phase, int i, Patterns& to) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  hn::Vec<D> level, bed, flow_x = zero, flow_z = zero, bends[3] = {zero, zero, zero}, run_up = zero;
-  hn::Vec<D> shares[gpu::max_cascades + 1], shore_share = zero, unused;
-  for (auto& share : shares) share = one;
-  if (plan.pages != nullptr) hn::LoadInterleaved4(d, at.value[PlaceTexel::water] + 4 * i, level, bed, flow_x, flow_z);
-  if (plan.bed) {
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::bend] + 4 * i, bends[0], bends[1], bends[2], run_up);
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::share] + 4 * i, shares[0], shares[1], shares[2], shares[3]);
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::share_more] + 4 * i, shares[4], shares[5], unused, unused);
-  }
-  if (plan.shore) {
-    hn::LoadInterleaved4(d, at.value[PlaceTexel::shore] + 4 * i, unused, unused, unused, shore_share);
-    shore_share = hn::Max(shore_share, zero);
-  }
-  const auto square = hn::Add(hn::Mul(flow_x, flow_x), hn::Mul(flow_z, flow_z));
-  const float first = float(phase.first), second = 1.0f - first;
-  const auto stretch = hn::Load(d, at.stretch + i), forward_x = hn::Load(d, at.forward_x + i),
-             forward_z = hn::Load(d, at.forward_z + i);
-  const auto along_curve = hn::Mul(stretch, hn::Add(hn::Mul(flow_x, forward_x), hn::Mul(flow_z, forward_z))),
-             across_curve = hn::Sub(hn::Mul(flow_z, forward_x), hn::Mul(flow_x, forward_z));
-  auto sum_height = one;  // one over the height of two patterns' sum, which follow each other
+  N sum_height = one;  // one over the height of two patterns' sum, which follow each other
   for (int l = 0; l < plan.waves.count; ++l) {
     const PlacedLayer& layer = plan.placed[std::size_t(l)];
-    auto off_x = zero, off_z = zero, flat = one, lift = one;
-    auto carried_x = flow_x, carried_z = flow_z, carried = square;
+    const bool curved = layer.kind == PlacedLayer::curved;
+    N off_x = zero, off_z = zero, there = one, sideways = one;
     if (layer.kind == PlacedLayer::dynamic) {
-      const auto x = hn::Add(hn::Load(d, places.from_viewer_x + i), way_x),
-                 z = hn::Add(hn::Load(d, places.from_viewer_z + i), way_z);
-      const auto present =
-          hn::Mul(hn::Sub(hn::Set(d, layer.end_m), hn::Max(hn::Abs(x), hn::Abs(z))), hn::Set(d, layer.per_border));
-      lift = hn::Mul(hn::Min(hn::Max(present, zero), one), hn::Set(d, layer.counts));
-      flat = hn::Mul(lift, hn::Set(d, layer.sharpened));
-    } else if (layer.kind == PlacedLayer::curved) {
-      off_x = hn::Load(d, at.bent_x + i);
-      off_z = hn::Load(d, at.bent_z + i);
-      flat = lift = shore_share;
-      carried_x = along_curve;
-      carried_z = across_curve;
-      carried = hn::Add(hn::Mul(carried_x, carried_x), hn::Mul(carried_z, carried_z));
+      const N from_x = constant<count>(hn::Load(d, at.from_viewer_x + i)),
+              from_z = constant<count>(hn::Load(d, at.from_viewer_z + i));
+      there = dynamic_share(layer, from_x + way_x, from_z + way_z);
+      sideways.value = hn::Set(d, layer.sharpened);
+    } else if (curved) {
+      off_x = curve.x;
+      off_z = curve.z;
+      there = curve.share;
     } else if (plan.bed) {
-      flat = lift = shares[layer.share];
-      if (layer.runs_up) lift = hn::Sqrt(hn::Add(hn::Mul(flat, flat), hn::Mul(run_up, run_up)));
+      there = of(PlaceNumbers::share + layer.share, 1.0f);
+      if (layer.runs_up) {
+        const N flat = there;
+        there = root(flat * flat + run_up * run_up);
+        sideways = only(hn::Gt(there.value, zero.value), flat / there);
+      }
       if (layer.bent >= 0) {
-        off_x = hn::Mul(bends[layer.bent], hn::Set(d, plan.along[std::size_t(layer.bent)].x));
-        off_z = hn::Mul(bends[layer.bent], hn::Set(d, plan.along[std::size_t(layer.bent)].y));
+        const N bend = of(PlaceNumbers::bend + layer.bent, 0.0f);
+        off_x = times(bend, plan.along[std::size_t(layer.bent)].x);
+        off_z = times(bend, plan.along[std::size_t(layer.bent)].y);
       }
     }
     if (layer.pattern >= 0) {
-      if (layer.pattern == 0) sum_height = flow_height(d, hn::Mul(carried, hn::Set(d, layer.flow_height)), first);
-      const auto height = hn::Mul(hn::Set(d, layer.pattern == 0 ? first : second), sum_height);
-      const auto way_s = hn::Set(d, float(layer.pattern == 0 ? phase.first_s : phase.second_s));
-      flat = hn::Mul(flat, height);
-      lift = hn::Mul(lift, height);
-      off_x = hn::Sub(off_x, hn::Mul(carried_x, way_s));
-      off_z = hn::Sub(off_z, hn::Mul(carried_z, way_s));
+      const bool is_first = layer.pattern == 0;
+      if (is_first)
+        sum_height = carried_height(curved ? curve_square : square, layer.flow_height, plan.phase, share_per_s);
+      const N& way_s = is_first ? first_s : second_s;
+      there = there * ((is_first ? first : second) * sum_height);
+      off_x = off_x - (curved ? curve_x : flow_x) * way_s;
+      off_z = off_z - (curved ? curve_z : flow_z) * way_s;
     }
-    hn::Store(off_x, d, to.off_x[l] + i);
-    hn::Store(off_z, d, to.off_z[l] + i);
-    hn::StoreInterleaved4(hn::Mul(flat, hn::Set(d, layer.laid[0])), hn::Mul(lift, hn::Set(d, layer.laid[1])),
-                          hn::Mul(flat, hn::Set(d, layer.laid[2])), zero, d, to.scale[l] + 4 * i);
+    if (layer.kind != PlacedLayer::curved) off_x = way_x + off_x, off_z = way_z + off_z;
+    put(l, off_x, off_z, there, sideways);
   }
+}
+
+// The texels of all layers, at the rest positions of points i to i + lanes - 1.
+template <class D>
+HWY_INLINE void locate_placed(D d, const PlacePlan& plan, Group& g, Places& at, int i) {
+  using N = Dual<hn::Vec<D>, 0>;
+  spread<0>(d, plan, g, at, i, [&](int l, const N& x, const N& z, const N& there, const N& sideways) HWY_ATTR {
+    const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
+    hn::Store(there.value, d, at.there[l] + i);
+    if (!plan.placed[std::size_t(l)].even) hn::Store(sideways.value, d, at.sideways[l] + i);
+    const auto share = hn::Mul(hn::Set(d, plan.placed[std::size_t(l)].laid), there.value);
+    locate_layer(d, layer, l, g, spot(d, layer, l, g, x.value, z.value, i), share, i);
+  });
+}
+
+// What locate_placed() finds changes by.
+template <int count, class D>
+HWY_INLINE void locate_growth(D d, const PlacePlan& plan, Group& g, Places& at, int i) {
+  using N = Dual<hn::Vec<D>, count>;
+  const auto one = hn::Set(d, 1.0f);
+  spread<count>(d, plan, g, at, i, [&](int l, const N& x, const N& z, const N& there, const N& sideways) HWY_ATTR {
+    const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
+    const PlacedLayer& placed = plan.placed[std::size_t(l)];
+    const N share = times(there, placed.laid);
+    const Spot<D> spot_at = spot(d, layer, l, g, x.value, z.value, i);
+    const auto right = spot_at.right, below = spot_at.below, left = hn::Sub(one, right), above = hn::Sub(one, below);
+    const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel);
+    for (std::size_t by = 0; by < std::size_t(count); ++by) {
+      // By columns and by rows, and by the share.
+      const auto u = hn::Mul(share.value, hn::Add(hn::Mul(cosine, x.by[by]), hn::Mul(sine, z.by[by]))),
+                 v = hn::Mul(share.value, hn::Sub(hn::Mul(cosine, z.by[by]), hn::Mul(sine, x.by[by])));
+      const auto u_above = hn::Mul(u, above), u_below = hn::Mul(u, below), v_left = hn::Mul(v, left),
+                 v_right = hn::Mul(v, right);
+      const auto more_above = hn::Mul(share.by[by], above), more_below = hn::Mul(share.by[by], below);
+      hn::StoreInterleaved4(hn::Sub(hn::Mul(more_above, left), hn::Add(u_above, v_left)),
+                            hn::Add(hn::Mul(more_above, right), hn::Sub(u_above, v_right)),
+                            hn::Add(hn::Mul(more_below, left), hn::Sub(v_left, u_below)),
+                            hn::Add(hn::Mul(more_below, right), hn::Add(u_below, v_right)), d,
+                            at.growth[by].weight[l] + 4 * i);
+      if (!placed.even) hn::Store(sideways.by[by], d, at.growth[by].sideways[l] + i);
+    }
+  });
+}
+
+// These numbers in a texel's Dx and Dz, and `other` in the rest.
+HWY_INLINE hn::Vec<Texels> in_sideways(float value, float other) {
+  const Texels d;
+  const auto odd = hn::Ne(hn::And(hn::Iota(hn::RebindToSigned<Texels>(), 0), hn::Set(hn::RebindToSigned<Texels>(), 1)),
+                          hn::Zero(hn::RebindToSigned<Texels>()));
+  return hn::IfThenElse(hn::RebindMask(d, odd), hn::Set(d, other), hn::Set(d, value));
+}
+
+// A point's sum of a plane of layers `first` to `end` - 1.
+HWY_INLINE void sample_placed(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point,
+                              Plane plane, float* to) {
+  const Texels d;
+  hn::Vec<Texels> sum[parts];
+  for (auto& part : sum) part = hn::Zero(d);
+  for (int l = first; l < end; ++l) {
+    const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
+    const float* const from = layer.*plane;
+    if (at.there[l][point] == 0.0f || from == nullptr) continue;
+    hn::Vec<Texels> texels[parts];
+    read_texels(from, g, layer, l, point, texels);
+    if (!plan.placed[std::size_t(l)].even)
+      for (auto& part : texels) part = hn::Mul(in_sideways(at.sideways[l][point], 1.0f), part);
+    for (int i = 0; i < parts; ++i)
+      sum[i] = hn::Add(sum[i], hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]));
+  }
+  add_texels(sum, to + 4 * point);
+}
+
+// The `count` derivatives of a point's sum of displacements.
+template <int count>
+HWY_INLINE void sample_growth(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point,
+                              float (*to)[4 * group]) {
+  const Texels d;
+  hn::Vec<Texels> sums[count][parts];
+  for (auto& sum : sums)
+    for (auto& part : sum) part = hn::Zero(d);
+  for (int l = first; l < end; ++l) {
+    const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
+    if (at.there[l][point] == 0.0f) continue;
+    hn::Vec<Texels> texels[parts];
+    read_texels(layer.shift, g, layer, l, point, texels);
+    const bool even = plan.placed[std::size_t(l)].even;
+    for (int i = 0; i < parts; ++i) {
+      auto scaled = texels[i];
+      if (!even) scaled = hn::Mul(in_sideways(at.sideways[l][point], 1.0f), scaled);
+      for (int by = 0; by < count; ++by)
+        sums[by][i] = hn::Add(sums[by][i], hn::Mul(weights_of(at.growth[by].weight[l] + 4 * point, i), scaled));
+      if (even) continue;
+      const auto value = hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]);
+      for (int by = 0; by < count; ++by)
+        sums[by][i] = hn::Add(sums[by][i], hn::Mul(in_sideways(at.growth[by].sideways[l][point], 0.0f), value));
+    }
+  }
+  for (int by = 0; by < count; ++by) add_texels(sums[by], to[by] + 4 * point);
+}
+
+// What the layers' sums make of the water.
+template <class N>
+struct Water {
+  N x, y, z;
+};
+
+// Of points i to i + lanes - 1 the sums, curved ones turned.
+template <int count, class D>
+HWY_INLINE Water<Dual<hn::Vec<D>, count>> add_up(D d, const PlacePlan& plan, const Places& at, const Sums& sums,
+                                                 int i) {
+  using N = Dual<hn::Vec<D>, count>;
+  const auto load = [&](const float(*from)[4 * group]) HWY_ATTR {
+    Water<N> water;
+    hn::Vec<D> unused;
+    hn::LoadInterleaved4(d, from[0] + 4 * i, water.x.value, water.y.value, water.z.value, unused);
+    for (std::size_t n = 0; n < std::size_t(count); ++n)
+      hn::LoadInterleaved4(d, from[n + 1] + 4 * i, water.x.by[n], water.y.by[n], water.z.by[n], unused);
+    return water;
+  };
+  Water<N> water = load(sums.waves);
+  if (!plan.shore) return water;
+  const Water<N> curved = load(sums.curved);
+  const auto forward = [&](const float(*from)[group]) HWY_ATTR {
+    N result = constant<count>(hn::Load(d, from[0] + i));
+    for (std::size_t n = 0; n < std::size_t(count); ++n) result.by[n] = hn::Load(d, from[n + 1] + i);
+    return result;
+  };
+  const N forward_x = forward(at.forward_x), forward_z = forward(at.forward_z);
+  water.x = water.x + (curved.x * forward_x - curved.z * forward_z);
+  water.z = water.z + (curved.x * forward_z + curved.z * forward_x);
+  water.y = water.y + curved.y;
+  return water;
+}
+
+// What the ground leaves of the water's ways to the sides, 0 on land.
+template <class V, int count>
+HWY_INLINE Dual<V, count> wet(const Dual<V, count>& depth) {
+  const auto share = times(plus(depth, -gpu::dry_depth_m), 1.0f / (gpu::wet_depth_m - gpu::dry_depth_m));
+  const auto t = clamped(share);
+  return t * t * (constant<count>(hn::Set(hn::DFromV<V>(), 3.0f)) - (t + t));
+}
+
+// The displacement of the water, which stands on the level, and of the ground, where that is higher.
+template <int count, class D>
+HWY_INLINE Water<Dual<hn::Vec<D>, count>> compose(D d, const PlacePlan& plan, const Places& at, const Sums& sums,
+                                                  int i) {
+  auto water = add_up<count>(d, plan, at, sums, i);
+  const auto level = number<count>(d, plan, at, PlaceNumbers::level, 0.0f, i);
+  water.y = water.y + level;
+  if (!plan.bed) return water;
+  const auto bed = number<count>(d, plan, at, PlaceNumbers::bed, 0.0f, i), share = wet(level - bed);
+  water.x = water.x * share;
+  water.z = water.z * share;
+  water.y = larger(water.y, bed);
+  return water;
 }
 
 }  // namespace

@@ -13,17 +13,40 @@
 namespace seascape {
 
 namespace {
-void put(float* to, glm::vec4 value) {
-  for (int i = 0; i < 4; ++i) to[i] = value[i];
-}
-// What a bed gives, where a PlaceTexel has it.
-void put_bed(const BedTexel& ground, float* to) {
-  to[4 * PlaceTexel::water + 1] = ground.bed.x;
-  put(to + 4 * PlaceTexel::bend, {ground.bed.y, ground.bed.z, ground.bed.w, ground.more.z});
-  put(to + 4 * PlaceTexel::share, ground.share);
-  put(to + 4 * PlaceTexel::share_more, {ground.more.x, ground.more.y, 0.0f, 0.0f});
-}
+// Puts numbers where a texel has them.
+struct Texel {
+  const PlaceNumbers& numbers;
+  float* to;
+  void put(int number, float value) const {
+    if (numbers.at[std::size_t(number)] >= 0) to[numbers.at[std::size_t(number)]] = value;
+  }
+  void put(const BedTexel& ground) const {
+    put(PlaceNumbers::bed, ground.bed.x);
+    for (int i = 0; i < 3; ++i) put(PlaceNumbers::bend + i, ground.bed[i + 1]);
+    put(PlaceNumbers::run_up, ground.more.z);
+    for (int i = 0; i < 4; ++i) put(PlaceNumbers::share + i, ground.share[i]);
+    put(PlaceNumbers::share + 4, ground.more.x);
+    put(PlaceNumbers::others, ground.more.y);
+  }
+};
 }  // namespace
+
+PlaceNumbers PlaceSea::numbers() const {
+  PlaceNumbers numbers;
+  numbers.at.fill(-1);
+  std::int8_t count = 0;
+  const auto have = [&](int first, int end) {
+    for (int number = first; number < end; ++number) numbers.at[std::size_t(number)] = count++;
+  };
+  if (level_) have(PlaceNumbers::level, PlaceNumbers::level + 1);
+  if (flow_) have(PlaceNumbers::flow_x, PlaceNumbers::flow_z + 1);
+  if (bed_) have(PlaceNumbers::bed, PlaceNumbers::share + cascades_);
+  if (bed_ && has_others_) have(PlaceNumbers::others, PlaceNumbers::others + 1);
+  if (along_curves_) have(PlaceNumbers::right, PlaceNumbers::count);
+  numbers.vectors = (count + 3) / 4;
+  if (numbers.vectors == 3) numbers.vectors = 4;  // whole cache lines
+  return numbers;
+}
 
 void PlaceSea::renew() {
   pages_.reset();
@@ -31,29 +54,28 @@ void PlaceSea::renew() {
   const auto time_of = [](const auto& values, double time) { return values->still ? 0.0 : time; };
   if (clip_)
     clip_pages_ = std::make_shared<PlacePages>(1, [clip = clip_](glm::dvec2 at, double texel, double time, float* to) {
-      put(to, clip->value(at, texel, clip->still ? 0.0 : time));
+      const glm::vec4 value = clip->value(at, texel, clip->still ? 0.0 : time);
+      for (int i = 0; i < 4; ++i) to[i] = value[i];
     });
-  const int vectors = along_curves_ ? PlaceTexel::shore_way + 1 : bed_ ? PlaceTexel::share_more + 1 : 1;
-  if (vectors == 1 && !level_ && !flow_) return;
-  pages_ = std::make_shared<PlacePages>(vectors, [=, level = level_, flow = flow_, bed = bed_, shore = along_curves_](
-                                                     glm::dvec2 at, double texel, double time, float* to) {
-    glm::vec4 water(0.0f);
-    if (level) water.x = level->value(at, texel, time_of(level, time)).x;
-    if (flow) {
-      const glm::vec4 velocity = flow->value(at, texel, time_of(flow, time));
-      water.z = velocity.x, water.w = velocity.y;
-    }
-    if (vectors > 1) {
-      const BedTexel ground = bed ? bed->value(at, texel, time_of(bed, time)) : BedTexel{};
-      put_bed(ground, to);
-      water.y = ground.bed.x;
-    }
-    put(to + 4 * PlaceTexel::water, water);
-    if (!shore) return;
-    const ShoreTexel line = shore->value(at, texel, time_of(shore, time));
-    put(to + 4 * PlaceTexel::shore, line.line);
-    put(to + 4 * PlaceTexel::shore_way, {line.way.x, line.way.y, 0.0f, 0.0f});
-  });
+  const PlaceNumbers numbers = this->numbers();
+  if (numbers.vectors == 0) return;
+  pages_ = std::make_shared<PlacePages>(
+      numbers.vectors, [=, level = level_, flow = flow_, bed = bed_, shore = along_curves_](
+                           glm::dvec2 at, double texel_m, double time, float* to) {
+        std::fill(to, to + 4 * numbers.vectors, 0.0f);
+        const Texel texel{numbers, to};
+        if (level) texel.put(PlaceNumbers::level, level->value(at, texel_m, time_of(level, time)).x);
+        if (flow) {
+          const glm::vec4 velocity = flow->value(at, texel_m, time_of(flow, time));
+          texel.put(PlaceNumbers::flow_x, velocity.x);
+          texel.put(PlaceNumbers::flow_z, velocity.y);
+        }
+        if (bed) texel.put(bed->value(at, texel_m, time_of(bed, time)));
+        if (!shore) return;
+        const ShoreTexel line = shore->value(at, texel_m, time_of(shore, time));
+        const float along[] = {line.line.x, line.line.y, line.line.z, line.line.w, line.way.x, line.way.y};
+        for (int i = 0; i < 6; ++i) texel.put(PlaceNumbers::right + i, along[i]);
+      });
 }
 
 bool PlaceSea::flat_clipped(glm::dvec2 place, double texel, double time) const {
@@ -91,9 +113,9 @@ bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double time, const ClipRead& r
 namespace {
 // The layers of one place as a bed and a current have them: once, or once for each of two patterns.
 void place_layers(PlacePlan& plan, const QueryLayer& layer, PlacedLayer placed, const WaveField::Place& place) {
-  const double k = 2.0 * std::numbers::pi / std::sqrt(place.longest_m * place.shortest_m);
-  placed.flow_height = float(0.5 * std::pow(0.5 * k * plan.period_s, 2));
-  placed.laid = layer.laid;
+  const double way = std::numbers::pi * plan.period_s;
+  placed.flow_height = float(0.5 * way * way / (place.longest_m * place.shortest_m));
+  placed.laid = layer.share * layer.laid[0];
   for (int pattern = plan.flow ? 0 : -1; pattern <= (plan.flow ? 1 : -1); ++pattern) {
     placed.pattern = std::int8_t(pattern);
     const auto at = std::size_t(plan.waves.count++);
@@ -114,9 +136,10 @@ void place_dynamic(PlacePlan& plan, const DynamicSurface& dynamic, double footpr
                        .share = 0,
                        .bent = -1,
                        .runs_up = false,
+                       .even = dynamic.share() == 1.0,
                        .pattern = -1,
                        .flow_height = 0.0f,
-                       .laid = {1.0f, 1.0f, 1.0f, 1.0f},
+                       .laid = 1.0f,
                        .end_m = end,
                        .per_border = 1.0f / (gpu::lod_border * end),
                        .counts = float(kept * (i == 0 ? 1.0 - double(windows.reach.z) : 1.0)),
@@ -149,7 +172,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   plan.waves.left_out_m = beside.left_out_m;
   plan.places = this;
   plan.pages = pages_.get();
-  plan.vectors = pages_ ? pages_->vectors() : 0;
+  plan.numbers = numbers();
   plan.bed = bed_.has_value();
   plan.shore = along_curves_.has_value();
   plan.flow = flow_.has_value();
@@ -170,15 +193,18 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
     plan.reach = lod_reach(settings_.windows, *options.seen);
     plan.slices = settings_.windows.slices;
     plan.footprint_m = float(options.footprint_m);
-    if (level_) plan.outside[0] = level_->outside.x;
-    if (flow_) plan.outside[2] = flow_->outside.x, plan.outside[3] = flow_->outside.y;
-    if (bed_) put_bed(bed_->outside, plan.outside.data());
+    const Texel outside{plan.numbers, plan.outside.data()};
+    if (level_) outside.put(PlaceNumbers::level, level_->outside.x);
+    if (flow_) outside.put(PlaceNumbers::flow_x, flow_->outside.x), outside.put(PlaceNumbers::flow_z, flow_->outside.y);
+    if (bed_) outside.put(bed_->outside);
+    for (int number = 0; number < PlaceNumbers::count; ++number)
+      if (const int at = plan.numbers.at[std::size_t(number)]; at >= 0)
+        plan.fades[std::size_t(at)] = number < PlaceNumbers::right || number == PlaceNumbers::shore_share;
   }
   for (int i = 0; plan.bed && i < 3; ++i) plan.along[std::size_t(i)] = shallows_.direction(i);
-  if (plan.shore) plan.shore_period_m = shore_->period_m();
+  if (plan.shore) plan.shore_period_m = float(shore_->period_m());
   const int cascades = field.quality().cascades;
-  const bool others = field.places().size() > std::size_t(cascades);
-  if (plan.bed && !plan.shore && !others && cascades <= 4) plan.vectors = PlaceTexel::share_more;
+  assert(cascades <= cascades_ && (has_others_ || field.places().size() <= std::size_t(cascades)));
   for (int l = 0; l < waves.count; ++l) {
     const QueryLayer& layer = waves.layers[std::size_t(l)];
     const int place = waves.place[std::size_t(l)];
@@ -188,7 +214,8 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
                  {.kind = PlacedLayer::waves,
                   .share = std::int8_t(cascade ? place : gpu::max_cascades),
                   .bent = std::int8_t(cascade && place < Refraction::bent_cascades ? place : -1),
-                  .runs_up = cascade && place < Shallows::swash_cascades},
+                  .runs_up = cascade && place < Shallows::swash_cascades,
+                  .even = !plan.bed || !cascade || place >= Shallows::swash_cascades},
                  field.places()[std::size_t(place)]);
   }
   if (beside.dynamic != nullptr) {
@@ -202,8 +229,8 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
     if (std::size_t(waves.place[std::size_t(l)]) != field.curved()) continue;
     QueryLayer layer = waves.layers[std::size_t(l)];
     layer.cosine = layer.sine = 0.0;  // its pattern lies where the curve has it
-    layer.alone = true;
-    place_layers(plan, layer, {.kind = PlacedLayer::curved, .share = 0, .bent = -1, .runs_up = false}, place);
+    place_layers(plan, layer, {.kind = PlacedLayer::curved, .share = 0, .bent = -1, .runs_up = false, .even = true},
+                 place);
   }
   return plan;
 }

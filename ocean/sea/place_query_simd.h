@@ -16,13 +16,27 @@ namespace seascape {
 class ClipVolumes;
 class PlaceSea;
 
-// What a texel of PlacePages has for queries, four floats to a vector. The first is always there, the next three over a
-// bed, the last two where waves run along curves.
-struct PlaceTexel {
-  static constexpr int water = 0,  // level, bed (m), flow along x and z (m/s)
-      bend = 1,                    // shifts of the bent cascades (m); the run-up's share
-      share = 2, share_more = 3,   // BedTexel::share; of the fifth cascade, of other sources
-      shore = 4, shore_way = 5;    // ShoreTexel
+// The numbers of a place that queries read, in the order in which a texel of PlacePages has those that there are.
+struct PlaceNumbers {
+  enum Number : std::uint8_t {
+    level,  // of the still water, m
+    flow_x,
+    flow_z,                              // m/s
+    bed,                                 // m
+    bend,                                // shifts of the bent cascades, m
+    run_up = bend + 3,                   // its share
+    share,                               // PlaceWaves, of each cascade
+    others = share + gpu::max_cascades,  // of the other sources
+    right,                               // ShoreTexel: to the right of the curve, m
+    cosine,
+    sine,         // of the way along it
+    shore_share,  // what is left of the waves
+    along_x,
+    along_z,  // ShoreTexel::way
+    count
+  };
+  std::array<std::int8_t, count> at{};  // which float of a texel; -1: none, for there is no such number
+  int vectors = 0;                      // of four floats, in a texel
 };
 
 // What a layer of a PlacePlan is multiplied with and where it is taken.
@@ -32,9 +46,10 @@ struct PlacedLayer {
   std::int8_t share;    // which of a bed's shares: a cascade's number, gpu::max_cascades for other sources
   std::int8_t bent;     // which of the shifts; -1: none
   bool runs_up;         // its height has the run-up's share besides
+  bool even;            // its sideways displacement is multiplied with the same as its height
   std::int8_t pattern;  // 0 and 1: of two that a current carries; -1: there is no current
   float flow_height;    // (k T / 2)^2 / 2 for a current's period T and the middle wave number k: times (m/s)^2
-  std::array<float, 4> laid;
+  float laid;           // QueryLayer::share, times the size that it is laid in
   // Of dynamic waves: the end of its window, one over the border in which it fades (m), what it counts for, and of that
   // what its sideways displacement does.
   float end_m, per_border, counts, sharpened;
@@ -46,7 +61,7 @@ struct PlacePlan {
   int curved = 0;  // the first of those that run along curves
   const PlaceSea* places = nullptr;
   const PlacePages* pages = nullptr;  // null: only dynamic waves
-  int vectors = 0;                    // of a texel, that are read
+  PlaceNumbers numbers;
   bool bed = false, shore = false, flow = false, dries = false;
   std::array<glm::vec2, 3> along;      // directions of the shifts
   PlaceReading reading{};              // which texels are read, but where a picture's windows say so by place:
@@ -54,12 +69,14 @@ struct PlacePlan {
   glm::vec4 reach{0.0f};               // LodWindows::reach,
   int slices = 0;                      // as many windows,
   float footprint_m = 0.0f;            // and the query's footprint
-  std::array<float, 4 * PlacePages::most_vectors> outside{};  // beyond all windows
-  ClipRead clip;                                              // where it dries
-  double place_time_s = 0.0, time_s = 0.0;                    // as of which places are taken; of the sea
+  // Beyond all windows, of each float of a texel; and which of them give way to that.
+  std::array<float, 4 * PlacePages::most_vectors> outside{};
+  std::array<bool, 4 * PlacePages::most_vectors> fades{};
+  ClipRead clip;                            // where it dries
+  double place_time_s = 0.0, time_s = 0.0;  // as of which places are taken; of the sea
   FlowPhase phase{};
   double period_s = 1.0;
-  double shore_period_m = 1.0;
+  float shore_period_m = 1.0f;
   glm::dvec2 viewer{0.0};  // around whom the dynamic waves' windows lie
 };
 

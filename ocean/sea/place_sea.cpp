@@ -21,7 +21,9 @@ PlaceSea::PlaceSea(PlaceInputs inputs, const WaveField& field, ShallowsMix shall
     : settings_(inputs.settings),
       open_depth_m_(field.state().depth_m),
       volumes_(inputs.volumes),
-      shore_(field.has_curved() ? inputs.shore : nullptr) {
+      shore_(field.has_curved() ? inputs.shore : nullptr),
+      cascades_(field.quality().cascades),
+      has_others_(field.places().size() > std::size_t(field.quality().cascades)) {
   validate(settings_);
   for (const auto& [kind, values] : {std::pair(InputTarget::level, &level_), std::pair(InputTarget::flow, &flow_),
                                      std::pair(InputTarget::clip, &clip_)})

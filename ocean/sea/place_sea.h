@@ -19,6 +19,7 @@
 namespace seascape {
 
 struct PlacePlan;  // ocean/sea/place_query_simd.h
+struct PlaceNumbers;
 
 // The C++ twin of what sea() does with the data of places (shaders/lib/sea.glsl). Data of places are what lies between
 // texels (PlaceReader), for queries as for pictures: a query has the finest, a picture those of its windows. Immutable
@@ -149,6 +150,7 @@ class PlaceSea {
   SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
   PlacePlan plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
                  const Beside& beside) const;
+  PlaceNumbers numbers() const;
   PlaceSettings settings_;
   double open_depth_m_;
   std::optional<PlaceValues<glm::vec4>> level_, flow_, clip_;
@@ -157,7 +159,9 @@ class PlaceSea {
   ShallowsMix shallows_;
   std::optional<PlaceValues<BedTexel>> bed_;
   std::optional<PlaceValues<ShoreTexel>> along_curves_;
-  std::shared_ptr<const PlacePages> pages_, clip_pages_;  // of PlaceTexel, of flat clip; null: none
+  std::shared_ptr<const PlacePages> pages_, clip_pages_;  // of PlaceNumbers, of flat clip; null: none
+  int cascades_;                                          // the most that are asked for,
+  bool has_others_;                                       // and whether other sources are
 };
 
 }  // namespace seascape

@@ -70,7 +70,9 @@ Stand stand_of(const PlacePlan& plan, glm::dvec2 place, double reach_m) {
       for (double x = from.x; x <= to.x; ++x) {
         const float* const water =
             plan.pages->cell(std::int64_t(x), std::int64_t(z), texel_m, plan.place_time_s, slot, own).first;
-        const double level = double(water[0]), bed = plan.bed ? double(water[1]) : level;
+        const int level_at = plan.numbers.at[PlaceNumbers::level], bed_at = plan.numbers.at[PlaceNumbers::bed];
+        const double level = level_at < 0 ? 0.0 : double(water[level_at]),
+                     bed = plan.bed ? double(water[bed_at]) : level;
         const double least = plan.dries ? std::min(level, bed) : level, most = std::max(level, bed);
         stand = any ? Stand{std::min(stand.least_m, least), std::max(stand.most_m, most)} : Stand{least, most};
         any = true;

@@ -28,12 +28,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 // same bits.
 
 // Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
-// cache. Where places count a point needs three times the memory.
-#ifdef SEASCAPE_QUERY_GROUP
-constexpr int group = SEASCAPE_QUERY_GROUP;
-#else
+// cache.
 constexpr int group = 32;
-#endif
 constexpr int most_layers = most_query_layers;
 
 // A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a
@@ -52,17 +48,10 @@ struct Group {
   // and their weights.
   alignas(64) std::int32_t upper[most_layers][group], lower[most_layers][group];
   alignas(64) float weight[most_layers][4 * group];
-  alignas(64) float right[most_layers][group], below[most_layers][group];  // how far between the four, 0 to 1
   // Derivatives of the weights along the world's x and z, 1 / m (locate_slopes).
   alignas(64) float weight_x[most_layers][4 * group], weight_z[most_layers][4 * group];
   // Four floats a point: Dx, h, Dz of the point, their derivatives over the rest position's x and z, and the velocity.
   alignas(64) float shift[4 * group], along_x[4 * group], along_z[4 * group], velocity[4 * group];
-};
-
-// Where the patterns of a group's points lie beside them, and what they count for: of each layer.
-struct Patterns {
-  alignas(64) float off_x[most_layers][group], off_z[most_layers][group];  // m, to add to the point's own place
-  alignas(64) float scale[most_layers][4 * group];                         // of Dx, h, Dz; 0
 };
 
 // In double, so that a sample a thousand kilometres out is as exact as one at the origin.
@@ -92,22 +81,16 @@ void place_in_tiles(const QueryPlan& plan, Group& g, int count) {
 }
 
 // Of points i to i + lanes - 1 the column and row of the first texel that a layer's sample blends, and how far into the
-// four it lies. `placed`: where its pattern is, or else at the point itself,
-// without patterns.
+// four it lies, at these ways from the places asked.
 template <class D>
 struct Spot {
   hn::Vec<hn::RebindToSigned<D>> column, row;
   hn::Vec<D> right, below;
 };
-template <bool placed, class D>
-HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, const Patterns* patterns, int i) {
+template <class D>
+HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, hn::Vec<D> way_x, hn::Vec<D> way_z,
+                        int i) {
   const hn::RebindToSigned<D> di;
-  auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
-  if constexpr (placed) {
-    const auto off_x = hn::Load(d, patterns->off_x[l] + i), off_z = hn::Load(d, patterns->off_z[l] + i);
-    way_x = layer.alone ? off_x : hn::Add(way_x, off_x);
-    way_z = layer.alone ? off_z : hn::Add(way_z, off_z);
-  }
   const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel);
   const auto x = hn::Add(hn::Add(hn::Mul(cosine, way_x), hn::Mul(sine, way_z)), hn::Load(d, g.part_x[l] + i));
   const auto z = hn::Add(hn::Sub(hn::Mul(cosine, way_z), hn::Mul(sine, way_x)), hn::Load(d, g.part_z[l] + i));
@@ -117,31 +100,32 @@ HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, con
           hn::Sub(z, floor_z)};
 }
 
-// The texels around the rest positions of points i to i + lanes - 1.
-template <bool placed, class D>
-HWY_INLINE void locate(D d, const QueryPlan& plan, Group& g, const Patterns* patterns, int i) {
+// The texels around these spots of a layer, and their weights, which add up to `share`.
+template <class D>
+HWY_INLINE void locate_layer(D d, const QueryLayer& layer, int l, Group& g, const Spot<D>& at, hn::Vec<D> share,
+                             int i) {
   const hn::RebindToSigned<D> di;
   const auto one = hn::Set(d, 1.0f);
-  const auto next = hn::Set(di, 1);
+  const auto mask = hn::Set(di, layer.mask), stride = hn::Set(di, layer.stride);
+  // The mask wraps, and keeps the reads of a place that is no number in the tile.
+  const auto x0 = hn::And(at.column, mask);
+  const auto z0 = hn::And(at.row, mask), z1 = hn::And(hn::Add(at.row, hn::Set(di, 1)), mask);
+  const auto last = hn::VecFromMask(di, hn::Eq(x0, mask));
+  hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z0, stride), x0)), last), di, g.upper[l] + i);
+  hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z1, stride), x0)), last), di, g.lower[l] + i);
+  const auto left = hn::Sub(one, at.right), under = hn::Mul(at.below, share),
+             above = hn::Mul(hn::Sub(one, at.below), share);
+  hn::StoreInterleaved4(hn::Mul(left, above), hn::Mul(at.right, above), hn::Mul(left, under), hn::Mul(at.right, under),
+                        d, g.weight[l] + 4 * i);
+}
+
+// The texels around the rest positions of points i to i + lanes - 1.
+template <class D>
+HWY_INLINE void locate(D d, const QueryPlan& plan, Group& g, int i) {
+  const auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const Spot<D> at = spot<placed>(d, layer, l, g, patterns, i);
-    const auto share = hn::Set(d, layer.share);
-    const auto mask = hn::Set(di, layer.mask), stride = hn::Set(di, layer.stride);
-    // The mask wraps, and keeps the reads of a place that is no number in the tile.
-    const auto x0 = hn::And(at.column, mask);
-    const auto z0 = hn::And(at.row, mask), z1 = hn::And(hn::Add(at.row, next), mask);
-    const auto last = hn::VecFromMask(di, hn::Eq(x0, mask));
-    hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z0, stride), x0)), last), di, g.upper[l] + i);
-    hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z1, stride), x0)), last), di, g.lower[l] + i);
-    if constexpr (placed) {
-      hn::Store(at.right, d, g.right[l] + i);
-      hn::Store(at.below, d, g.below[l] + i);
-    }
-    const auto left = hn::Sub(one, at.right), under = hn::Mul(at.below, share),
-               above = hn::Mul(hn::Sub(one, at.below), share);
-    hn::StoreInterleaved4(hn::Mul(left, above), hn::Mul(at.right, above), hn::Mul(left, under),
-                          hn::Mul(at.right, under), d, g.weight[l] + 4 * i);
+    locate_layer(d, layer, l, g, spot(d, layer, l, g, way_x, way_z, i), hn::Set(d, layer.share), i);
   }
 }
 
@@ -152,7 +136,7 @@ HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
   const auto one = hn::Set(d, 1.0f);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const Spot<D> at = spot<false>(d, layer, l, g, nullptr, i);
+    const Spot<D> at = spot(d, layer, l, g, hn::Load(d, g.way_x + i), hn::Load(d, g.way_z + i), i);
     const auto left = hn::Sub(one, at.right), above = hn::Sub(one, at.below);
     const auto store = [&](float along_column, float along_row, float* to) HWY_ATTR {
       const auto u = hn::Set(d, along_column * layer.share), v = hn::Set(d, along_row * layer.share);
@@ -207,51 +191,51 @@ struct Take {
   float* to;
 };
 
-// The four floats of a plane at a point, summed over layers `first` to `end` - 1 for each of the four texels and then
-// over these. `placed`: times what their patterns count for.
-template <bool placed, std::size_t count>
-HWY_INLINE void sample(const QueryPlan& plan, const Group& g, const Patterns* patterns, int first, int end, int point,
-                       Plane plane, const Take (&take)[count]) {
+// These weights, of a point, for the texels of part `part`.
+HWY_INLINE hn::Vec<Texels> weights_of(const float* weight, int part) {
   const Texels d;
   alignas(64) static constexpr std::int32_t spread[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+  return hn::TableLookupLanes(hn::LoadDup128(d, weight), hn::SetTableIndices(d, spread + 4 * texels_at_once * part));
+}
+
+// Adds up the four texels' sums.
+HWY_INLINE void add_texels(const hn::Vec<Texels> (&sums)[parts], float* to) {
+  const hn::FixedTag<float, 4> d4;
+#if HWY_MAX_BYTES >= 64
+  const hn::Half<Texels> half;
+  const auto upper = hn::LowerHalf(half, sums[0]), lower = hn::UpperHalf(half, sums[0]);
+#elif HWY_MAX_BYTES >= 32
+  const auto upper = sums[0], lower = sums[1];
+#endif
+#if HWY_MAX_BYTES >= 32
+  hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper), hn::UpperHalf(d4, upper)),
+                    hn::Add(hn::LowerHalf(d4, lower), hn::UpperHalf(d4, lower))),
+            d4, to);
+#else
+  hn::Store(hn::Add(hn::Add(sums[0], sums[1]), hn::Add(sums[2], sums[3])), d4, to);
+#endif
+}
+
+// The four floats of a plane at a point, summed over all layers for each of the four texels and then over these.
+template <std::size_t count>
+HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, Plane plane, const Take (&take)[count]) {
+  const Texels d;
   hn::Vec<Texels> sums[count][parts];
   for (auto& sum : sums)
     for (auto& part : sum) part = hn::Zero(d);
-  for (int l = first; l < end; ++l) {
+  for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    if (placed && patterns->scale[l][4 * point + 1] == 0.0f) continue;
-    const float* const from = layer.*plane;
-    if (placed && from == nullptr) continue;
     hn::Vec<Texels> texels[parts];
-    read_texels(from, g, layer, l, point, texels);
-    if (placed || HWY_UNLIKELY(!layer.plain)) {
-      const auto scale = hn::LoadDup128(d, placed ? patterns->scale[l] + 4 * point : layer.laid.data());
-      for (auto& part : texels) part = hn::Mul(scale, part);
+    read_texels(layer.*plane, g, layer, l, point, texels);
+    if (HWY_UNLIKELY(!layer.plain)) {
+      const auto laid = hn::LoadDup128(d, layer.laid.data());
+      for (auto& part : texels) part = hn::Mul(laid, part);
     }
-    for (std::size_t n = 0; n < count; ++n) {
-      const auto weights = hn::LoadDup128(d, take[n].weight[l] + 4 * point);
-      for (int i = 0; i < parts; ++i) {
-        const auto of_part = hn::SetTableIndices(d, spread + 4 * texels_at_once * i);
-        sums[n][i] = hn::Add(sums[n][i], hn::Mul(hn::TableLookupLanes(weights, of_part), texels[i]));
-      }
-    }
+    for (std::size_t n = 0; n < count; ++n)
+      for (int i = 0; i < parts; ++i)
+        sums[n][i] = hn::Add(sums[n][i], hn::Mul(weights_of(take[n].weight[l] + 4 * point, i), texels[i]));
   }
-  const hn::FixedTag<float, 4> d4;
-  for (std::size_t n = 0; n < count; ++n) {
-#if HWY_MAX_BYTES >= 64
-    const hn::Half<Texels> half;
-    const auto upper = hn::LowerHalf(half, sums[n][0]), lower = hn::UpperHalf(half, sums[n][0]);
-#elif HWY_MAX_BYTES >= 32
-    const auto upper = sums[n][0], lower = sums[n][1];
-#endif
-#if HWY_MAX_BYTES >= 32
-    hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper), hn::UpperHalf(d4, upper)),
-                      hn::Add(hn::LowerHalf(d4, lower), hn::UpperHalf(d4, lower))),
-              d4, take[n].to);
-#else
-    hn::Store(hn::Add(hn::Add(sums[n][0], sums[n][1]), hn::Add(sums[n][2], sums[n][3])), d4, take[n].to);
-#endif
-  }
+  for (std::size_t n = 0; n < count; ++n) add_texels(sums[n], take[n].to);
 }
 
 // Steps from the rest positions in g.way, until each point's residual is within the tolerance; leaves the last points'

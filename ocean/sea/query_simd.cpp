@@ -23,19 +23,17 @@ HWY_INLINE void answer_group(D d, const QueryPlan& plan, const glm::dvec2* place
   search(d, plan, g, count, [&](std::uint64_t left, int) HWY_ATTR {
     const std::uint64_t some = (std::uint64_t{1} << lanes) - 1;
     for (int i = 0; i < count; i += lanes)
-      if ((left >> i & some) != 0) locate<false>(d, plan, g, nullptr, i);
+      if ((left >> i & some) != 0) locate(d, plan, g, i);
     for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
       const int point = std::countr_zero(rest);
-      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift, {{g.weight, g.shift + 4 * point}});
+      sample(plan, g, point, &QueryLayer::shift, {{g.weight, g.shift + 4 * point}});
     }
   });
   for (int i = 0; plan.slopes && i < count; i += lanes) locate_slopes(d, plan, g, i);
   for (int point = 0; plan.slopes && point < count; ++point) {
-    sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift,
-                  {{g.weight_x, g.along_x + 4 * point}, {g.weight_z, g.along_z + 4 * point}});
-    if (plan.velocity)
-      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::velocity,
-                    {{g.weight, g.velocity + 4 * point}});
+    sample(plan, g, point, &QueryLayer::shift,
+           {{g.weight_x, g.along_x + 4 * point}, {g.weight_z, g.along_z + 4 * point}});
+    if (plan.velocity) sample(plan, g, point, &QueryLayer::velocity, {{g.weight, g.velocity + 4 * point}});
   }
   finish(d, plan, g, count, answers);
 }
@@ -60,10 +58,10 @@ void displace_all(const QueryPlan& plan, const glm::dvec2* rest_m, glm::vec3* di
     const int some = int(std::min<std::size_t>(group, count - i));
     const hn::CappedTag<float, 16> d;
     begin(d, plan, rest_m + i, nullptr, g, some);
-    for (int at = 0; at < some; at += int(hn::Lanes(d))) locate<false>(d, plan, g, nullptr, at);
+    for (int at = 0; at < some; at += int(hn::Lanes(d))) locate(d, plan, g, at);
     for (int point = 0; point < some; ++point) {
       float* const shift = g.shift + 4 * point;
-      sample<false>(plan, g, nullptr, 0, plan.count, point, &QueryLayer::shift, {{g.weight, shift}});
+      sample(plan, g, point, &QueryLayer::shift, {{g.weight, shift}});
       displacements[i + std::size_t(point)] = {shift[0], shift[1], shift[2]};
     }
   }

@@ -23,7 +23,6 @@ struct QueryLayer {
   std::array<float, 4>
       laid;    // what the texels' displacements, velocities and their last number are to be multiplied with
   bool plain;  // by 1: a cascade
-  bool alone;  // taken where its pattern says alone (Patterns), wherever the point is
   const float *shift, *velocity;  // first texel of each plane; velocity null where there is none
 };
 
