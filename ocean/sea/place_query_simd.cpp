@@ -36,8 +36,9 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
       const int point = std::countr_zero(rest);
       const glm::dvec2 place(g.x[point] + double(g.way_x[point]), g.z[point] + double(g.way_z[point]));
       const float distance_m = gpu::lod_distance(glm::vec2(place - plan.seen->viewer));
-      choose_texels({gpu::lod_read(plan.reach, plan.slices, distance_m, plan.footprint_m), plan.reading.texel_m}, at,
-                    point);
+      const PlaceReading reading{gpu::lod_read(plan.reach, plan.slices, distance_m, plan.footprint_m),
+                                 plan.reading.texel_m};
+      choose_texels(reading.read, reading.fine_texel_m(), at, point);
     }
     for (int i = 0; i < count; i += lanes)
       if ((left >> i & some) != 0) find_texels(d, plan, g, at, left, i);
@@ -153,11 +154,12 @@ HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* place
   Sums sums;
   const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
   begin(d, plan.waves, places, previous, g, count);
+  const double fine_m = plan.reading.fine_texel_m();
   for (int i = 0; i < padded; ++i) {
     at.from_viewer_x[i] = float(g.x[i] - plan.viewer.x);
     at.from_viewer_z[i] = float(g.z[i] - plan.viewer.y);
     at.texel_m[0][i] = 0.0;
-    choose_texels(plan.reading, at, i);
+    choose_texels(plan.reading.read, fine_m, at, i);
   }
   at.slot[0] = at.slot[1] = 0;
   // What is never read is computed with all the same.

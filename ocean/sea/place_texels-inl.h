@@ -63,17 +63,16 @@ struct Sums {
   alignas(64) float waves[4][4 * group], curved[4][4 * group];
 };
 
-// Which texels a point's numbers are read from. Of other sizes it has no pages yet.
-inline void choose_texels(const PlaceReading& reading, Places& at, int point) {
-  const double fine = reading.fine_texel_m();
+// Which texels a point's numbers are read from, `fine` metres wide. Of other sizes it has no pages yet.
+inline void choose_texels(const gpu::LodRead& how, double fine, Places& at, int point) {
   if (at.texel_m[0][point] != fine)
     for (int i = 0; i < 2; ++i) {
       at.texel_m[i][point] = (i + 1) * fine;
       at.per_m[i][point] = 1.0 / at.texel_m[i][point];
       at.page_x[i][point] = at.page_z[i][point] = no_page;
     }
-  at.coarser[point] = reading.read.coarser;
-  at.present[point] = reading.read.present;
+  at.coarser[point] = how.coarser;
+  at.present[point] = how.present;
 }
 
 // Finds the page that a point's texels are in, and has them fetched.
