@@ -45,9 +45,8 @@ template <class V, int count>
 HWY_INLINE Dual<V, count> dynamic_share(const PlacedLayer& layer, const Dual<V, count>& x, const Dual<V, count>& z) {
   const hn::DFromV<V> d;
   const auto zero = constant<count>(hn::Zero(d));
-  const auto size = [&](const Dual<V, count>& of) HWY_ATTR {
-    return select(hn::Lt(of.value, zero.value), zero - of, of);
-  };
+  const auto size = [&](const Dual<V, count>& of)
+                        HWY_ATTR { return select(hn::Lt(of.value, zero.value), zero - of, of); };
   const auto inside = constant<count>(hn::Set(d, layer.end_m)) - larger(size(x), size(z));
   return times(clamped(times(inside, layer.per_border)), layer.counts);
 }
@@ -193,13 +192,13 @@ HWY_INLINE void sample_placed(const PlacePlan& plan, const Group& g, const Place
     const float* const from = layer.*plane;
     if (at.there[l][point] == 0.0f || from == nullptr) continue;
     hn::Vec<Texels> texels[parts];
-    read_texels(from, g, layer, l, point, texels);
+    read_texels(from, g.upper[l][point], g.lower[l][point], layer.mask, texels);
     if (!plan.placed[std::size_t(l)].even)
       for (auto& part : texels) part = hn::Mul(in_sideways(at.sideways[l][point], 1.0f), part);
     for (int i = 0; i < parts; ++i)
       sum[i] = hn::Add(sum[i], hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]));
   }
-  add_texels(sum, to + 4 * point);
+  hn::Store(add_texels(sum), hn::FixedTag<float, 4>(), to + 4 * point);
 }
 
 // The `count` derivatives of a point's sum of displacements.
@@ -214,7 +213,7 @@ HWY_INLINE void sample_growth(const PlacePlan& plan, const Group& g, const Place
     const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
     if (at.there[l][point] == 0.0f) continue;
     hn::Vec<Texels> texels[parts];
-    read_texels(layer.shift, g, layer, l, point, texels);
+    read_texels(layer.shift, g.upper[l][point], g.lower[l][point], layer.mask, texels);
     const bool even = plan.placed[std::size_t(l)].even;
     for (int i = 0; i < parts; ++i) {
       auto scaled = texels[i];
@@ -227,7 +226,7 @@ HWY_INLINE void sample_growth(const PlacePlan& plan, const Group& g, const Place
         sums[by][i] = hn::Add(sums[by][i], hn::Mul(in_sideways(at.growth[by].sideways[l][point], 0.0f), value));
     }
   }
-  for (int by = 0; by < count; ++by) add_texels(sums[by], to[by] + 4 * point);
+  for (int by = 0; by < count; ++by) hn::Store(add_texels(sums[by]), hn::FixedTag<float, 4>(), to[by] + 4 * point);
 }
 
 // What the layers' sums make of the water.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ocean/sea/query_simd.h"
+#include "ocean/waves/tile_sampler_simd.h"
 #include "ocean/waves/wave_tiles.h"
 
 namespace seascape {
@@ -35,9 +36,7 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
       layer.sine = place.sine;
       layer.inverse_side = place.inverse_side;
       layer.size = size;
-      // Texel j of level 0 stands at j / size of the side, and those of the next levels in the middle of what they
-      // average.
-      layer.first = size + 0.5 * size / tiles.samples(i) - 0.5 + place.offset * size;
+      layer.first = first_texel(level, size, place.offset);
       layer.cosine_a_texel = float(place.cosine * place.inverse_side * size);
       layer.sine_a_texel = float(place.sine * place.inverse_side * size);
       layer.mask = size - 1;

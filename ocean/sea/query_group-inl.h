@@ -17,15 +17,13 @@
 #endif
 
 #include "ocean/sea/formulas-inl.h"
+#include "ocean/waves/tile_texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace seascape {
 namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// No multiplication is fused with an addition anywhere here: not every instruction set can, and all have to give the
-// same bits.
 
 // Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
 // cache.
@@ -54,39 +52,27 @@ struct Group {
   alignas(64) float shift[4 * group], along_x[4 * group], along_z[4 * group], velocity[4 * group];
 };
 
-// In double, so that a sample a thousand kilometres out is as exact as one at the origin.
 void place_in_tiles(const QueryPlan& plan, Group& g, int count) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<float, decltype(d)> df;
   const hn::Rebind<std::int32_t, decltype(d)> di;
-  const int lanes = int(hn::Lanes(d));
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
     const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine),
                inverse_side = hn::Set(d, layer.inverse_side);
     const auto size = hn::Set(d, layer.size), first = hn::Set(d, layer.first);
-    for (int i = 0; i < count; i += lanes) {
-      const auto x = hn::Load(d, g.x + i), z = hn::Load(d, g.z + i);
-      const auto u = hn::Mul(hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z)), inverse_side);
-      const auto v = hn::Mul(hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x)), inverse_side);
-      const auto texel_x = hn::Add(hn::Mul(hn::Sub(u, hn::Floor(u)), size), first);
-      const auto texel_z = hn::Add(hn::Mul(hn::Sub(v, hn::Floor(v)), size), first);
-      const auto whole_x = hn::DemoteTo(di, texel_x), whole_z = hn::DemoteTo(di, texel_z);  // positive: the floor
-      hn::Store(whole_x, di, g.whole_x[l] + i);
-      hn::Store(whole_z, di, g.whole_z[l] + i);
-      hn::Store(hn::DemoteTo(df, hn::Sub(texel_x, hn::PromoteTo(d, whole_x))), df, g.part_x[l] + i);
-      hn::Store(hn::DemoteTo(df, hn::Sub(texel_z, hn::PromoteTo(d, whole_z))), df, g.part_z[l] + i);
+    for (int i = 0; i < count; i += int(hn::Lanes(d))) {
+      const auto place = in_tile(d, cosine, sine, inverse_side, hn::Load(d, g.x + i), hn::Load(d, g.z + i));
+      const auto texel = texel_before(d, place, size, first);
+      hn::Store(texel.x, di, g.whole_x[l] + i);
+      hn::Store(texel.z, di, g.whole_z[l] + i);
+      hn::Store(texel.part_x, df, g.part_x[l] + i);
+      hn::Store(texel.part_z, df, g.part_z[l] + i);
     }
   }
 }
 
-// Of points i to i + lanes - 1 the column and row of the first texel that a layer's sample blends, and how far into the
-// four it lies, at these ways from the places asked.
-template <class D>
-struct Spot {
-  hn::Vec<hn::RebindToSigned<D>> column, row;
-  hn::Vec<D> right, below;
-};
+// Where points i to i + lanes - 1 sample a layer, at these ways from the places asked.
 template <class D>
 HWY_INLINE Spot<D> spot(D d, const QueryLayer& layer, int l, const Group& g, hn::Vec<D> way_x, hn::Vec<D> way_z,
                         int i) {
@@ -105,18 +91,10 @@ template <class D>
 HWY_INLINE void locate_layer(D d, const QueryLayer& layer, int l, Group& g, const Spot<D>& at, hn::Vec<D> share,
                              int i) {
   const hn::RebindToSigned<D> di;
-  const auto one = hn::Set(d, 1.0f);
-  const auto mask = hn::Set(di, layer.mask), stride = hn::Set(di, layer.stride);
-  // The mask wraps, and keeps the reads of a place that is no number in the tile.
-  const auto x0 = hn::And(at.column, mask);
-  const auto z0 = hn::And(at.row, mask), z1 = hn::And(hn::Add(at.row, hn::Set(di, 1)), mask);
-  const auto last = hn::VecFromMask(di, hn::Eq(x0, mask));
-  hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z0, stride), x0)), last), di, g.upper[l] + i);
-  hn::Store(hn::Xor(hn::ShiftLeft<2>(hn::Add(hn::Mul(z1, stride), x0)), last), di, g.lower[l] + i);
-  const auto left = hn::Sub(one, at.right), under = hn::Mul(at.below, share),
-             above = hn::Mul(hn::Sub(one, at.below), share);
-  hn::StoreInterleaved4(hn::Mul(left, above), hn::Mul(at.right, above), hn::Mul(left, under), hn::Mul(at.right, under),
-                        d, g.weight[l] + 4 * i);
+  const FourTexels<D> four = four_texels(d, hn::Set(di, layer.mask), hn::Set(di, layer.stride), at, share);
+  hn::Store(four.upper, di, g.upper[l] + i);
+  hn::Store(four.lower, di, g.lower[l] + i);
+  hn::StoreInterleaved4(four.left_above, four.right_above, four.left_below, four.right_below, d, g.weight[l] + 4 * i);
 }
 
 // The texels around the rest positions of points i to i + lanes - 1.
@@ -152,69 +130,11 @@ HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
 
 using Plane = const float* QueryLayer::*;
 
-// Texels of a sample that a vector holds, and vectors that hold its four.
-constexpr int texels_at_once = HWY_MAX_BYTES >= 64 ? 4 : HWY_MAX_BYTES >= 32 ? 2 : 1, parts = 4 / texels_at_once;
-using Texels = hn::FixedTag<float, 4 * texels_at_once>;
-
-// The four texels that a point's sample of a layer blends.
-HWY_INLINE void read_texels(const float* plane, const Group& g, const QueryLayer& layer, int l, int point,
-                            hn::Vec<Texels> (&to)[parts]) {
-  [[maybe_unused]] const Texels d;
-  const std::ptrdiff_t upper = g.upper[l][point], lower = g.lower[l][point];
-#if HWY_MAX_BYTES >= 32
-  const hn::FixedTag<float, 8> d8;
-  const auto pair = [&](std::ptrdiff_t at) HWY_ATTR {
-    if (HWY_LIKELY(at >= 0)) return hn::LoadU(d8, plane + at);
-    const hn::Half<decltype(d8)> half;
-    return hn::Combine(d8, hn::LoadU(half, plane + ~at - 4 * std::ptrdiff_t(layer.mask)), hn::LoadU(half, plane + ~at));
-  };
-#if HWY_MAX_BYTES >= 64
-  to[0] = hn::Combine(d, pair(lower), pair(upper));
-#else
-  to[0] = pair(upper);
-  to[1] = pair(lower);
-#endif
-#else
-  const std::ptrdiff_t right = upper >= 0 ? 4 : -4 * std::ptrdiff_t(layer.mask);
-  const float* const above = plane + (upper >= 0 ? upper : ~upper);
-  const float* const below = plane + (lower >= 0 ? lower : ~lower);
-  to[0] = hn::LoadU(d, above);
-  to[1] = hn::LoadU(d, above + right);
-  to[2] = hn::LoadU(d, below);
-  to[3] = hn::LoadU(d, below + right);
-#endif
-}
-
 // By which weights to sum texels up, and where to: four floats a point.
 struct Take {
   const float (*weight)[4 * group];
   float* to;
 };
-
-// These weights, of a point, for the texels of part `part`.
-HWY_INLINE hn::Vec<Texels> weights_of(const float* weight, int part) {
-  const Texels d;
-  alignas(64) static constexpr std::int32_t spread[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-  return hn::TableLookupLanes(hn::LoadDup128(d, weight), hn::SetTableIndices(d, spread + 4 * texels_at_once * part));
-}
-
-// Adds up the four texels' sums.
-HWY_INLINE void add_texels(const hn::Vec<Texels> (&sums)[parts], float* to) {
-  const hn::FixedTag<float, 4> d4;
-#if HWY_MAX_BYTES >= 64
-  const hn::Half<Texels> half;
-  const auto upper = hn::LowerHalf(half, sums[0]), lower = hn::UpperHalf(half, sums[0]);
-#elif HWY_MAX_BYTES >= 32
-  const auto upper = sums[0], lower = sums[1];
-#endif
-#if HWY_MAX_BYTES >= 32
-  hn::Store(hn::Add(hn::Add(hn::LowerHalf(d4, upper), hn::UpperHalf(d4, upper)),
-                    hn::Add(hn::LowerHalf(d4, lower), hn::UpperHalf(d4, lower))),
-            d4, to);
-#else
-  hn::Store(hn::Add(hn::Add(sums[0], sums[1]), hn::Add(sums[2], sums[3])), d4, to);
-#endif
-}
 
 // The four floats of a plane at a point, summed over all layers for each of the four texels and then over these.
 template <std::size_t count>
@@ -226,7 +146,7 @@ HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, Plane p
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
     hn::Vec<Texels> texels[parts];
-    read_texels(layer.*plane, g, layer, l, point, texels);
+    read_texels(layer.*plane, g.upper[l][point], g.lower[l][point], layer.mask, texels);
     if (HWY_UNLIKELY(!layer.plain)) {
       const auto laid = hn::LoadDup128(d, layer.laid.data());
       for (auto& part : texels) part = hn::Mul(laid, part);
@@ -235,7 +155,7 @@ HWY_INLINE void sample(const QueryPlan& plan, const Group& g, int point, Plane p
       for (int i = 0; i < parts; ++i)
         sums[n][i] = hn::Add(sums[n][i], hn::Mul(weights_of(take[n].weight[l] + 4 * point, i), texels[i]));
   }
-  for (std::size_t n = 0; n < count; ++n) add_texels(sums[n], take[n].to);
+  for (std::size_t n = 0; n < count; ++n) hn::Store(add_texels(sums[n]), hn::FixedTag<float, 4>(), take[n].to);
 }
 
 // Steps from the rest positions in g.way, until each point's residual is within the tolerance; leaves the last points'

@@ -96,6 +96,7 @@ SeaStatistics sea_statistics(const SeaState& sea, const WaveBins& bins);
 // Displacement, derivatives and their mip chains of each cascade at one time.
 class WaveTiles;  // ocean/waves/wave_tiles.h
 struct TileFields;
+struct SampledPlaces;  // ocean/waves/tile_sampler_simd.h
 struct BorrowedTile;
 
 // The surface at one rest position.
@@ -217,8 +218,7 @@ class WaveField {
   std::vector<Place> places_;
   std::size_t laid_ = 0;  // of them over the sea; what follows is laid along curves
   TileSources others_;
-  template <class Visit>
-  void visit_places(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter, bool curved, Visit visit) const;
+  SampledPlaces sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter, bool curved) const;
   int cascade_pieces() const;
   void fill_cascades(WaveTiles& tiles, const TileFields& fields, int begin, int end) const;
   void fill_others(WaveTiles& tiles, int begin, int end) const;
