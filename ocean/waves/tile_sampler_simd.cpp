@@ -27,12 +27,12 @@ HWY_INLINE void find_corner(const WaveTiles& tiles, const WaveField::Place& plac
   const hn::FixedTag<double, 1> d;
   const hn::FixedTag<float, 1> df;
   const hn::FixedTag<std::int32_t, 1> di;
-  const auto before = texel_before(d, at, hn::Set(d, level.size),
-                                   hn::Set(d, first_texel(number, level.size, place.offset)));
+  const auto before =
+      texel_before(d, at, hn::Set(d, level.size), hn::Set(d, first_texel(number, level.size, place.offset)));
   to.mask[n] = level.size - 1;
-  const auto four = four_texels(df, hn::Set(di, to.mask[n]), hn::Set(di, level.stride),
-                                Spot<hn::FixedTag<float, 1>>{before.x, before.z, before.part_x, before.part_z},
-                                hn::Set(df, 1.0f));
+  const auto four =
+      four_texels(df, hn::Set(di, to.mask[n]), hn::Set(di, level.stride),
+                  Spot<hn::FixedTag<float, 1>>{before.x, before.z, before.part_x, before.part_z}, hn::Set(df, 1.0f));
   to.upper[n] = hn::GetLane(four.upper);
   to.lower[n] = hn::GetLane(four.lower);
   const hn::Vec<hn::FixedTag<float, 1>> weights[] = {four.left_above, four.right_above, four.left_below,
@@ -72,7 +72,9 @@ struct PlaneSum {
   const WaveTiles& tiles;
   WavePlane plane;
   glm::dvec3& to;
-  HWY_INLINE void resolved(const LevelSpot& spot) { to += double(spot.share) * spot.size * glm::dvec3(sample(tiles, spot, plane)); }
+  HWY_INLINE void resolved(const LevelSpot& spot) {
+    to += double(spot.share) * spot.size * glm::dvec3(sample(tiles, spot, plane));
+  }
   void unresolved(int) {}
 };
 
@@ -128,7 +130,8 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
     if (!resolved(n))
       visit.unresolved(place.tile);
     else
-      visit.resolved({int(n), place.tile, filter.level[i], filter.between[i], filter.share[i], place.size, fine, coarse});
+      visit.resolved(
+          {int(n), place.tile, filter.level[i], filter.between[i], filter.share[i], place.size, fine, coarse});
   }
 }
 

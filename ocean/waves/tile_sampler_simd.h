@@ -21,8 +21,8 @@ struct SampledPlaces {
 // middle of what they average; `offset`: of the tile's laying, in sides.
 inline double first_texel(int level, int size, double offset) {
   static_assert(longest_tile_samples < 1 << 10);
-  constexpr double half_of[] = {0.5,       0.5 / 2,  0.5 / 4,   0.5 / 8,   0.5 / 16,
-                                0.5 / 32,  0.5 / 64, 0.5 / 128, 0.5 / 256, 0.5 / 512};  // of a texel, in level 0's
+  constexpr double half_of[] = {0.5,      0.5 / 2,  0.5 / 4,   0.5 / 8,   0.5 / 16,
+                                0.5 / 32, 0.5 / 64, 0.5 / 128, 0.5 / 256, 0.5 / 512};  // of a texel, in level 0's
   return size - 0.5 + half_of[level] + offset * size;
 }
 
