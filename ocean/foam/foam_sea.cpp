@@ -16,6 +16,12 @@ namespace {
 constexpr double settling_step_s = 0.25;
 // A step is over when this share of the time until the next one has gone.
 constexpr double step_share = 2.0 / 3.0;
+// Empties a list that is to hold as many at most, so that no later row makes it grow.
+template <class T>
+void with_room(std::vector<T>& list, std::size_t most) {
+  list.clear();
+  list.reserve(most);
+}
 // Rows refreshed per update after the water changes; at most 3 ms.
 constexpr int rows_an_update = 24;
 
@@ -138,7 +144,7 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
   thread_local std::vector<Texel> texels;
   thread_local std::vector<glm::dvec2> rest;
   thread_local std::vector<glm::vec3> displaced;
-  texels.clear(), rest.clear();
+  with_room(texels, per_s.size()), with_room(rest, per_s.size()), with_room(displaced, per_s.size());
   const FoamSettings& s = spec_.settings;
   const float breaking = float(s.breaking * foam_breaking_per_s);
   const LodRow<glm::vec3> water = still_water_->row(row.slice, LodIndex(glm::floor(row.first_m / row.texel_m)));
@@ -176,7 +182,8 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
 std::span<const glm::dvec2> FoamSea::standing(const FoamRow& row, std::span<const int> texels, Moved along) const {
   thread_local std::vector<glm::dvec2> places;
   thread_local std::vector<glm::vec3> displaced;
-  places.clear();
+  const auto most = std::size_t(foam_.field().side());
+  with_room(places, most), with_room(displaced, most);
   for (const int i : texels) places.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
   displaced.resize(places.size());
   breaking_.displace(row.slice, places, displaced);
@@ -195,7 +202,7 @@ void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time
   const double around = largest_shift_m() + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
   thread_local std::vector<int> texels;
-  texels.clear();
+  with_room(texels, per_s.size());
   for (std::size_t i = 0; i < per_s.size(); ++i)
     if (bounds.holds(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0), around)) texels.push_back(int(i));
   const std::span<const glm::dvec2> places = standing(row, texels, along);
@@ -220,7 +227,7 @@ void FoamSea::add_discs(const FoamRow& row, std::span<float> per_s, Moved along)
   }
   if (near.empty()) return;
   thread_local std::vector<int> texels;
-  texels.clear();
+  with_room(texels, per_s.size());
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const double x = row.first_m.x + double(i) * row.texel_m;
     if (std::any_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))

@@ -75,8 +75,8 @@ TEST(Dual, DerivativesAreThoseOfDifferences) {
   EXPECT_LT(worst, 2e-5);
 }
 
-// Where a mask says so, values and derivatives of one or the other, or none; a root of nothing changes nothing. Controls
-// seen: derivatives that no mask chooses; a root's derivative at 0 left infinite.
+// Where a mask says so, values and derivatives of one or the other, or none; a root of nothing changes nothing.
+// Controls seen: derivatives that no mask chooses; a root's derivative at 0 left infinite.
 TEST(Dual, MasksChooseDerivativesToo) {
   const float one[4] = {1.0f, -2.0f, 3.0f, -4.0f}, other[4] = {5.0f, 6.0f, 7.0f, 8.0f}, none[4] = {};
   const Tag d;
