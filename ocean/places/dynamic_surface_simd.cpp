@@ -51,9 +51,10 @@ struct Scratch {
         plane(row * plan.band + line),
         strip_row(std::ptrdiff_t(hn::MaxLanes(Strip()))),
         strip_plane(strip_row * plan.n + line) {
-    float* next = memory;
-    const auto take = [&next](std::ptrdiff_t count) {
-      return std::exchange(next, next + (count + line - 1) / line * line);
+    std::ptrdiff_t next = 0;
+    const auto take = [&next, memory](std::ptrdiff_t count) {  // no memory: its size is asked for
+      const std::ptrdiff_t at = std::exchange(next, next + (count + line - 1) / line * line);
+      return memory != nullptr ? memory + at : nullptr;
     };
     middle = take(2 * fields * plane);
     turned = take(4 * width);
@@ -63,7 +64,7 @@ struct Scratch {
     results = take(2 * fields * strip_plane);
     east = take(2 * plan.n);
     sums = take(3 * width);
-    floats = std::size_t(next - memory);
+    floats = std::size_t(next);
   }
 };
 
