@@ -166,7 +166,8 @@ TEST(FoamShore, TheWatersEdgeGoesUpAndDownWithThem) {
 // Each texel is moved as the sea is that queries see (PlaceSea), around a bend, where the waves fade, and in a current;
 // the same after a walk and of each instruction set. What differs is what lies between the texels that the sea's places
 // are read from. Seen: less than a micrometre, 0.0024 of their derivatives. Controls seen: right for left (1.1 m); a
-// current left out (0.09 m); texels that come in as the next coarser ones are.
+// current left out (0.09 m); texels that come in as the next coarser ones are; the curve's turning left out (0.0057 of
+// the derivatives).
 TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
   const Along along(many(0.9), bay());
   const WaveField field(calm(), WaveQuality{.resolution = 16, .cascades = 1}, {along.tile});
