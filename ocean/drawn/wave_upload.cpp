@@ -10,24 +10,19 @@
 
 namespace seascape {
 
-WaveUpload::WaveUpload(Device& device, Sea& sea, WaveImages& images)
-    : sea_(sea),
-      images_(images),
-      in_place_(images.filled() == WaveImages::Filled::written && !images.half_storage()),
-      held_(images.copies().size()) {
+WaveUpload::WaveUpload(Device& device, Sea& sea, WaveImages& images) : sea_(sea), images_(images) {
   const EffectScope scope(device, "waves");
   const WaveTileLayout layout(sea.spec().drawn);
   if (images.filled() == WaveImages::Filled::written)
-    find_levels(layout);
+    lend_images(layout);
   else
     make_copies(device, layout);
-  if (in_place_) sea.keep_drawn_in(places_, image_layout_);
 }
 
 WaveUpload::~WaveUpload() {
   view_ = {};
   in_flight_ = {};
-  if (in_place_) sea_.keep_drawn_in({}, {});
+  if (images_.filled() == WaveImages::Filled::written) sea_.keep_drawn_in({}, {});
 }
 
 void WaveUpload::make_copies(Device& device, const WaveTileLayout& layout) {
@@ -53,28 +48,30 @@ void WaveUpload::make_copies(Device& device, const WaveTileLayout& layout) {
     }
 }
 
-void WaveUpload::find_levels(const WaveTileLayout& layout) {
-  levels_.resize(held_.size());
-  places_.resize(held_.size());
+void WaveUpload::lend_images(const WaveTileLayout& layout) {
+  std::vector<WaveTiles::Lent> lent(images_.copies().size());
   image_layout_ = layout;  // but for where the levels lie
-  for (std::size_t copy = 0; copy < held_.size(); ++copy)
+  for (std::size_t copy = 0; copy < lent.size(); ++copy)
     for (const WaveImages::Set& set : images_.copies()[copy])
       for (int layer = 0; layer < set.cascades; ++layer) {
-        const int cascade = set.first + layer;
-        WaveTileLayout::Tile& tile = image_layout_.tiles[std::size_t(cascade)];
-        for (int plane = 0; plane < planes; ++plane)
-          for (int level = 0; level < set.levels; ++level) {
+        const auto tile = std::size_t(set.first + layer);
+        for (std::size_t plane = 0; plane < planes; ++plane)
+          for (std::size_t level = 0; level < std::size_t(set.levels); ++level) {
             const Image::HostTexels texels =
                 set.image(WavePlane(plane)).host_texels(std::uint32_t(level), std::uint32_t(layer));
-            levels_[copy].push_back({cascade, level, WavePlane(plane), texels});
-            if (images_.half_storage()) continue;
-            glm::vec4*& first = places_[copy][std::size_t(cascade)][std::size_t(plane)];
+            if (images_.half_storage()) {
+              lent[copy].halves[tile][level][plane] = {reinterpret_cast<std::uint16_t*>(texels.first),
+                                                       std::ptrdiff_t(texels.row_bytes / sizeof(std::uint16_t))};
+              continue;
+            }
+            glm::vec4*& first = lent[copy].floats[tile][plane];
             auto* const here = reinterpret_cast<glm::vec4*>(texels.first);
             if (level == 0) first = here;
-            tile.level[std::size_t(level)] = {set.samples >> level, int(texels.row_bytes / sizeof(glm::vec4)),
-                                              std::size_t(here - first)};
+            image_layout_.tiles[tile].level[level] = {set.samples >> level, int(texels.row_bytes / sizeof(glm::vec4)),
+                                                      std::size_t(here - first)};
           }
       }
+  sea_.keep_drawn_in(lent, image_layout_);
 }
 
 void WaveUpload::update(Frame& frame, std::int64_t ticks) {
@@ -82,45 +79,15 @@ void WaveUpload::update(Frame& frame, std::int64_t ticks) {
   in_flight_[own] = view_ = {};  // whose memory the next one may take
   view_ = sea_.view(ticks, SeaDetail::drawn);
   (void)view_.tiles();
-  if (in_place_) {
+  if (images_.filled() == WaveImages::Filled::written) {
     assert(view_.slot() >= 0 && "somebody keeps drawn views for longer than a frame");
     in_flight_[own] = view_;
     return images_.show(std::size_t(view_.slot()));
   }
   const Held wanted{ticks, sea_.waves_version()};
-  const auto held = std::find(held_.begin(), held_.end(), wanted);
-  if (held != held_.end()) return images_.show(std::size_t(held - held_.begin()));
-  if (images_.filled() == WaveImages::Filled::copied) {
-    copy(frame);
-    held_[0] = wanted;
-    return;
-  }
-  write(own);
-  held_[own] = wanted;
-  images_.show(own);
-}
-
-// Of whole floats nothing is to be done: they are written there.
-void WaveUpload::write(std::size_t copy) {
-  const WaveTiles& tiles = view_.tiles();
-  constexpr int piece = 32;  // rows
-  std::size_t pieces = 0;
-  for (const Level& l : levels_[copy]) pieces += std::size_t((tiles.samples(l.cascade) >> l.level) + piece - 1) / piece;
-  tbb::parallel_for(std::size_t(0), pieces, [&](std::size_t i) {
-    for (const Level& l : levels_[copy]) {
-      const int size = tiles.samples(l.cascade) >> l.level;
-      const auto here = std::size_t((size + piece - 1) / piece);
-      if (i >= here) {
-        i -= here;
-        continue;
-      }
-      for (int z = int(i) * piece; z < std::min(size, (int(i) + 1) * piece); ++z)
-        halves_from_floats(&tiles.texels(l.cascade, l.plane, l.level)[z * tiles.stride(l.cascade, l.level)].x,
-                           reinterpret_cast<std::uint16_t*>(l.texels.first + std::size_t(z) * l.texels.row_bytes),
-                           4 * std::size_t(size));
-      return;
-    }
-  });
+  if (held_ == wanted) return;
+  copy(frame);
+  held_ = wanted;
 }
 
 void WaveUpload::copy(Frame& frame) {

@@ -1,5 +1,5 @@
-// Takes the tiles of the sea's `drawn` views to the GPU: they lie in the images where the device samples images that
-// the processor writes, or else are copied.
+// Takes the tiles of the sea's `drawn` views to the GPU: the sea writes them into the images where the device samples
+// images that the processor writes, or else they are copied.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -31,32 +31,22 @@ class WaveUpload {
     const Image* to;
     std::vector<VkBufferImageCopy> regions;  // a level of a layer each
   };
-  // A level of a tile in an image that the processor writes.
-  struct Level {
-    int cascade, level;
-    WavePlane plane;
-    Image::HostTexels texels;
-  };
   void make_copies(Device& device, const WaveTileLayout& layout);
-  void find_levels(const WaveTileLayout& layout);
-  void write(std::size_t copy);
+  void lend_images(const WaveTileLayout& layout);
   void copy(Frame& frame);
   Sea& sea_;
   WaveImages& images_;
   SeaView view_;
-  std::array<SeaView, Frame::slots> in_flight_;  // whose images frames in flight sample, where tiles lie in them
-  bool in_place_ = false;                        // they do
+  std::array<SeaView, Frame::slots> in_flight_;  // whose images frames in flight sample, where the sea writes them
   std::array<Buffer, Frame::slots> staging_;
   std::vector<Copy> copies_;
-  std::vector<std::vector<Level>> levels_;  // of each copy of the images
-  std::vector<WaveTiles::Places> places_;   // the same for whole floats, which the sea writes there itself
   WaveTileLayout image_layout_;
   struct Held {
     std::int64_t ticks;
     std::uint64_t waves;  // Sea::waves_version
     bool operator==(const Held&) const = default;
   };
-  std::vector<std::optional<Held>> held_;  // what each copy of the images holds, where tiles are copied
+  std::optional<Held> held_;  // what the images hold, where tiles are copied
 };
 
 }  // namespace seascape

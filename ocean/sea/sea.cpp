@@ -256,7 +256,7 @@ void Sea::know_dynamic_velocity() {
   if (dynamic_) dynamic_->know_velocity(spec_.drawn_velocity || spec_.crests_velocity || spec_.felt_velocity);
 }
 
-void Sea::keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout) {
+void Sea::keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout) {
   moments_.keep_drawn_in(memories, layout, spec_.drawn.cascades);
 }
 

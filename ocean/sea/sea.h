@@ -58,7 +58,7 @@ class Sea {
   // Whether views of a detail, from now on, know how fast the water moves.
   void know_velocity(SeaDetail detail, bool known);
   // Where tiles of `drawn` views are to lie (MomentStore::keep_drawn_in). None: where they like.
-  void keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout);
+  void keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout);
 
   // The sea asked for last: what it is, or will have become.
   const SeaState& state() const { return spec_.state; }

@@ -47,7 +47,7 @@ const WaveTiles& SeaMoment::tiles() const {
       field->begin(ticks, tiles_, {borrowed.data(), count});
       if (int(count) < all) store_->count(ticks, detail);
     }
-    field->fill(tiles_, prepared_, field->piece_count(), begins_whole());
+    field->fill(tiles_, prepared_, field->piece_count(), makes_slopes());
     made_.store(true, std::memory_order_release);
   });
   return tiles_;
@@ -62,7 +62,7 @@ void SeaMoment::prepare(double share) const {
     field->begin(ticks, tiles_);
     store_->count(ticks, detail);
   }
-  field->fill(tiles_, prepared_, due, begins_whole());
+  field->fill(tiles_, prepared_, due, makes_slopes());
   prepared_ = due;
 }
 
@@ -76,8 +76,7 @@ const WaveTiles& SeaMoment::whole_tiles() const {
   return tiles_;
 }
 
-void MomentStore::keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout,
-                                int cascades) {
+void MomentStore::keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout, int cascades) {
   const std::lock_guard lock(mutex_);
   release_lenders();
   std::erase_if(moments_, [](const auto& moment) { return moment->detail == SeaDetail::drawn; });

@@ -34,8 +34,8 @@ struct SeaNow {
 // What all questions of one moment ask.
 class SeaMoment {
  public:
-  // The tiles, which the first caller computes on all cores; others wait, or help. Any thread. Of `felt` moments the
-  // cascades' may lack slopes and moments, which queries do not read.
+  // The tiles, which the first caller computes on all cores; others wait, or help. Any thread. Of `felt` moments, and
+  // of those that a picture has as 16-bit floats, the cascades' may lack slopes and moments, which queries do not read.
   const WaveTiles& tiles() const;
   // Does this share (0 to 1) of the tiles' work, so that the first question finds less to do. Nobody asks meanwhile.
   void prepare(double share) const;
@@ -53,7 +53,8 @@ class SeaMoment {
  private:
   friend class MomentStore;
   explicit SeaMoment(bool velocity) : tiles_(velocity) {}
-  bool begins_whole() const { return detail != SeaDetail::felt; }
+  bool makes_slopes() const { return detail != SeaDetail::felt; }
+  bool begins_whole() const { return makes_slopes() && !tiles_.in_halves(); }
   std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
   MomentStore* store_ = nullptr;
   mutable WaveTiles tiles_;
@@ -77,10 +78,10 @@ class MomentStore {
   std::shared_ptr<const SeaMoment> moment(const Key& key, std::shared_ptr<const WaveField> field,
                                           std::shared_ptr<const PlaceSea> places, SeaNow now, double left_out_m);
 
-  // Has the cascades of `drawn` moments lie in these memories while one of them is free (WaveTiles::keep_in). `felt`
+  // Has the cascades of `drawn` moments go to these memories while one of them is free (WaveTiles::keep_in). `felt`
   // moments of the same time borrow from them, others do not, since foam keeps its view for several frames. None: no
   // more; then nobody may hold a moment that lies in one or borrows from it.
-  void keep_drawn_in(std::span<const WaveTiles::Places> memories, const WaveTileLayout& layout, int cascades);
+  void keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout, int cascades);
 
   // Moments that nobody looks at keep nothing that steps have made.
   void forget_now();

@@ -116,64 +116,6 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
   });
 }
 
-WaveTileLayout::WaveTileLayout(const WaveQuality& quality, const TileSources& others)
-    : cascades(quality.cascades), resolution(quality.resolution), sources(int(others.size())) {
-  for (int i = 0; i < cascades + sources; ++i) {
-    Tile& tile = tiles[std::size_t(i)];
-    tile.samples = i < cascades ? tile_samples(quality, i) : others[std::size_t(i - cascades)]->samples();
-    for (int size = tile.samples; size >= 1; size /= 2) {
-      const int stride = size >= 32 ? size + 4 : size;
-      tile.level[std::size_t(tile.levels++)] = {size, stride, plane_texels};
-      plane_texels += (std::size_t(stride) * std::size_t(size) + 3) / 4 * 4;  // whole cache lines
-    }
-  }
-}
-
-void WaveTiles::keep_in(const Places& places, const WaveTileLayout& layout, int count) {
-  kept_ = places;
-  kept_layout_ = layout;
-  kept_tiles_ = count;
-  own_layout_ = {};
-}
-
-void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
-  bool same = quality.cascades == own_layout_.cascades && quality.resolution == own_layout_.resolution &&
-              int(others.size()) == own_layout_.sources;
-  for (std::size_t i = 0; same && i < others.size(); ++i)
-    same = own_layout_.tiles[std::size_t(quality.cascades) + i].samples == others[i]->samples();
-  if (!same) {
-    own_layout_ = WaveTileLayout(quality, others);
-    // Tiles that lie elsewhere are the first: memory of their own is not taken.
-    const std::size_t first_own = std::size_t(kept_tiles_),
-                      all = std::size_t(own_layout_.cascades + own_layout_.sources);
-    assert(first_own <= all);
-    const std::size_t begin = first_own < all ? own_layout_.tiles[first_own].level[0].offset : own_layout_.plane_texels;
-    const std::size_t plane_texels = own_layout_.plane_texels - begin;
-    texels_.assign(plane_texels * std::size_t(planes_), glm::vec4(0.0f));
-    for (std::size_t tile = 0; tile < all; ++tile) {
-      if (tile < first_own) {
-        own_first_[tile] = kept_[tile];
-        own_layout_.tiles[tile] = kept_layout_.tiles[tile];
-        continue;
-      }
-      for (auto& level : own_layout_.tiles[tile].level) level.offset -= std::min(begin, level.offset);
-      for (std::size_t plane = 0; plane < std::size_t(planes_); ++plane)
-        own_first_[tile][plane] = texels_.data() + plane * plane_texels;
-    }
-  }
-  layout_ = own_layout_;
-  first_ = own_first_;
-}
-
-PlaneLevel WaveTiles::plane_level(int tile, int level, const TileFields& fields) {
-  const bool there[] = {fields.shift, fields.slopes, fields.slopes, fields.velocity};
-  PlaneLevel result{};
-  for (int plane = 0; plane < 4; ++plane)
-    if (there[plane]) result.texels[plane] = writable(tile, WavePlane(plane), level);
-  result.stride = stride(tile, level);
-  return result;
-}
-
 void WaveField::begin(std::int64_t ticks, WaveTiles& tiles, std::span<const BorrowedTile> borrowed) const {
   tiles.shape(quality_, others_);
   tiles.ticks_ = ticks;
@@ -199,6 +141,8 @@ void WaveField::add_slopes(WaveTiles& tiles) const { fill_cascades(tiles, {.shif
 namespace {
 // A cascade's pieces of work: those of its rows, then strips of its columns.
 constexpr int piece_pairs = 16;
+// Tiles of as many texels a side do not stay in a core's cache until they are read.
+constexpr int streamed_samples = 256;
 int row_pieces(const FftPlan& plan) { return (row_pairs(plan) + piece_pairs - 1) / piece_pairs; }
 int strips_of(const FftPlan& plan) { return plan.n / strip_width; }
 }  // namespace
@@ -258,6 +202,8 @@ void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields, int be
     return cascade;
   };
   if (tiles.workspace_.size() < floats) tiles.workspace_.assign(floats, 0.0f);
+  // Slopes alone are for questions, which read the tiles' own memory.
+  const bool lent = tiles.lent_tiles_ > 0 && fields.shift;
   const auto plane_level = [&](int cascade, int level) { return tiles.plane_level(cascade, level, fields); };
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same
   // bits.
@@ -271,11 +217,14 @@ void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields, int be
   tbb::parallel_for(0, strips[std::size_t(cascades)], [&](int i) {
     const int cascade = cascade_of(strips, i),
               x = (i - strips[std::size_t(cascade)] + first_strip[std::size_t(cascade)]) * strip_width;
+    const FftPlan& plan = plans_[cascade];
+    const float* const from = &tiles.workspace_[workspace[std::size_t(cascade)]];
+    if (lent || plan.n >= streamed_samples)
+      return strip_out(tables_[cascade], plan, from, fields, x, tiles.strip_places(cascade, fields, lent));
     PlaneLevel levels[strip_levels + 1];
     for (int level = 0; level <= strip_levels; ++level) levels[level] = plane_level(cascade, level);
-    strip_along_z(tables_[cascade], plans_[cascade], &tiles.workspace_[workspace[std::size_t(cascade)]], fields, x,
-                  levels[0]);
-    strip_mips(plans_[cascade], x, levels);
+    strip_along_z(tables_[cascade], plan, from, fields, x, levels[0]);
+    strip_mips(plan, x, levels);
   });
   for (int cascade = 0; cascade < cascades; ++cascade) {
     // Of cascades whose last strip was among them.
@@ -285,6 +234,7 @@ void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields, int be
       const int size = plans_[cascade].n >> level;
       average_down(plane_level(cascade, level - 1), plane_level(cascade, level), 0, size, size);
     }
+    if (lent && tiles.in_halves()) tiles.finish_halves(cascade);
   }
 }
 

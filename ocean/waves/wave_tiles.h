@@ -16,6 +16,7 @@
 namespace seascape {
 
 struct PlaneLevel;  // ocean/waves/wave_tiles_simd.h
+struct StripPlaces;
 
 enum class WavePlane {
   shift,     // Dx, h, Dz, dDx/dz
@@ -76,16 +77,34 @@ class WaveTiles {
     return first_[std::size_t(tile)][std::size_t(plane)] + layout_.level(tile, level).offset;
   }
   int stride(int tile, int level) const { return layout_.level(tile, level).stride; }
-  // From the next evaluation on the planes of the first `count` tiles lie in this memory, such as an image that the
-  // processor writes, instead of the tiles' own: a first texel for each plane, from which levels lie as `layout` says
-  // (its plane_texels do not count). The memory outlives its use; what it held is not kept.
   using Places = std::array<std::array<glm::vec4*, 4>, gpu::max_cascades + most_sources>;
-  void keep_in(const Places& places, const WaveTileLayout& layout, int count);
+  // Rows of texels of four 16-bit floats.
+  struct HalfRows {
+    std::uint16_t* first = nullptr;
+    std::ptrdiff_t row = 0;  // from one row to the next, in numbers
+  };
+  // Memory of others that takes tiles, such as an image that the processor writes. It is written once and past the
+  // caches; it outlives its use, and what it held is not kept.
+  struct Lent {
+    // Either whole floats, instead of the tiles' own: a first texel for each plane.
+    Places floats{};
+    // Or 16-bit floats besides (halves_from_floats), by tile, level and plane (shift, slope, moments). Then the tiles'
+    // own memory has shifts alone until add_slopes().
+    std::array<std::array<std::array<HalfRows, 3>, 10>, gpu::max_cascades> halves{};
+    bool in_halves() const { return halves[0][0][0].first != nullptr; }
+  };
+  // From the next evaluation on the first `count` tiles, which are cascades, go there. Of whole floats levels lie as
+  // `layout` says (its plane_texels do not count). Tiles with velocities are not lent memory.
+  void keep_in(const Lent& memory, const WaveTileLayout& layout, int count);
+  // Whether texels go to memory of others as 16-bit floats.
+  bool in_halves() const { return lent_.in_halves(); }
 
  private:
   friend class WaveField;
   void shape(const WaveQuality& quality, const TileSources& others);
-  PlaneLevel plane_level(int tile, int level, const TileFields& fields);  // of the planes of these fields
+  PlaneLevel plane_level(int tile, int level, const TileFields& fields);    // of the planes of these fields
+  StripPlaces strip_places(int tile, const TileFields& fields, bool lent);  // of memory that is lent
+  void finish_halves(int tile);                                             // of the levels that no strip has
   glm::vec4* writable(int tile, WavePlane plane, int level) {
     return const_cast<glm::vec4*>(texels(tile, plane, level));
   }
@@ -95,9 +114,10 @@ class WaveTiles {
   WaveTileLayout layout_;
   Places first_{};  // what the levels' offsets count from
   // Where the tiles lie that no evaluation has borrowed.
-  WaveTileLayout own_layout_, kept_layout_;
-  Places own_first_{}, kept_{};
-  int kept_tiles_ = 0;
+  WaveTileLayout own_layout_, lent_layout_;
+  Places own_first_{};
+  Lent lent_;
+  int lent_tiles_ = 0;
   std::vector<glm::vec4, LargePages<glm::vec4>> texels_;
   std::vector<float, LargePages<float>>
       workspace_;  // of the transforms, cascade after cascade; then of the other sources

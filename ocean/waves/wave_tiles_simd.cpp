@@ -6,9 +6,11 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ocean/waves/wave_tiles_simd.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
 #include "ocean/waves/fft-inl.h"
+#include "ocean/waves/half_floats-inl.h"
 #include "ocean/waves/turns-inl.h"
 
 #ifndef SEASCAPE_WAVE_TILES_SIMD_ONCE
@@ -145,7 +147,7 @@ std::size_t strip_scratch(const FftPlan& plan) {
 }
 
 void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int first_x,
-             const PlaneLevel& level, float* scratch) {
+             const PlaneLevel& level, int to_x, float* scratch) {
   const Strip d;
   constexpr int lanes = int(hn::MaxLanes(Strip()));
   const Workspace layout(plan, fields);
@@ -158,7 +160,8 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
   if (fields.slopes) planes[pairs++] = WavePlane::slope;
   if (fields.velocity) planes[pairs++] = WavePlane::velocity;
   for (int x = first_x; x < first_x + strip_width; x += lanes)
-    for (int pair = 0; pair < pairs; ++pair)
+    for (int pair = 0; pair < pairs; ++pair) {
+      if (level.texels[int(planes[pair])] == nullptr) continue;
       for (int r = 0; r < plan.repeats; ++r) {
         for (int p = 0; p < pair_planes; p += 2) {
           const float* from = workspace + (pair_planes * pair + p) * layout.plane + x;
@@ -166,7 +169,7 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
           columns_out<Strip>(plan, r, work, results + p * part, results + (p + 1) * part, lanes);
         }
         for (int q = 0; q < plan.core; ++q) {
-          const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + x;
+          const std::ptrdiff_t at = (std::ptrdiff_t(plan.repeats) * q + r) * level.stride + (x - first_x + to_x);
           const auto value = [&](int p) HWY_ATTR { return hn::Load(d, results + p * part + q * lanes); };
           const auto plane = [&](WavePlane which) HWY_ATTR { return &level.texels[int(which)][at].x; };
           const auto a = value(0), b = value(1), c = value(2), e = value(3);
@@ -183,6 +186,7 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
           }
         }
       }
+    }
 }
 
 void average(const PlaneLevel& from, const PlaneLevel& to, int x, int width, int height) {
@@ -211,6 +215,93 @@ void average(const PlaneLevel& from, const PlaneLevel& to, int x, int width, int
     }
 }
 
+// Whether vectors of this many bytes, each on its own boundary, make up all rows, and are long enough to be streamed.
+bool whole_vectors(const void* first, std::ptrdiff_t row_bytes, std::size_t count_bytes, std::size_t vector_bytes) {
+  return vector_bytes >= 16 &&
+         (reinterpret_cast<std::uintptr_t>(first) | std::size_t(row_bytes) | count_bytes) % vector_bytes == 0;
+}
+
+// Rows of `count` numbers, a multiple of 4, past the caches where vectors of D fit.
+template <class D>
+HWY_INLINE void send_floats(D d, const float* from, int count, int height, float* to, std::ptrdiff_t row) {
+  const int lanes = int(hn::Lanes(d));
+  if (!whole_vectors(to, row * 4, std::size_t(count) * 4, hn::Lanes(d) * 4)) {
+    for (int z = 0; z < height; ++z) std::copy_n(from + z * count, count, to + z * row);
+    return;
+  }
+  for (int z = 0; z < height; ++z)
+    for (int i = 0; i < count; i += lanes) hn::Stream(hn::Load(d, from + z * count + i), d, to + z * row + i);
+}
+
+template <class D>
+HWY_INLINE void send_halves(D d, const float* from, int count, int height, const WaveTiles::HalfRows& to) {
+  const hn::Rebind<std::uint16_t, D> dh;
+  const int lanes = int(hn::Lanes(d));
+  const bool streams = whole_vectors(to.first, to.row * 2, std::size_t(count) * 2, hn::Lanes(d) * 2);
+  for (int z = 0; z < height; ++z)
+    for (int i = 0; i < count; i += lanes) {
+      const auto value = rounded(d, hn::Load(d, from + z * count + i));
+      if (streams)
+        hn::Stream(value, dh, to.first + z * to.row + i);
+      else
+        hn::StoreU(value, dh, to.first + z * to.row + i);
+    }
+}
+
+// Floats of a plane of a strip and its mip chain.
+std::size_t strip_floats(const FftPlan& plan) {
+  std::size_t texels = 0;
+  for (int level = 0; level <= strip_levels; ++level) texels += std::size_t(strip_width >> level) * (plan.n >> level);
+  return (4 * texels + 15) / 16 * 16;
+}
+
+std::size_t out_scratch(const FftPlan& plan) { return (strip_scratch(plan) + 15) / 16 * 16 + 2 * strip_floats(plan); }
+
+void out(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
+         const StripPlaces& to, float* scratch) {
+  float* const strip = scratch + (strip_scratch(plan) + 15) / 16 * 16;
+  // A pair of planes after the other, so that they stay in the core's cache.
+  const struct {
+    bool there;
+    std::initializer_list<WavePlane> planes;
+  } pairs[] = {{fields.shift, {WavePlane::shift}},
+               {fields.slopes, {WavePlane::slope, WavePlane::moments}},
+               {fields.velocity, {WavePlane::velocity}}};
+  for (const auto& [there, planes] : pairs) {
+    if (!there) continue;
+    PlaneLevel levels[strip_levels + 1]{};
+    float* next = strip;
+    for (const WavePlane plane : planes) {
+      float* at = next;
+      next += strip_floats(plan);
+      for (int level = 0; level <= strip_levels; ++level) {
+        levels[level].texels[int(plane)] = reinterpret_cast<glm::vec4*>(at);
+        levels[level].stride = strip_width >> level;
+        at += std::ptrdiff_t(4) * (strip_width >> level) * (plan.n >> level);
+      }
+    }
+    along_z(table, plan, workspace, fields, x, levels[0], 0, scratch);
+    for (int level = 1; level <= strip_levels; ++level)
+      average(levels[level - 1], levels[level], 0, strip_width >> level, plan.n >> level);
+    for (const WavePlane plane : planes)
+      for (int level = 0; level <= strip_levels; ++level) {
+        const float* const from = &levels[level].texels[int(plane)]->x;
+        const int count = 4 * (strip_width >> level), height = plan.n >> level, first = x >> level;
+        if (glm::vec4* const texels = to.floats[level].texels[int(plane)])
+          send_floats(Lanes(), from, count, height, &texels[first].x, std::ptrdiff_t(4) * to.floats[level].stride);
+        WaveTiles::HalfRows halves =
+            plane == WavePlane::velocity ? WaveTiles::HalfRows{} : to.halves[level][std::size_t(plane)];
+        if (halves.first == nullptr) continue;
+        halves.first += 4 * first;
+        if (count >= int(hn::Lanes(Lanes())))
+          send_halves(Lanes(), from, count, height, halves);
+        else
+          send_halves(hn::FixedTag<float, 4>(), from, count, height, halves);
+      }
+  }
+  hwy::FlushStream();  // before others are told that the strip is there
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace seascape
 HWY_AFTER_NAMESPACE();
@@ -223,6 +314,8 @@ HWY_EXPORT(rows_along_x);
 HWY_EXPORT(strip_scratch);
 HWY_EXPORT(along_z);
 HWY_EXPORT(average);
+HWY_EXPORT(out_scratch);
+HWY_EXPORT(out);
 
 std::size_t workspace_floats(const FftPlan& plan, const TileFields& fields) {
   return std::size_t(Workspace(plan, fields).floats);
@@ -241,7 +334,13 @@ void average_down(const PlaneLevel& from, const PlaneLevel& to, int x, int width
 void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
                    const PlaneLevel& level) {
   float* scratch = thread_scratch(HWY_DYNAMIC_DISPATCH(strip_scratch)(plan));
-  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, fields, x, level, scratch);
+  HWY_DYNAMIC_DISPATCH(along_z)(table, plan, workspace, fields, x, level, x, scratch);
+}
+
+void strip_out(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
+               const StripPlaces& to) {
+  float* scratch = thread_scratch(HWY_DYNAMIC_DISPATCH(out_scratch)(plan));
+  HWY_DYNAMIC_DISPATCH(out)(table, plan, workspace, fields, x, to, scratch);
 }
 
 void strip_mips(const FftPlan& plan, int x, const PlaneLevel* levels) {

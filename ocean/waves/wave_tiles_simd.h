@@ -1,5 +1,6 @@
 // The parts of filling a cascade's tile, vectorised; WaveField::evaluate shares them among threads.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -31,12 +32,23 @@ struct PlaneLevel {
   int stride;
 };
 
-// The transforms along z of columns x to x + strip_width - 1, into level 0.
+// The transforms along z of columns x to x + strip_width - 1, into level 0. Planes that are null are left out.
 void strip_along_z(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
                    const PlaneLevel& level);
 
 // The strip's mip chain, from levels[0] into levels[1] to levels[strip_levels].
 void strip_mips(const FftPlan& plan, int x, const PlaneLevel* levels);
+
+// Where levels 0 to strip_levels of a tile go. Null: nowhere.
+struct StripPlaces {
+  PlaneLevel floats[strip_levels + 1];
+  std::array<WaveTiles::HalfRows, 3> halves[strip_levels + 1];  // of shift, slope, moments
+};
+
+// A strip and its mip chain together, for memory that is not read soon: they are made in the thread's own and go out
+// past the caches.
+void strip_out(const WaveTable& table, const FftPlan& plan, const float* workspace, const TileFields& fields, int x,
+               const StripPlaces& to);
 
 // Averages two by two texels of columns 2 x to 2 (x + width) - 1 into columns x to x + width - 1 of the next level,
 // `height` rows of it, of the planes that are there.

@@ -74,7 +74,7 @@ void expect_exact(const WaveQuality& quality, Filled filled) {
 }
 
 // Controls: rows taken as long as the level is wide, derivatives copied from the moments, and one level's copy left out
-// each fail here; of tiles written in place, the last row of a piece of halves left out.
+// each fail here.
 TEST_F(UploadedTiles, HoldTheFieldsBits) {
   for (const Filled filled : both)
     for (const int resolution : {16, 32, 64, 128, 256, 512})
@@ -86,7 +86,7 @@ TEST_F(UploadedTiles, HoldTheFieldsBitsForAnyNumberOfCascades) {
     for (int cascades = 1; cascades <= 5; ++cascades) expect_exact({.resolution = 32, .cascades = cascades}, filled);
 }
 
-// Control: halves cut instead of rounded fail.
+// Controls: halves cut instead of rounded fail; of images that are written, the levels below a strip's left out.
 TEST_F(UploadedTiles, HoldTheFieldsNumbersRoundedToHalves) {
   for (const Filled filled : both)
     for (const int resolution : {16, 32, 64, 128, 256, 512})
