@@ -2,6 +2,9 @@
 // derivatives where they are wanted, for the instruction set that Highway compiles this for.
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "ocean/sea/place_query_simd.h"
@@ -20,21 +23,39 @@ namespace seascape {
 namespace HWY_NAMESPACE {
 namespace {
 
-// flow_height() of two patterns that a current of this square carries, of which the first has the share that `phase`
-// says.
+// Two patterns that a current carries: how far each has come, and the square of the current.
+template <class N>
+struct Carried {
+  std::array<N, 2> x, z;
+  N square;
+};
+template <class N>
+HWY_INLINE Carried<N> carried(const N& flow_x, const N& flow_z, const FlowPhase& phase) {
+  const float first = float(phase.first_s), second = float(phase.second_s);
+  return {{times(flow_x, first), times(flow_x, second)},
+          {times(flow_z, first), times(flow_z, second)},
+          flow_x * flow_x + flow_z * flow_z};
+}
+
+// flow_height() of these patterns, and what it grows by in a second.
 template <class V, int count>
-HWY_INLINE Dual<V, count> carried_height(const Dual<V, count>& square, float factor, const FlowPhase& phase,
-                                         float share_per_s) {
+struct CarriedHeight {
+  Dual<V, count> height;
+  V in_second;
+};
+template <class V, int count>
+HWY_INLINE CarriedHeight<V, count> carried_height(const Dual<V, count>& square, float factor, const FlowPhase& phase,
+                                                  float share_per_s) {
   const hn::DFromV<V> d;
   const float first = float(phase.first), second = 1.0f - first;
   const auto half_square = times(square, factor);
   const auto alike = exp_minus(d, half_square.value), height = height_of_alike(d, alike, first);
-  auto result = constant<count>(height);
-  if constexpr (count > by_time) {
+  CarriedHeight<V, count> result{constant<count>(height), hn::Zero(d)};
+  if constexpr (count > 0) {
     const auto cube = hn::Mul(height, hn::Mul(height, height));
     const auto of_way = hn::Mul(cube, hn::Mul(alike, hn::Set(d, first * second)));
-    for (const std::size_t by : {by_x, by_z}) result.by[by] = hn::Mul(of_way, half_square.by[by]);
-    result.by[by_time] =
+    for (const std::size_t by : {by_x, by_z}) result.height.by[by] = hn::Mul(of_way, half_square.by[by]);
+    result.in_second =
         hn::Mul(hn::Mul(cube, hn::Sub(alike, hn::Set(d, 1.0f))), hn::Set(d, share_per_s * (first - second)));
   }
   return result;
@@ -51,31 +72,30 @@ HWY_INLINE Dual<V, count> dynamic_share(const PlacedLayer& layer, const Dual<V, 
   return times(clamped(times(inside, layer.per_border)), layer.counts);
 }
 
-// How much of each layer there is at the rest positions of points i to i + lanes - 1, and where its pattern is taken:
-// put(l, place_x, place_z, there, sideways) gets, of layer l, the way from the places asked (m), what it is to be
-// multiplied with, and what of that its Dx and Dz have.
+// A layer at the rest positions of a vector of points: where its pattern is taken (m), from the places asked; what it
+// is to be multiplied with; and what of that its Dx and Dz have.
+template <class V, int count>
+struct Laid {
+  Dual<V, count> x, z, there, sideways;
+  V x_s, z_s, there_s;  // what these grow by in a second of a current, where there are derivatives
+};
+
+// All layers at the rest positions of points i to i + lanes - 1: put(l, laid) for each.
 template <int count, class D, class Put>
 HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, int i, const Put& put) {
-  using N = Dual<hn::Vec<D>, count>;
+  using V = hn::Vec<D>;
+  using N = Dual<V, count>;
   const N zero = constant<count>(hn::Zero(d)), one = constant<count>(hn::Set(d, 1.0f));
   const auto of = [&](int which, float absent) HWY_ATTR { return number<count>(d, plan, at, which, absent, i); };
   N way_x = constant<count>(hn::Load(d, g.way_x + i)), way_z = constant<count>(hn::Load(d, g.way_z + i));
-  N first = constant<count>(hn::Set(d, float(plan.phase.first))), second = one - first;
-  N first_s = constant<count>(hn::Set(d, float(plan.phase.first_s))),
-    second_s = constant<count>(hn::Set(d, float(plan.phase.second_s)));
-  const float share_per_s = float((plan.phase.first_s < 0.0 ? 2.0 : -2.0) / plan.period_s);
   if constexpr (count > 0) way_x.by[by_x] = way_z.by[by_z] = one.value;
-  if constexpr (count > by_time) {
-    first.by[by_time] = hn::Set(d, share_per_s);
-    second.by[by_time] = hn::Set(d, -share_per_s);
-    first_s.by[by_time] = second_s.by[by_time] = one.value;
-  }
+  const float first = float(plan.phase.first);
+  const float share_per_s = float((plan.phase.first_s < 0.0 ? 2.0 : -2.0) / plan.period_s);
   N flow_x = zero, flow_z = zero, run_up = zero;
   if (plan.flow) flow_x = of(PlaceNumbers::flow_x, 0.0f), flow_z = of(PlaceNumbers::flow_z, 0.0f);
   if (plan.bed) run_up = of(PlaceNumbers::run_up, 0.0f);
-  const N square = flow_x * flow_x + flow_z * flow_z;
   AlongCurve<N> curve;
-  N curve_x = zero, curve_z = zero, curve_square = zero;  // the current in the axes of the curve's pattern
+  N curve_x = zero, curve_z = zero;  // the current in the axes of the curve's pattern
   if (plan.shore) {
     curve = along_curve<count>(d, plan, at, i);
     const auto keep = [&](const N& value, float(*to)[group]) HWY_ATTR {
@@ -87,24 +107,47 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
     if (plan.flow) {
       curve_x = curve.stretch * (flow_x * curve.forward_x + flow_z * curve.forward_z);
       curve_z = flow_z * curve.forward_x - flow_x * curve.forward_z;
-      curve_square = curve_x * curve_x + curve_z * curve_z;
     }
   }
-  N sum_height = one;  // one over the height of two patterns' sum, which follow each other
-  for (int l = 0; l < plan.waves.count; ++l) {
+  // Of a layer that a current carries both patterns; in still water both are the same, which is laid once.
+  const auto put_carried = [&](int l, const N& x, const N& z, const N& there, const N& sideways, const Carried<N>& by,
+                               const N& way_of_x, const N& way_of_z, V x_s, V z_s) HWY_ATTR {
+    const auto still = hn::Eq(by.square.value, zero.value);
+    const bool all_still = hn::AllTrue(d, still);
+    CarriedHeight<V, count> sum{one, zero.value};
+    if (!all_still) sum = carried_height(by.square, plan.placed[std::size_t(l)].flow_height, plan.phase, share_per_s);
+    for (std::size_t pattern = 0; pattern < (all_still ? 1u : 2u); ++pattern) {
+      const float share = pattern == 0 ? first : 1.0f - first;
+      const N counts = select(still, pattern == 0 ? one : zero, times(sum.height, share));
+      Laid<V, count> laid{way_of_x + (x - by.x[pattern]),
+                          way_of_z + (z - by.z[pattern]),
+                          there * counts,
+                          sideways,
+                          x_s,
+                          z_s,
+                          zero.value};
+      if constexpr (count > 0) {
+        const auto more = hn::Mul(hn::Set(d, pattern == 0 ? share_per_s : -share_per_s), sum.height.value);
+        laid.there_s =
+            hn::IfThenZeroElse(still, hn::Mul(there.value, hn::Add(more, hn::Mul(hn::Set(d, share), sum.in_second))));
+      }
+      put(l + int(pattern), laid);
+    }
+  };
+  Carried<N> by;
+  if (plan.flow) by = carried(flow_x, flow_z, plan.phase);
+  const auto not_x = hn::Neg(flow_x.value), not_z = hn::Neg(flow_z.value);
+  for (int l = 0; l < plan.curved;) {
     const PlacedLayer& layer = plan.placed[std::size_t(l)];
-    const bool curved = layer.kind == PlacedLayer::curved;
-    N off_x = zero, off_z = zero, there = one, sideways = one;
     if (layer.kind == PlacedLayer::dynamic) {
       const N from_x = constant<count>(hn::Load(d, at.from_viewer_x + i)),
               from_z = constant<count>(hn::Load(d, at.from_viewer_z + i));
-      there = dynamic_share(layer, from_x + way_x, from_z + way_z);
-      sideways.value = hn::Set(d, layer.sharpened);
-    } else if (curved) {
-      off_x = curve.x;
-      off_z = curve.z;
-      there = curve.share;
-    } else if (plan.bed) {
+      put(l++, Laid<V, count>{way_x, way_z, dynamic_share(layer, from_x + way_x, from_z + way_z),
+                              constant<count>(hn::Set(d, layer.sharpened)), zero.value, zero.value, zero.value});
+      continue;
+    }
+    N off_x = zero, off_z = zero, there = one, sideways = one;
+    if (plan.bed) {
       there = of(PlaceNumbers::share + layer.share, 1.0f);
       if (layer.runs_up) {
         const N flat = there;
@@ -117,116 +160,150 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
         off_z = times(bend, plan.along[std::size_t(layer.bent)].y);
       }
     }
-    if (layer.pattern >= 0) {
-      const bool is_first = layer.pattern == 0;
-      if (is_first)
-        sum_height = carried_height(curved ? curve_square : square, layer.flow_height, plan.phase, share_per_s);
-      const N& way_s = is_first ? first_s : second_s;
-      there = there * ((is_first ? first : second) * sum_height);
-      off_x = off_x - (curved ? curve_x : flow_x) * way_s;
-      off_z = off_z - (curved ? curve_z : flow_z) * way_s;
+    if (plan.flow) {
+      put_carried(l, off_x, off_z, there, sideways, by, way_x, way_z, not_x, not_z);
+      l += 2;
+    } else {
+      put(l++, Laid<V, count>{way_x + off_x, way_z + off_z, there, sideways, zero.value, zero.value, zero.value});
     }
-    if (layer.kind != PlacedLayer::curved) off_x = way_x + off_x, off_z = way_z + off_z;
-    put(l, off_x, off_z, there, sideways);
   }
+  if (plan.curved == plan.waves.count) return;
+  if (plan.flow) by = carried(curve_x, curve_z, plan.phase);
+  for (int l = plan.curved; l < plan.waves.count;)
+    if (plan.flow) {
+      put_carried(l, curve.x, curve.z, curve.share, one, by, zero, zero, hn::Neg(curve_x.value),
+                  hn::Neg(curve_z.value));
+      l += 2;
+    } else {
+      put(l++, Laid<V, count>{curve.x, curve.z, curve.share, one, zero.value, zero.value, zero.value});
+    }
 }
 
-// The texels of all layers, at the rest positions of points i to i + lanes - 1.
+// The texels of all layers, at the rest positions of points i to i + lanes - 1, and which layers there are at all.
 template <class D>
 HWY_INLINE void locate_placed(D d, const PlacePlan& plan, Group& g, Places& at, int i) {
-  using N = Dual<hn::Vec<D>, 0>;
-  spread<0>(d, plan, g, at, i, [&](int l, const N& x, const N& z, const N& there, const N& sideways) HWY_ATTR {
+  const hn::RebindToSigned<D> di;
+  auto live = hn::Zero(di), live_beyond = live;
+  spread<0>(d, plan, g, at, i, [&](int l, const Laid<hn::Vec<D>, 0>& laid) HWY_ATTR {
     const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
-    hn::Store(there.value, d, at.there[l] + i);
-    if (!plan.placed[std::size_t(l)].even) hn::Store(sideways.value, d, at.sideways[l] + i);
-    const auto share = hn::Mul(hn::Set(d, plan.placed[std::size_t(l)].laid), there.value);
-    locate_layer(d, layer, l, g, spot(d, layer, l, g, x.value, z.value, i), share, i);
+    const PlacedLayer& placed = plan.placed[std::size_t(l)];
+    const auto there = hn::Ne(laid.there.value, hn::Zero(d));
+    const auto bit =
+        hn::IfThenElseZero(hn::RebindMask(di, there), hn::Set(di, std::int32_t(std::uint32_t{1} << (l % 32))));
+    (l < 32 ? live : live_beyond) = hn::Or(l < 32 ? live : live_beyond, bit);
+    if (!placed.even) hn::Store(laid.sideways.value, d, at.sideways[l] + i);
+    const auto share = hn::Mul(hn::Set(d, placed.laid), laid.there.value);
+    locate_layer(d, layer, l, g, spot(d, layer, l, g, laid.x.value, laid.z.value, i), share, i);
   });
+  hn::Store(live, di, at.live[0] + i);
+  hn::Store(live_beyond, di, at.live[1] + i);
 }
 
 // What locate_placed() finds changes by.
 template <int count, class D>
 HWY_INLINE void locate_growth(D d, const PlacePlan& plan, Group& g, Places& at, int i) {
-  using N = Dual<hn::Vec<D>, count>;
   const auto one = hn::Set(d, 1.0f);
-  spread<count>(d, plan, g, at, i, [&](int l, const N& x, const N& z, const N& there, const N& sideways) HWY_ATTR {
+  spread<by_time>(d, plan, g, at, i, [&](int l, const Laid<hn::Vec<D>, by_time>& laid) HWY_ATTR {
     const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
     const PlacedLayer& placed = plan.placed[std::size_t(l)];
-    const N share = times(there, placed.laid);
-    const Spot<D> spot_at = spot(d, layer, l, g, x.value, z.value, i);
+    const auto share = hn::Mul(laid.there.value, hn::Set(d, placed.laid));
+    const Spot<D> spot_at = spot(d, layer, l, g, laid.x.value, laid.z.value, i);
     const auto right = spot_at.right, below = spot_at.below, left = hn::Sub(one, right), above = hn::Sub(one, below);
     const auto cosine = hn::Set(d, layer.cosine_a_texel), sine = hn::Set(d, layer.sine_a_texel);
-    for (std::size_t by = 0; by < std::size_t(count); ++by) {
-      // By columns and by rows, and by the share.
-      const auto u = hn::Mul(share.value, hn::Add(hn::Mul(cosine, x.by[by]), hn::Mul(sine, z.by[by]))),
-                 v = hn::Mul(share.value, hn::Sub(hn::Mul(cosine, z.by[by]), hn::Mul(sine, x.by[by])));
+    // By columns and by rows, and by the share.
+    const auto store = [&](hn::Vec<D> x, hn::Vec<D> z, hn::Vec<D> there, float* to) HWY_ATTR {
+      const auto u = hn::Mul(share, hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z))),
+                 v = hn::Mul(share, hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x)));
       const auto u_above = hn::Mul(u, above), u_below = hn::Mul(u, below), v_left = hn::Mul(v, left),
                  v_right = hn::Mul(v, right);
-      const auto more_above = hn::Mul(share.by[by], above), more_below = hn::Mul(share.by[by], below);
+      const auto more = hn::Mul(there, hn::Set(d, placed.laid));
+      const auto more_above = hn::Mul(more, above), more_below = hn::Mul(more, below);
       hn::StoreInterleaved4(hn::Sub(hn::Mul(more_above, left), hn::Add(u_above, v_left)),
                             hn::Add(hn::Mul(more_above, right), hn::Sub(u_above, v_right)),
                             hn::Add(hn::Mul(more_below, left), hn::Sub(v_left, u_below)),
-                            hn::Add(hn::Mul(more_below, right), hn::Add(u_below, v_right)), d,
-                            at.growth[by].weight[l] + 4 * i);
-      if (!placed.even) hn::Store(sideways.by[by], d, at.growth[by].sideways[l] + i);
+                            hn::Add(hn::Mul(more_below, right), hn::Add(u_below, v_right)), d, to + 4 * i);
+    };
+    for (const std::size_t by : {by_x, by_z}) {
+      store(laid.x.by[by], laid.z.by[by], laid.there.by[by], at.growth[by].weight[l]);
+      if (!placed.even) hn::Store(laid.sideways.by[by], d, at.growth[by].sideways[l] + i);
     }
+    if constexpr (count > by_time) store(laid.x_s, laid.z_s, laid.there_s, at.growth[by_time].weight[l]);
   });
 }
 
-// These numbers in a texel's Dx and Dz, and `other` in the rest.
-HWY_INLINE hn::Vec<Texels> in_sideways(float value, float other) {
-  const Texels d;
-  const auto odd = hn::Ne(hn::And(hn::Iota(hn::RebindToSigned<Texels>(), 0), hn::Set(hn::RebindToSigned<Texels>(), 1)),
-                          hn::Zero(hn::RebindToSigned<Texels>()));
-  return hn::IfThenElse(hn::RebindMask(d, odd), hn::Set(d, other), hn::Set(d, value));
+// Which numbers of texels are Dx and Dz.
+HWY_INLINE hn::Mask<Texels> are_sideways() {
+  const hn::RebindToSigned<Texels> di;
+  return hn::RebindMask(Texels(), hn::Eq(hn::And(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
 }
 
-// A point's sum of a plane of layers `first` to `end` - 1.
-HWY_INLINE void sample_placed(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point,
-                              Plane plane, float* to) {
+// Texels with their Dx and Dz multiplied by this.
+HWY_INLINE hn::Vec<Texels> widened(hn::Vec<Texels> by, hn::Vec<Texels> texels) {
+  return hn::IfThenElse(are_sideways(), hn::Mul(by, texels), texels);
+}
+
+// The layers of `of` that there are at a point.
+HWY_INLINE std::uint64_t live(const Places& at, int point, std::uint64_t of) {
+  return of & (std::uint64_t{std::uint32_t(at.live[0][point])} | std::uint64_t{std::uint32_t(at.live[1][point])} << 32);
+}
+
+// A point's sum of the displacements of these layers.
+HWY_INLINE void sample_placed(const PlacePlan& plan, const Group& g, const Places& at, std::uint64_t layers, int point,
+                              float* to) {
   const Texels d;
   hn::Vec<Texels> sum[parts];
   for (auto& part : sum) part = hn::Zero(d);
-  for (int l = first; l < end; ++l) {
+  for (std::uint64_t rest = live(at, point, layers); rest != 0; rest &= rest - 1) {
+    const int l = std::countr_zero(rest);
     const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
-    const float* const from = layer.*plane;
-    if (at.there[l][point] == 0.0f || from == nullptr) continue;
     hn::Vec<Texels> texels[parts];
-    read_texels(from, g.upper[l][point], g.lower[l][point], layer.mask, texels);
+    read_texels(layer.shift, g.upper[l][point], g.lower[l][point], layer.mask, texels);
     if (!plan.placed[std::size_t(l)].even)
-      for (auto& part : texels) part = hn::Mul(in_sideways(at.sideways[l][point], 1.0f), part);
+      for (auto& part : texels) part = widened(hn::Set(d, at.sideways[l][point]), part);
     for (int i = 0; i < parts; ++i)
       sum[i] = hn::Add(sum[i], hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]));
   }
   hn::Store(add_texels(sum), hn::FixedTag<float, 4>(), to + 4 * point);
 }
 
-// The `count` derivatives of a point's sum of displacements.
-template <int count>
-HWY_INLINE void sample_growth(const PlacePlan& plan, const Group& g, const Places& at, int first, int end, int point,
-                              float (*to)[4 * group]) {
+// The `count` derivatives of a point's sum of displacements, and with `moving` the sum of velocities.
+template <int count, bool moving>
+HWY_INLINE void sample_growth(const PlacePlan& plan, const Group& g, const Places& at, std::uint64_t layers, int point,
+                              float (*to)[4 * group], float* velocity) {
   const Texels d;
-  hn::Vec<Texels> sums[count][parts];
+  hn::Vec<Texels> sums[count][parts], moved[parts];
   for (auto& sum : sums)
     for (auto& part : sum) part = hn::Zero(d);
-  for (int l = first; l < end; ++l) {
+  for (auto& part : moved) part = hn::Zero(d);
+  for (std::uint64_t rest = live(at, point, layers); rest != 0; rest &= rest - 1) {
+    const int l = std::countr_zero(rest);
     const QueryLayer& layer = plan.waves.layers[std::size_t(l)];
-    if (at.there[l][point] == 0.0f) continue;
+    const bool even = plan.placed[std::size_t(l)].even;
+    const auto sideways = even ? hn::Zero(d) : hn::Set(d, at.sideways[l][point]);
     hn::Vec<Texels> texels[parts];
     read_texels(layer.shift, g.upper[l][point], g.lower[l][point], layer.mask, texels);
-    const bool even = plan.placed[std::size_t(l)].even;
     for (int i = 0; i < parts; ++i) {
       auto scaled = texels[i];
-      if (!even) scaled = hn::Mul(in_sideways(at.sideways[l][point], 1.0f), scaled);
+      if (!even) scaled = widened(sideways, scaled);
       for (int by = 0; by < count; ++by)
         sums[by][i] = hn::Add(sums[by][i], hn::Mul(weights_of(at.growth[by].weight[l] + 4 * point, i), scaled));
       if (even) continue;
-      const auto value = hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]);
-      for (int by = 0; by < count; ++by)
-        sums[by][i] = hn::Add(sums[by][i], hn::Mul(in_sideways(at.growth[by].sideways[l][point], 0.0f), value));
+      const auto value = hn::IfThenElseZero(are_sideways(), hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]));
+      for (const int by : {by_x, by_z})
+        sums[by][i] = hn::Add(sums[by][i], hn::Mul(hn::Set(d, at.growth[by].sideways[l][point]), value));
+    }
+    if constexpr (moving) {
+      if (layer.velocity == nullptr) continue;
+      read_texels(layer.velocity, g.upper[l][point], g.lower[l][point], layer.mask, texels);
+      for (int i = 0; i < parts; ++i) {
+        if (!even) texels[i] = widened(sideways, texels[i]);
+        moved[i] = hn::Add(moved[i], hn::Mul(weights_of(g.weight[l] + 4 * point, i), texels[i]));
+      }
     }
   }
-  for (int by = 0; by < count; ++by) hn::Store(add_texels(sums[by]), hn::FixedTag<float, 4>(), to[by] + 4 * point);
+  const hn::FixedTag<float, 4> d4;
+  for (int by = 0; by < count; ++by) hn::Store(add_texels(sums[by]), d4, to[by] + 4 * point);
+  if constexpr (moving) hn::Store(add_texels(moved), d4, velocity + 4 * point);
 }
 
 // What the layers' sums make of the water.
@@ -253,7 +330,7 @@ HWY_INLINE Water<Dual<hn::Vec<D>, count>> add_up(D d, const PlacePlan& plan, con
   const Water<N> curved = load(sums.curved);
   const auto forward = [&](const float(*from)[group]) HWY_ATTR {
     N result = constant<count>(hn::Load(d, from[0] + i));
-    for (std::size_t n = 0; n < std::size_t(count); ++n) result.by[n] = hn::Load(d, from[n + 1] + i);
+    for (int n = 0; n < std::min(count, by_time); ++n) result.by[std::size_t(n)] = hn::Load(d, from[n + 1] + i);
     return result;
   };
   const N forward_x = forward(at.forward_x), forward_z = forward(at.forward_z);

@@ -30,7 +30,7 @@ HWY_INLINE void dry(const PlacePlan& plan, const Group& g, const float* bed, flo
 template <class D>
 HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::uint64_t left, int count, Sums& sums) {
   const int lanes = int(hn::Lanes(d));
-  const std::uint64_t some = (std::uint64_t{1} << lanes) - 1;
+  const std::uint64_t some = (std::uint64_t{1} << lanes) - 1, uncurved = (std::uint64_t{1} << plan.curved) - 1;
   if (plan.pages != nullptr) {
     for (std::uint64_t rest = plan.seen != nullptr ? left : 0; rest != 0; rest &= rest - 1) {
       const int point = std::countr_zero(rest);
@@ -51,9 +51,8 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
   }
   for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
     const int point = std::countr_zero(rest);
-    sample_placed(plan, g, at, 0, plan.curved, point, &QueryLayer::shift, sums.waves[0]);
-    if (plan.shore)
-      sample_placed(plan, g, at, plan.curved, plan.waves.count, point, &QueryLayer::shift, sums.curved[0]);
+    sample_placed(plan, g, at, uncurved, point, sums.waves[0]);
+    if (plan.shore) sample_placed(plan, g, at, ~uncurved, point, sums.curved[0]);
   }
   // Points that were found before have the same sums as then.
   for (int i = 0; i < count; i += lanes) {
@@ -69,21 +68,24 @@ HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::
 
 // The displacement's derivatives at the points that the search has found into g.along_x and g.along_z, and how fast a
 // current makes the surface move at a fixed rest position into `with_time`; `derivatives`: 3 where there is one, or 2.
-template <int derivatives, class D>
-HWY_INLINE void differentiate(D d, const PlacePlan& plan, Group& g, Places& at, Sums& sums, int count,
+// With `moving` the sums of the water's velocity into `moved`.
+template <int derivatives, bool moving, class D>
+HWY_INLINE void differentiate(D d, const PlacePlan& plan, Group& g, Places& at, Sums& sums, Sums& moved, int count,
                               float* with_time) {
-  const int lanes = int(hn::Lanes(d));
+  const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
+  const std::uint64_t uncurved = (std::uint64_t{1} << plan.curved) - 1;
   for (int point = 0; plan.pages != nullptr && point < count; ++point) read<true>(plan, at, point);
   for (int i = 0; i < count; i += lanes) {
     arrange(d, plan, at, i, true);
     locate_growth<derivatives>(d, plan, g, at, i);
   }
   for (int n = 1; n <= derivatives; ++n)
-    for (float* sum : {sums.waves[n], sums.curved[n]})
-      std::fill(sum + 4 * count, sum + 4 * ((count + lanes - 1) / lanes * lanes), 0.0f);
+    for (float* sum : {sums.waves[n], sums.curved[n]}) std::fill(sum + 4 * count, sum + 4 * padded, 0.0f);
+  for (float* sum : {moved.waves[0], moved.curved[0]})
+    if (moving) std::fill(sum + 4 * count, sum + 4 * padded, 0.0f);
   for (int point = 0; point < count; ++point) {
-    sample_growth<derivatives>(plan, g, at, 0, plan.curved, point, sums.waves + 1);
-    if (plan.shore) sample_growth<derivatives>(plan, g, at, plan.curved, plan.waves.count, point, sums.curved + 1);
+    sample_growth<derivatives, moving>(plan, g, at, uncurved, point, sums.waves + 1, moved.waves[0]);
+    if (plan.shore) sample_growth<derivatives, moving>(plan, g, at, ~uncurved, point, sums.curved + 1, moved.curved[0]);
   }
   for (int i = 0; i < count; i += lanes) {
     const auto water = compose<derivatives>(d, plan, at, sums, i);
@@ -105,17 +107,12 @@ HWY_INLINE void differentiate(D d, const PlacePlan& plan, Group& g, Places& at, 
   }
 }
 
-// The water's velocity at the points that the search has found.
+// The water's velocity, whose sums these are.
 template <class D>
-HWY_INLINE void move_water(D d, const PlacePlan& plan, const Group& g, const Places& at, int count, float* velocity) {
-  Sums sums = {};
-  for (int point = 0; point < count; ++point) {
-    sample_placed(plan, g, at, 0, plan.curved, point, &QueryLayer::velocity, sums.waves[0]);
-    if (plan.shore)
-      sample_placed(plan, g, at, plan.curved, plan.waves.count, point, &QueryLayer::velocity, sums.curved[0]);
-  }
+HWY_INLINE void move_water(D d, const PlacePlan& plan, const Places& at, const Sums& moved, int count,
+                           float* velocity) {
   for (int i = 0; i < count; i += int(hn::Lanes(d))) {
-    auto water = add_up<0>(d, plan, at, sums, i);
+    auto water = add_up<0>(d, plan, at, moved, i);
     if (plan.bed) {
       const auto share = wet(number<0>(d, plan, at, PlaceNumbers::level, 0.0f, i) -
                              number<0>(d, plan, at, PlaceNumbers::bed, 0.0f, i));
@@ -168,13 +165,23 @@ HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* place
   for (float* sum : {sums.waves[0], sums.curved[0]}) std::fill(sum + 4 * count, sum + 4 * padded, 0.0f);
   search(d, plan.waves, g, count,
          [&](std::uint64_t left, int) HWY_ATTR { displace(d, plan, g, at, left, count, sums); });
-  alignas(64) float water[4 * group] = {}, with_time[4 * group] = {};
-  if (plan.waves.velocity) move_water(d, plan, g, at, count, water);
-  if (plan.waves.slopes && plan.flow) differentiate<3>(d, plan, g, at, sums, count, with_time);
-  if (plan.waves.slopes && !plan.flow) differentiate<2>(d, plan, g, at, sums, count, with_time);
-  for (int i = 0; i < 4 * count; ++i) g.velocity[i] = water[i] + with_time[i];
+  alignas(64) float water[4 * group], with_time[4 * group];
+  if (plan.waves.velocity) {
+    Sums moved;
+    if (plan.flow)
+      differentiate<3, true>(d, plan, g, at, sums, moved, count, with_time);
+    else
+      differentiate<2, true>(d, plan, g, at, sums, moved, count, with_time);
+    move_water(d, plan, at, moved, count, water);
+    if (plan.flow)
+      for (int i = 0; i < 4 * count; ++i) g.velocity[i] = water[i] + with_time[i];
+    else
+      std::copy_n(water, 4 * count, g.velocity);
+  } else if (plan.waves.slopes) {
+    differentiate<2, false>(d, plan, g, at, sums, sums, count, with_time);
+  }
   const int bed = plan.numbers.at[PlaceNumbers::bed];
-  for (int i = 0; plan.bed && i < count; ++i)  // land stands still
+  for (int i = 0; plan.bed && plan.waves.velocity && i < count; ++i)  // land stands still
     if (g.shift[4 * i + 1] <= at.number[0][bed][i])
       g.velocity[4 * i] = g.velocity[4 * i + 1] = g.velocity[4 * i + 2] = 0.0f;
   finish(d, plan.waves, g, count, answers);

@@ -52,9 +52,11 @@ struct Places {
   alignas(64) float number[3][4 * vectors][group];
   alignas(64) float from_viewer_x[group], from_viewer_z[group];  // of the places asked
   // Of waves along curves, where forward is, and its derivatives.
-  alignas(64) float forward_x[4][group], forward_z[4][group];
-  // What each layer is multiplied with, and its Dx and Dz besides, of a layer that is not even.
-  alignas(64) float there[most_layers][group], sideways[most_layers][group];
+  alignas(64) float forward_x[3][group], forward_z[3][group];
+  // Which layers there are at all, a bit for each, and what Dx and Dz of those that are not even are multiplied with
+  // besides.
+  alignas(64) std::int32_t live[2][group];
+  alignas(64) float sideways[most_layers][group];
   Growth growth[3];
 };
 
