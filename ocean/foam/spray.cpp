@@ -208,8 +208,8 @@ void Spray::find_breakers(std::int64_t tick, const glm::dvec3& viewer) {
     for (int i = 0; i < cells_; ++i) {
       const Cell c = cell(viewer, i, j);
       std::uint32_t bits = 0;
-      const double share = cell_share(c, viewer, coarse);
       const Trials trials(settings_, tick, c.x, c.z, due);
+      const double share = trials.count > 0 ? cell_share(c, viewer, coarse) : 0.0;
       for (int k = 0; share > 0.0 && k < trials.count; ++k) {
         Chance chance = trials.trial(k);
         const glm::dvec2 rest = trial_place(c.x, c.z, chance);
