@@ -73,8 +73,7 @@ StripPlaces WaveTiles::strip_places(int tile, const TileFields& fields, bool len
     if (!lent || !in_halves()) continue;
     to.halves[level] = lent_.halves[std::size_t(tile)][std::size_t(level)];
     if (level == strip_levels) continue;  // smaller ones are averaged from it
-    for (const WavePlane plane : {WavePlane::slope, WavePlane::moments})
-      to.floats[level].texels[int(plane)] = nullptr;
+    for (const WavePlane plane : {WavePlane::slope, WavePlane::moments}) to.floats[level].texels[int(plane)] = nullptr;
   }
   return to;
 }

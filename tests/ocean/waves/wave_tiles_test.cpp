@@ -8,6 +8,7 @@
 #include <random>
 
 #include "ocean/waves/gerstner.h"
+#include "ocean/waves/half_floats.h"
 #include "tests/support/spectrum_truth.h"
 
 namespace seascape {
@@ -60,6 +61,48 @@ Fields direct(const SeaState& sea, const WaveBins& bins, int cascade, double x, 
 
 glm::dvec2 texel_place(const Cascade& c, int samples, int x, int z) {
   return rotate_xz(c.side_m / samples * glm::dvec2(x, z), c.rotation_rad);
+}
+
+// Controls seen: the levels below a strip's left out, a strip sent to the columns of the one before, and slopes that
+// are never made again.
+TEST(WaveTiles, GoToMemoryOfOthersAsHalves) {
+  const WaveQuality quality{.resolution = 64, .cascades = 2};
+  const WaveField field(windy(), quality);
+  WaveTiles own, out;
+  const WaveTileLayout layout(quality);
+  std::vector<std::uint16_t> memory(12 * layout.plane_texels);
+  WaveTiles::Lent lent;
+  for (std::size_t tile = 0; tile < 2; ++tile)
+    for (int level = 0; level < layout.tiles[tile].levels; ++level)
+      for (std::size_t plane = 0; plane < 3; ++plane)
+        lent.halves[tile][std::size_t(level)][plane] = {
+            memory.data() + 4 * layout.offset(int(tile), WavePlane(plane), level),
+            4 * layout.level(int(tile), level).stride};
+  out.keep_in(lent, layout, 2);
+  field.evaluate(12345678, own);
+  field.evaluate(12345678, out);
+  std::vector<std::uint16_t> want;
+  const auto wrong_rows = [&](bool halves, int from_plane) {
+    int wrong = 0;
+    for (int tile = 0; tile < 2; ++tile)
+      for (int level = 0; level < own.levels(tile); ++level)
+        for (int plane = from_plane; plane < 3; ++plane)
+          for (int z = 0, size = own.samples(tile) >> level; z < size; ++z) {
+            const glm::vec4* const row = own.texels(tile, WavePlane(plane), level) + z * own.stride(tile, level);
+            const auto& to = lent.halves[std::size_t(tile)][std::size_t(level)][std::size_t(plane)];
+            want.resize(4 * std::size_t(size));
+            halves_from_floats(&row->x, want.data(), want.size());
+            const glm::vec4* const got = out.texels(tile, WavePlane(plane), level) + z * out.stride(tile, level);
+            wrong += halves ? std::memcmp(want.data(), to.first + z * to.row, 2 * want.size()) != 0
+                            : std::memcmp(row, got, sizeof(glm::vec4) * std::size_t(size)) != 0;
+          }
+    return wrong;
+  };
+  EXPECT_EQ(wrong_rows(true, 0), 0);
+  EXPECT_GT(wrong_rows(false, 1), 0);  // slopes are not kept,
+  field.add_slopes(out);
+  EXPECT_EQ(wrong_rows(false, 0), 0);  // and are made for whoever asks
+  EXPECT_EQ(wrong_rows(true, 0), 0);
 }
 
 TEST(WaveTiles, equal_direct_sums) {
