@@ -341,12 +341,12 @@ TEXT
   check_usage)
     make_tree
     usage_of() { "$tree/check" "$@" > "$work/out" 2> "$work/err" < /dev/null; status=$?; }
-    for wrong in --bogus '--fuzz' '--fuzz -1' '--fuzz 1,5' '--fuzz 12345678901234567890' extra; do
+    for wrong in --bogus '--fuzz' '--all --fuzz -1' '--all --fuzz 1,5' '--all --fuzz 12345678901234567890' '--fuzz 5' extra; do
       usage_of $wrong
       [ "$status" -eq 2 ] && [ "$(grep -c '^seascape: ' "$work/err")" -eq 1 ] || { show; fail "check $wrong: $status"; }
     done
     # Control: a right use is not refused.
-    usage_of --long --help
+    usage_of --all --fuzz 5 --long --help
     [ "$status" -eq 0 ] && says out '--fuzz MINUTES' || { show; fail "control: --help"; }
     ;;
   check_counts)
@@ -376,22 +376,25 @@ EOF
     printf '#!/bin/bash\nexit 1\n' > "$tree/three" && chmod +x "$tree/three"
     printf '#!/bin/bash\n' > "$tree/scripts/format.sh" && chmod +x "$tree/scripts/format.sh"
     check_of() {
-      (cd "$work/caller" && env PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" CI=true "$tree/check" > "$work/out" 2> "$work/err" < /dev/null)
+      (cd "$work/caller" && env PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" CI=true "$tree/check" "$@" > "$work/out" 2> "$work/err" < /dev/null)
       status=$?
     }
     check_of
-    # packages, format, build release, build asan count one each; unit two, twice (release and asan); program one failed.
+    # packages, format and build release count one each, unit two; program one failed.
+    [ "$(tail -n 1 "$work/out")" = '5 passed, 1 failed' ] && [ "$status" -eq 1 ] || { show; fail "the sum: $status"; }
+    check_of --all
+    # And build asan one, and its unit two.
     [ "$(tail -n 1 "$work/out")" = '8 passed, 1 failed' ] && [ "$status" -eq 1 ] || { show; fail "the sum: $status"; }
     says out 'failed: tests program' && says out '1 of these tests skipped themselves' || { show; fail "what failed"; }
     says out 'tests golden: no test has this label' || { show; fail "an absent label"; }
     # A label whose sources are there and whose tests are not found is a failure.
     : > "$tree/tests/a_golden_test.cpp"
     check_of
-    [ "$(tail -n 1 "$work/out")" = '8 passed, 2 failed' ] || { show; fail "a label without its tests"; }
+    [ "$(tail -n 1 "$work/out")" = '5 passed, 2 failed' ] || { show; fail "a label without its tests"; }
     # Control: when nothing fails, the same reading says so.
     rm "$tree/tests/a_golden_test.cpp"
     printf '#!/bin/bash\nexit 0\n' > "$tree/three"
-    check_of
+    check_of --all
     [ "$(tail -n 1 "$work/out")" = '9 passed, 0 failed' ] && [ "$status" -eq 0 ] || { show; fail "control: it fails always"; }
     ;;
   *) fail "no such case: ${1:-}" ;;
