@@ -105,7 +105,7 @@ HWY_INLINE void add(const ShorePattern& pattern, const Texels& t, const Samples&
   sum.y = hn::Add(sum.y, hn::Mul(share, d_y));
   sum.z = hn::Add(sum.z, hn::Mul(share, both(d_x, f_z, d_z, r_z)));
   // D = share (Dx forward + Dz right); forward turns by `turning` to the right, right as much against forward
-  // (shore_sea.cpp).
+  // (in plain double precision: tests/support/place_truth.cpp).
   const auto stretch = load(t.stretch), turning = load(t.turning);
   const auto along_x = hn::Mul(stretch, f_x), along_z = hn::Mul(stretch, f_z);
   const auto by_x = hn::Mul(turning, f_x), by_z = hn::Mul(turning, f_z);

@@ -1,5 +1,5 @@
-// What waves along curves do to a row of texels, vectorised: ShorePart::add of the two patterns that a current carries,
-// without the heights' slopes.
+// What waves along curves do to a row of texels, vectorised: what the two patterns that a current carries add to the
+// water, without the slopes of heights.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

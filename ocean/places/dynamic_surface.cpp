@@ -79,32 +79,4 @@ DynamicSurface::Extent DynamicSurface::extent(int level) const {
   return result;
 }
 
-DynamicSample DynamicSurface::sea(glm::dvec2 rest, double footprint) const {
-  DynamicSample sum;
-  const float distance = gpu::lod_distance(glm::vec2(rest - placement_.viewer));
-  const int n = plan_.n;
-  for (int i = 0; i < int(levels_.size()); ++i) {
-    const Level& level = levels_[std::size_t(i)];
-    if (level.still) continue;
-    double weight =
-        gpu::lod_present(windows_.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * level.texel_m), 0.0, 1.0);
-    if (i == 0) weight *= 1.0 - double(windows_.reach.z);
-    if (!(weight > 0.0)) continue;
-    const glm::dvec2 at = rest / level.texel_m - 0.5, cell = glm::floor(at), f = at - cell;
-    const LodIndex w(cell);
-    glm::dvec4 shift(0.0), slope(0.0);
-    for (int k = 0; k < 4; ++k) {
-      const std::size_t texel =
-          std::size_t((w.y + (k >> 1)) & (n - 1)) * std::size_t(n) + std::size_t((w.x + (k & 1)) & (n - 1));
-      const double share = weight * ((k & 1) != 0 ? f.x : 1.0 - f.x) * ((k >> 1) != 0 ? f.y : 1.0 - f.y);
-      shift += share * glm::dvec4(level.shift[texel]);
-      slope += share * glm::dvec4(level.slope[texel]);
-    }
-    sum.displacement += glm::dvec3(share_ * shift.x, shift.y, share_ * shift.z);
-    sum.height_gradient += glm::dvec2(slope.x, slope.y);
-    sum.shift_gradient += share_ * glm::dvec3(slope.z, slope.w, shift.w);
-  }
-  return sum;
-}
-
 }  // namespace seascape

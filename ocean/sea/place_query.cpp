@@ -97,7 +97,7 @@ bool PlaceSea::clipped(glm::dvec3 point, bool flat, const ClipVolumes* volumes) 
 
 bool PlaceSea::flat_clipped(glm::dvec2 at, double time, const ClipRead& read) const {
   if (read.seen != nullptr && clip_)
-    return PlaceReader(*clip_, settings_, time)(reading({at, 0.0, read.seen, false}), at).x > 0.5f;
+    return PlaceReader(*clip_, settings_, time)(place_reading(settings_.windows, at, 0.0, read.seen), at).x > 0.5f;
   return flat_clipped(at, read.texel_m > 0.0 ? read.texel_m : settings_.windows.texel_m, time);
 }
 
@@ -233,6 +233,13 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
                  place);
   }
   return plan;
+}
+
+SeaSample PlaceSea::at(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest, const QueryOptions& options,
+                       const Beside& beside) const {
+  QueryOptions once = options;
+  once.fields = query_slopes;
+  return placed_sample(plan(field, tiles, once, beside), rest);
 }
 
 void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<const glm::dvec2> places,

@@ -143,12 +143,10 @@ HWY_INLINE void tell(const PlacePlan& plan, const Places& at, const float* water
                                  along.y};
 }
 
+// Where a group begins, with nothing read yet.
 template <class D>
-HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
-                             QueryAnswer* answers, int count) {
-  Group g;
-  Places at;
-  Sums sums;
+HWY_INLINE void begin_placed(D d, const PlacePlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
+                             Group& g, Places& at, Sums& sums, int count) {
   const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
   begin(d, plan.waves, places, previous, g, count);
   const double fine_m = plan.reading.fine_texel_m();
@@ -163,6 +161,15 @@ HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* place
   for (auto& texel : at.texel)
     for (int v = 0; v < plan.numbers.vectors; ++v) std::fill(texel[v] + 4 * count, texel[v] + 4 * padded, 0.0f);
   for (float* sum : {sums.waves[0], sums.curved[0]}) std::fill(sum + 4 * count, sum + 4 * padded, 0.0f);
+}
+
+template <class D>
+HWY_INLINE void answer_group(D d, const PlacePlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
+                             QueryAnswer* answers, int count) {
+  Group g;
+  Places at;
+  Sums sums;
+  begin_placed(d, plan, places, previous, g, at, sums, count);
   search(d, plan.waves, g, count,
          [&](std::uint64_t left, int) HWY_ATTR { displace(d, plan, g, at, left, count, sums); });
   alignas(64) float water[4 * group], with_time[4 * group];
@@ -202,6 +209,20 @@ void answer_all_placed(const PlacePlan& plan, const glm::dvec2* places, const Qu
   }
 }
 
+void sample_one_placed(const PlacePlan& plan, const glm::dvec2& rest, SeaSample& to) {
+  const hn::FixedTag<float, 4> d;
+  Group g;
+  Places at;
+  Sums sums;
+  alignas(64) float with_time[4 * group];
+  begin_placed(d, plan, &rest, nullptr, g, at, sums, 1);
+  displace(d, plan, g, at, 1, 1, sums);
+  differentiate<2, false>(d, plan, g, at, sums, sums, 1, with_time);
+  to.displacement = {g.shift[0], g.shift[1], g.shift[2]};
+  to.height_gradient = {g.along_x[1], g.along_z[1]};
+  to.shift_gradient = {g.along_x[0], g.along_z[2], 0.5 * (double(g.along_z[0]) + double(g.along_x[2]))};
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace seascape
 HWY_AFTER_NAMESPACE();
@@ -214,6 +235,14 @@ HWY_EXPORT(answer_all_placed);
 void answer_placed_points(const PlacePlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
                           QueryAnswer* answers, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(answer_all_placed)(plan, places, previous, answers, count);
+}
+
+HWY_EXPORT(sample_one_placed);
+
+SeaSample placed_sample(const PlacePlan& plan, glm::dvec2 rest_m) {
+  SeaSample sample;
+  HWY_DYNAMIC_DISPATCH(sample_one_placed)(plan, rest_m, sample);
+  return sample;
 }
 
 }  // namespace seascape

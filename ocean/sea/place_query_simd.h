@@ -84,4 +84,7 @@ struct PlacePlan {
 void answer_placed_points(const PlacePlan& plan, const glm::dvec2* places, const QueryAnswer* previous,
                           QueryAnswer* answers, std::size_t count);
 
+// The surface at a rest position (m): displacement and gradients.
+SeaSample placed_sample(const PlacePlan& plan, glm::dvec2 rest_m);
+
 }  // namespace seascape

@@ -12,7 +12,6 @@
 #include "ocean/places/place_reader.h"
 #include "ocean/places/shore_field.h"
 #include "ocean/sea/query.h"
-#include "ocean/sea/shore_sea.h"
 #include "ocean/sea/still_water.h"
 #include "ocean/sea/water_side.h"
 
@@ -54,13 +53,6 @@ class PlaceSea {
   // Null where no bed is known.
   const Shallows* shallows() const { return shallows_.from.get(); }
 
-  // The surface, which is the ground where that stands above the water, at a rest position (m), for a footprint (m), of
-  // the tiles' time. Second moments are left out. `seen`: as a picture with these windows has it. `dynamic`: null where
-  // dynamic waves are left out. `volumes`: as above.
-  SeaSample sea(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, double footprint_m,
-                const LodPlacement* seen = nullptr, const DynamicSurface* dynamic = nullptr,
-                const ClipVolumes* volumes = nullptr) const;
-
   // What questions have beside the waves.
   struct Beside {
     const DynamicSurface* dynamic = nullptr;  // null: no dynamic waves
@@ -76,6 +68,11 @@ class PlaceSea {
              std::span<QueryAnswer> answers, const QueryOptions& options = {}) const {
     query(field, tiles, places, answers, options, Beside{});
   }
+  // The surface, which is the ground where that stands above the water, at a rest position (m), of the tiles' time, as
+  // query() reads it: gradients are those of what lies between texels, and second moments are left out. Of `options`
+  // footprint and `seen` count.
+  SeaSample at(const WaveField& field, const WaveTiles& tiles, glm::dvec2 rest_m, const QueryOptions& options,
+               const Beside& beside) const;
   // On which side of this surface, as query() has it, a world point (m) is; see water_side.h.
   WaterSide side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m, const Beside& beside) const;
   // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
@@ -86,68 +83,10 @@ class PlaceSea {
   void renew();
 
  private:
-  // As many as there can be.
-  template <class T, std::size_t most>
-  class Few {
-   public:
-    void push_back(const T& value) { values_[count_++] = value; }
-    void clear() { count_ = 0; }
-    std::size_t size() const { return count_; }
-    T& operator[](std::size_t i) { return values_[i]; }
-    const T* begin() const { return values_.data(); }
-    const T* end() const { return values_.data() + count_; }
-
-   private:
-    std::array<T, most> values_;
-    std::size_t count_ = 0;
-  };
-  // A pattern of waves: where in its own places it is taken, and what it counts for.
-  struct Part {
-    glm::dvec2 place;
-    WaveField::Filter filter;
-    double share = 1.0, lift = 1.0;    // of its displacement; of its height
-    glm::dvec2 lift_gradient{0.0};     // a metre
-    glm::dvec2 along{0.0}, bend{0.0};  // Refraction: the pattern's direction, and the gradient of its shift
-  };
-  // All of a rest position's, and what stands still there.
-  struct Here {
-    Few<Part, 2 * (gpu::max_cascades + 1)> parts;
-    Few<ShorePart, 2> shore;  // of waves along curves
-    double level_m = 0.0, bed_m = 0.0, wet = 1.0;
-    glm::dvec2 rest{0.0};
-    bool flat_clipped = false;  // by flat inputs; over a bed
-    glm::dvec2 level_gradient{0.0}, bed_gradient{0.0};
-    DynamicSample dynamic;
-  };
-  // What is known of places at one time of the sea; what there is none of is not read.
-  struct Readers {
-    Readers(const PlaceSea& sea, double time_s, const DynamicSurface* dynamic, const ClipVolumes* volumes);
-    double time_s;
-    const DynamicSurface* dynamic;
-    const ClipVolumes* volumes;
-    std::optional<PlaceReader<glm::vec4>> level, flow, clip;
-    std::optional<PlaceReader<BedTexel>> bed;
-    std::optional<PlaceReader<ShoreTexel>> shore;
-  };
-  // Where it is asked: for a footprint, by a picture's windows or none.
-  struct Asked {
-    glm::dvec2 rest;
-    double footprint_m;
-    const LodPlacement* seen;
-    bool gradients;
-  };
-  Here here(const WaveField& field, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
-  void add_shallows(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
-  void add_shore(Here& here, const WaveField::Filter& filter, const Asked& asked, Readers& readers) const;
-  void add_current(const WaveField& field, Here& here, const Asked& asked, Readers& readers) const;
   bool flat_clipped(glm::dvec2 place_m, double texel_m, double time_s) const;
   bool flat_clipped(glm::dvec2 place_m, double time_s, const ClipRead& read) const;
   // By flat inputs or by volumes, at a point of the surface.
   bool clipped(glm::dvec3 point_m, bool flat, const ClipVolumes* volumes) const;
-  PlaceReading reading(const Asked& asked) const {
-    return place_reading(settings_.windows, asked.rest, asked.footprint_m, asked.seen);
-  }
-  SeaSample sea(const WaveField& field, const WaveTiles& tiles, const Asked& asked, Readers& readers) const;
   PlacePlan plan(const WaveField& field, const WaveTiles& tiles, const QueryOptions& options,
                  const Beside& beside) const;
   PlaceNumbers numbers() const;

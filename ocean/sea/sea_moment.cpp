@@ -37,7 +37,7 @@ const WaveTiles& SeaMoment::tiles() const {
         if (slot >= 0 && tile < field->quality().cascades) continue;
         const auto end = borrowed.begin() + std::ptrdiff_t(count);
         if (std::any_of(borrowed.begin(), end, [&](const BorrowedTile& b) { return b.tile == tile; })) continue;
-        if (tile < field->quality().cascades && begins_whole() && !lender->begins_whole()) continue;
+        if (tile < field->quality().cascades && has_slopes() && !lender->has_slopes()) continue;
         if (const auto from = same_tile(*field, tile, *lender->field, lender->tiles_))
           borrowed[count++] = {tile, &lender->tiles_, *from}, lends = true;
       }
@@ -64,16 +64,6 @@ void SeaMoment::prepare(double share) const {
   }
   field->fill(tiles_, prepared_, due, makes_slopes());
   prepared_ = due;
-}
-
-const WaveTiles& SeaMoment::whole_tiles() const {
-  (void)tiles();
-  if (begins_whole() || whole_.load(std::memory_order_acquire)) return tiles_;
-  tbb::collaborative_call_once(*slopes_once_, [this] {
-    field->add_slopes(tiles_);
-    whole_.store(true, std::memory_order_release);
-  });
-  return tiles_;
 }
 
 void MomentStore::keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout, int cascades) {
@@ -157,8 +147,6 @@ std::shared_ptr<const SeaMoment> MomentStore::moment(const Key& key, std::shared
   moment->left_out_m = left_out_m;
   moment->prepared_ = 0;
   moment->once_.emplace();
-  moment->slopes_once_.emplace();
-  moment->whole_.store(false, std::memory_order_relaxed);
   moment->made_.store(false, std::memory_order_relaxed);
   std::size_t lenders = 0;
   for (auto& lender : moment->lenders_) lender.reset();

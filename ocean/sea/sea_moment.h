@@ -39,8 +39,6 @@ class SeaMoment {
   const WaveTiles& tiles() const;
   // Does this share (0 to 1) of the tiles' work, so that the first question finds less to do. Nobody asks meanwhile.
   void prepare(double share) const;
-  // The same as tiles() with all planes.
-  const WaveTiles& whole_tiles() const;
 
   std::int64_t ticks = 0;
   SeaDetail detail = SeaDetail::drawn;
@@ -54,13 +52,13 @@ class SeaMoment {
   friend class MomentStore;
   explicit SeaMoment(bool velocity) : tiles_(velocity) {}
   bool makes_slopes() const { return detail != SeaDetail::felt; }
-  bool begins_whole() const { return makes_slopes() && !tiles_.in_halves(); }
+  bool has_slopes() const { return makes_slopes() && !tiles_.in_halves(); }
   std::uint64_t waves_ = 0, asked_ = 0;  // which waves, and when last, as the store counts
   MomentStore* store_ = nullptr;
   mutable WaveTiles tiles_;
   mutable int prepared_ = 0;  // pieces of WaveField::fill() that are done before the first question
-  mutable std::optional<tbb::collaborative_once_flag> once_, slopes_once_;
-  mutable std::atomic<bool> made_{false}, whole_{false};
+  mutable std::optional<tbb::collaborative_once_flag> once_;
+  mutable std::atomic<bool> made_{false};
   // Moments of the same time and waves, some of whose tiles may serve here.
   mutable std::array<std::shared_ptr<const SeaMoment>, sea_details> lenders_;
 };

@@ -8,7 +8,7 @@
 namespace seascape {
 
 SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
-  return places().sea(field(), moment_->whole_tiles(), rest, footprint, nullptr, dynamic(), volumes());
+  return places().at(field(), tiles(), rest, {.footprint_m = footprint}, beside());
 }
 
 PlaceSea::Beside SeaView::beside() const {

@@ -36,7 +36,8 @@ class SeaView {
 
   // All questions: any thread, at any time, no allocation. The tiles are made by the first of them.
 
-  // The surface that is drawn, dynamic waves included, at a rest position (x and z, m) for a footprint (m).
+  // The surface that query() finds, dynamic waves included, at a rest position (x and z, m) for a footprint (m). Its
+  // second moments are left out.
   SeaSample at(glm::dvec2 rest_m, double footprint_m) const;
   // At world places (x and z, m); see query.h.
   void query(std::span<const glm::dvec2> places, std::span<QueryAnswer> answers, QueryOptions options = {}) const;

@@ -32,46 +32,28 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
   return result;
 }
 
-SampledPlaces WaveField::sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter, bool curved) const {
+SampledPlaces WaveField::sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter) const {
   assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
-  const std::span<const Place> all(places_);
-  return {tiles, curved ? all.subspan(laid_) : all.first(laid_), curved ? laid_ : 0, rest_m, filter};
+  return {tiles, places(), rest_m, filter};
 }
 
 SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   SeaSample result;
-  add_sea(sampled(tiles, rest_xz_m, filter, false), result);
+  add_sea(sampled(tiles, rest_xz_m, filter), result);
   result.slope_moments += statistics_.tail_slope_moments;
   return result;
 }
 
 glm::dvec3 WaveField::displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   glm::dvec3 result(0.0);
-  add_plane(sampled(tiles, rest_xz_m, filter, false), WavePlane::shift, result);
+  add_plane(sampled(tiles, rest_xz_m, filter), WavePlane::shift, result);
   return result;
 }
 
 glm::dvec3 WaveField::velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {
   assert(tiles.has_velocity());
   glm::dvec3 result(0.0);
-  add_plane(sampled(tiles, rest_xz_m, filter, false), WavePlane::velocity, result);
-  return result;
-}
-
-SeaSample WaveField::sea_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
-  SeaSample result;
-  add_sea(sampled(tiles, bent_m, filter, true), result);
-  return result;
-}
-glm::dvec3 WaveField::displacement_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
-  glm::dvec3 result(0.0);
-  add_plane(sampled(tiles, bent_m, filter, true), WavePlane::shift, result);
-  return result;
-}
-glm::dvec3 WaveField::velocity_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const {
-  assert(tiles.has_velocity());
-  glm::dvec3 result(0.0);
-  add_plane(sampled(tiles, bent_m, filter, true), WavePlane::velocity, result);
+  add_plane(sampled(tiles, rest_xz_m, filter), WavePlane::velocity, result);
   return result;
 }
 

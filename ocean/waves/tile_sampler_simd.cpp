@@ -110,8 +110,7 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
   const WaveField::Filter& filter = places.filter;
   Corners fine, coarse;
   const auto resolved = [&](std::size_t n) {
-    const std::size_t i = places.first + n;
-    return filter.level[i] < tiles.levels(places.places[n].tile) - 1 && filter.share[i] > 0.0f;
+    return filter.level[n] < tiles.levels(places.places[n].tile) - 1 && filter.share[n] > 0.0f;
   };
   // All places before the first is read: what is written number by number is read as a whole.
   for (std::size_t n = 0; n < places.places.size(); ++n) {
@@ -120,18 +119,17 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
     const WaveField::Place& place = places.places[n];
     const auto at = in_tile(d, hn::Set(d, place.cosine), hn::Set(d, place.sine), hn::Set(d, place.inverse_side),
                             hn::Set(d, places.rest_m.x), hn::Set(d, places.rest_m.y));
-    const int level = filter.level[places.first + n];
+    const int level = filter.level[n];
     find_corner(tiles, place, level, at, int(n), fine);
-    if (filter.between[places.first + n] > 0.0f) find_corner(tiles, place, level + 1, at, int(n), coarse);
+    if (filter.between[n] > 0.0f) find_corner(tiles, place, level + 1, at, int(n), coarse);
   }
   for (std::size_t n = 0; n < places.places.size(); ++n) {
     const WaveField::Place& place = places.places[n];
-    const std::size_t i = places.first + n;
     if (!resolved(n))
       visit.unresolved(place.tile);
     else
       visit.resolved(
-          {int(n), place.tile, filter.level[i], filter.between[i], filter.share[i], place.size, fine, coarse});
+          {int(n), place.tile, filter.level[n], filter.between[n], filter.share[n], place.size, fine, coarse});
   }
 }
 

@@ -11,7 +11,6 @@ namespace seascape {
 struct SampledPlaces {
   const WaveTiles& tiles;
   std::span<const WaveField::Place> places;
-  std::size_t first;  // of them in the filter
   glm::dvec2 rest_m;
   const WaveField::Filter& filter;
 };

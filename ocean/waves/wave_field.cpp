@@ -136,8 +136,6 @@ void WaveField::fill(WaveTiles& tiles, int first, int last, bool slopes) const {
   fill_others(tiles, std::max(first - cascades, 0), last - cascades);
 }
 
-void WaveField::add_slopes(WaveTiles& tiles) const { fill_cascades(tiles, {.shift = false}, 0, cascade_pieces()); }
-
 namespace {
 // A cascade's pieces of work: those of its rows, then strips of its columns.
 constexpr int piece_pairs = 16;
@@ -202,8 +200,7 @@ void WaveField::fill_cascades(WaveTiles& tiles, const TileFields& fields, int be
     return cascade;
   };
   if (tiles.workspace_.size() < floats) tiles.workspace_.assign(floats, 0.0f);
-  // Slopes alone are for questions, which read the tiles' own memory.
-  const bool lent = tiles.lent_tiles_ > 0 && fields.shift;
+  const bool lent = tiles.lent_tiles_ > 0;
   const auto plane_level = [&](int cascade, int level) { return tiles.plane_level(cascade, level, fields); };
   // Each piece of work writes texels of its own from inputs that are complete: any division into threads gives the same
   // bits.

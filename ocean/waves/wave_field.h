@@ -158,9 +158,6 @@ class WaveField {
   // How many pieces are within a share (0 to 1) of the work.
   int pieces_within(double share) const;
   int tile_count() const { return quality_.cascades + int(others_.size()); }
-  // Fills the planes `slope` and `moments` that an evaluation without `slopes` has left: of cascades that were not
-  // borrowed.
-  void add_slopes(WaveTiles& tiles) const;
 
   // The surface at a rest position (x, z in metres), of all sources, smoothed over a footprint of `footprint_m`: each
   // cascade is sampled trilinearly at lod = log2(max(footprint, texel) / texel), texel = side / samples, at tile
@@ -183,12 +180,8 @@ class WaveField {
   SeaSample sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 displacement(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
   glm::dvec3 velocity(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const;
-  // The same of the source that is laid along curves (TileSource::along_curves), which the others leave out, at a place
-  // of its own; nothing where there is none. What comes back is along the axes of that place.
+  // Whether there is a source that is laid along curves (TileSource::along_curves), which these samples leave out.
   bool has_curved() const { return laid_ < places_.size(); }
-  SeaSample sea_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
-  glm::dvec3 displacement_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
-  glm::dvec3 velocity_curved(const WaveTiles& tiles, glm::dvec2 bent_m, const Filter& filter) const;
 
   const SeaState& state() const { return sea_; }
   const WaveQuality& quality() const { return quality_; }
@@ -218,7 +211,7 @@ class WaveField {
   std::vector<Place> places_;
   std::size_t laid_ = 0;  // of them over the sea; what follows is laid along curves
   TileSources others_;
-  SampledPlaces sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter, bool curved) const;
+  SampledPlaces sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter) const;
   int cascade_pieces() const;
   void fill_cascades(WaveTiles& tiles, const TileFields& fields, int begin, int end) const;
   void fill_others(WaveTiles& tiles, int begin, int end) const;

@@ -58,7 +58,7 @@ void WaveTiles::shape(const WaveQuality& quality, const TileSources& others) {
 }
 
 PlaneLevel WaveTiles::plane_level(int tile, int level, const TileFields& fields) {
-  const bool there[] = {fields.shift, fields.slopes, fields.slopes, fields.velocity};
+  const bool there[] = {true, fields.slopes, fields.slopes, fields.velocity};
   PlaneLevel result{};
   for (int plane = 0; plane < 4; ++plane)
     if (there[plane]) result.texels[plane] = writable(tile, WavePlane(plane), level);

@@ -26,9 +26,10 @@ enum class WavePlane {
   velocity,  // dDx/dt, dh/dt, dDz/dt of the water at its rest position, 0; only where asked for
 };
 
-// What the tiles of cascades are filled with; those of other sources have it all but where there is no velocity.
+// What the tiles of cascades are filled with besides displacements; those of other sources have it all but where there
+// is no velocity.
 struct TileFields {
-  bool shift = true, slopes = true;  // slopes: planes slope and moments
+  bool slopes = true;  // planes slope and moments
   bool velocity = false;
 };
 
@@ -89,7 +90,7 @@ class WaveTiles {
     // Either whole floats, instead of the tiles' own: a first texel for each plane.
     Places floats{};
     // Or 16-bit floats besides (halves_from_floats), by tile, level and plane (shift, slope, moments). Then the tiles'
-    // own memory has shifts alone until add_slopes().
+    // own memory has shifts alone.
     std::array<std::array<std::array<HalfRows, 3>, 10>, gpu::max_cascades> halves{};
     bool in_halves() const { return halves[0][0][0].first != nullptr; }
   };

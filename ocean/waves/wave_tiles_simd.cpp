@@ -89,11 +89,9 @@ HWY_INLINE void packed_row(const WaveTable& table, int band, int i, const TileFi
     };
     const Vector shift_height = hn::Add(one, sx);  // i H (1 + sx)
     int field = 0;
-    if (fields.shift) {
-      put(field++, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
-      const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(length, kx)));  // i H sz (1 - length kx)
-      put(field++, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
-    }
+    put(field++, hn::Neg(hn::Mul(h_im, shift_height)), hn::Mul(h_re, shift_height));
+    const Vector shift_z = hn::Mul(sz, hn::Sub(one, hn::Mul(length, kx)));  // i H sz (1 - length kx)
+    put(field++, hn::Neg(hn::Mul(h_im, shift_z)), hn::Mul(h_re, shift_z));
     if (fields.slopes) {
       put(field++, hn::Neg(hn::Add(hn::Mul(h_im, kx), hn::Mul(h_re, kz))),  // H (i kx - kz)
           hn::Sub(hn::Mul(h_re, kx), hn::Mul(h_im, kz)));
@@ -154,9 +152,8 @@ void along_z(const WaveTable& table, const FftPlan& plan, const float* workspace
   const std::ptrdiff_t part = std::ptrdiff_t(plan.core) * lanes;
   float *work = scratch, *results = scratch + column_work<Strip>(plan);
   const auto shear = hn::Set(d, 1.0f / table.shear_length_m), share = hn::Set(d, table.moment_share);
-  WavePlane planes[3];  // of each pair
-  int pairs = 0;
-  if (fields.shift) planes[pairs++] = WavePlane::shift;
+  WavePlane planes[3] = {WavePlane::shift};  // of each pair
+  int pairs = 1;
   if (fields.slopes) planes[pairs++] = WavePlane::slope;
   if (fields.velocity) planes[pairs++] = WavePlane::velocity;
   for (int x = first_x; x < first_x + strip_width; x += lanes)
@@ -264,7 +261,7 @@ void out(const WaveTable& table, const FftPlan& plan, const float* workspace, co
   const struct {
     bool there;
     std::initializer_list<WavePlane> planes;
-  } pairs[] = {{fields.shift, {WavePlane::shift}},
+  } pairs[] = {{true, {WavePlane::shift}},
                {fields.slopes, {WavePlane::slope, WavePlane::moments}},
                {fields.velocity, {WavePlane::velocity}}};
   for (const auto& [there, planes] : pairs) {

@@ -12,7 +12,7 @@ namespace seascape {
 
 // Fields packed two real ones to a complex transform: Dx + i h, Dz + i dDx/dz of the displacement; dh/dx + i dh/dz,
 // dDx/dx + i dDz/dz of slopes; dDx/dt + i dh/dt, dDz/dt of the velocity.
-inline int packed_fields(const TileFields& fields) { return 2 * (fields.shift + fields.slopes + fields.velocity); }
+inline int packed_fields(const TileFields& fields) { return 2 * (1 + fields.slopes + fields.velocity); }
 
 // Floats of a cascade's workspace, which begins with a cache line (64 bytes); a multiple of 16.
 std::size_t workspace_floats(const FftPlan& plan, const TileFields& fields);

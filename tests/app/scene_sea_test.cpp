@@ -6,9 +6,11 @@
 #include <random>
 #include <vector>
 
+#include "app/place_inputs.h"
 #include "app/scene.h"
 #include "app/sea_spec.h"
 #include "ocean/sea/sea.h"
+#include "tests/support/place_truth.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -106,6 +108,7 @@ TEST(SceneSea, HeightsVelocitiesAndNormalsAgree) {
       double apart = 0.0;
       sea.advance(time_s, start);
       const SeaView view = sea.view_at(time_s, detail);
+      const test::PlaceTruth plain(place_inputs(scene), view.field(), sea.shallows());
       for (std::size_t i = 0; i < at.size(); ++i) {
         bool converged = now[i].contraction < 0.9;
         for (const auto* each : {&now, &before, &after, &east, &west, &south, &north})
@@ -118,8 +121,11 @@ TEST(SceneSea, HeightsVelocitiesAndNormalsAgree) {
         // The same surface in plain double precision.
         if (detail == SeaDetail::drawn) {
           const glm::dvec3& moved = now[i].displacement;
-          const SeaSample plain = view.at(at[i] - glm::dvec2(moved.x, moved.z), 0.0);
-          apart = std::max(apart, glm::length(plain.displacement - moved));
+          const glm::dvec2 rest = at[i] - glm::dvec2(moved.x, moved.z);
+          const SeaSample want =
+              plain.sea(view.field(), view.tiles(), rest, 0.0, nullptr, view.dynamic(), view.volumes());
+          for (const glm::dvec3& got : {moved, view.at(rest, 0.0).displacement})
+            apart = std::max(apart, glm::length(want.displacement - got));
         }
         const glm::dvec3 &n = now[i].normal, &v = now[i].orbital_velocity_mps;
         const double here = now[i].height_m;

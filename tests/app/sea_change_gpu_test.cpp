@@ -11,6 +11,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 
@@ -165,7 +166,7 @@ TEST_F(SeaChanges, OverABedGrowIntoWhatAFreshStartDraws) {
   field.take(live.experience().sea()->bins(), live.experience().sea()->chop(), live.experience().sea()->statistics());
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + 0.7), tiles);
-  const PlaceSea now(place_inputs(live.scene()), field, mix),
+  const test::PlaceTruth now(place_inputs(live.scene()), field, mix),
       first(place_inputs(live.scene()), field, ShallowsMix{mix.from, nullptr});
   const test::DrawnMesh mesh(live, view);
   const double hs = 4.0 * std::sqrt(live.experience().sea()->statistics().height_variance);

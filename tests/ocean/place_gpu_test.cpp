@@ -14,6 +14,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/place_truth.h"
 #include "tests/support/wigley.h"
 
 namespace seascape {
@@ -83,7 +84,7 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s,
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s), tiles);
   const PlaceInputs places = place_inputs(shot.scene());
-  const PlaceSea place(places, field);
+  const test::PlaceTruth place(places, field);
   const LodWindowSettings& windows = places.settings.windows;
   const LodPlacement seen =
       lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));
@@ -205,7 +206,7 @@ TEST_F(DrawnPlaces, ClipWhatStandsWithinTheInput) {
     without.draw(view, 4.0);
     const auto shown = test::DrawnMesh(without, view).shown(width, height);
     const WaveField field(with.scene().settings.sea, WaveQuality{.resolution = 16, .cascades = 1});
-    const PlaceSea place(place_inputs(with.scene()), field);
+    const test::PlaceTruth place(place_inputs(with.scene()), field);
     int wrong = 0, holes = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
       if (!shown[i].any) continue;
@@ -274,7 +275,7 @@ TEST_F(DrawnPlaces, VolumesClipWhatStandsWithinThem) {
     without.draw(view, 4.0);
     const auto shown = test::DrawnMesh(without, view).shown(width, height);
     const WaveField field(with.scene().settings.sea, WaveQuality{.resolution = 16, .cascades = 1});
-    const PlaceSea place(place_inputs(with.scene()), field);
+    const test::PlaceTruth place(place_inputs(with.scene()), field);
     int wrong = 0, holes = 0, by_height = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const glm::dvec3 at = shown[i].point.at;

@@ -12,6 +12,7 @@
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 
@@ -56,7 +57,7 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + late_s), tiles);
   const PlaceInputs inputs = place_inputs(shot.scene());
-  const PlaceSea sea(inputs, field);
+  const test::PlaceTruth sea(inputs, field);
   const LodWindowSettings& windows = inputs.settings.windows;
   const LodPlacement seen =
       lod_placement(windows, {head.position_m.x, head.position_m.z}, lod_scale(windows, head.position_m.y));

@@ -5,13 +5,14 @@
 #include <random>
 
 #include "ocean/sea/place_sea.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape::test {
 
 // Asks at 200 places within `reach_m` and expects of each answer that converged that the surface at its rest position
 // stands there, to 2 mm; then each(place, answer). Gives how many did.
 template <class Each>
-int expect_found_on_surface(const PlaceSea& sea, const WaveField& field, const WaveTiles& tiles, unsigned seed,
+int expect_found_on_surface(const test::PlaceTruth& sea, const WaveField& field, const WaveTiles& tiles, unsigned seed,
                             double reach_m, const Each& each) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> at(-reach_m, reach_m);

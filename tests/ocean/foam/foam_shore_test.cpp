@@ -16,6 +16,7 @@
 #include "ocean/waves/wave_tiles.h"
 
 #include "tests/support/own_sea.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 namespace {
@@ -179,7 +180,7 @@ TEST(FoamShore, MovesTheWaterAsTheSeaIs) {
     inputs.settings.flow_mps = speed;
     if (speed > 0.0)
       inputs.kinds.push_back(std::make_shared<const Inputs>(InputTarget::flow, std::vector<InputSpec>{}));
-    const PlaceSea place(inputs, field);
+    const test::PlaceTruth place(inputs, field);
     WaveTiles tiles;
     field.evaluate(ticks_from_seconds(31.7), tiles);
     const glm::vec2 velocity = speed > 0.0 ? glm::vec2(place.flow_mps({0.0, 0.0}, 0.0, 31.7)) : glm::vec2(0.0f);

@@ -12,6 +12,7 @@
 #include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/found_surface.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 namespace {
@@ -63,7 +64,7 @@ class ShallowsTest : public ::testing::Test {
   std::shared_ptr<const Shallows> shallows(const std::vector<InputSpec>& specs) const {
     return make_shallows(field.state(), field.bins(), field.others(), inputs_of(specs));
   }
-  PlaceSea sea(const std::vector<InputSpec>& specs) const { return PlaceSea(inputs_of(specs), field); }
+  test::PlaceTruth sea(const std::vector<InputSpec>& specs) const { return test::PlaceTruth(inputs_of(specs), field); }
   WaveField field;
   WaveTiles tiles;
 };
@@ -201,7 +202,7 @@ TEST_F(ShallowsTest, hard_6_dry_places_are_finite) {
 // The ground is what a query finds on land: its height and normal, at rest. Control seen: land that has the velocity of
 // the run-up over it.
 TEST_F(ShallowsTest, LandIsFoundAsItStands) {
-  const PlaceSea place = sea(island());
+  const test::PlaceTruth place = sea(island());
   for (const glm::dvec2 asked : {glm::dvec2(0.0, 0.0), glm::dvec2(14.0, 3.0), glm::dvec2(-12.0, 12.0)}) {
     QueryAnswer answer;
     place.query(field, tiles, {&asked, 1}, {&answer, 1});
@@ -226,7 +227,7 @@ TEST_F(ShallowsTest, GradientsAreThoseOfTheSurface) {
   const WaveField fine(fresh(), WaveQuality{.resolution = 256, .cascades = 2});
   WaveTiles waves;
   fine.evaluate(ticks_from_seconds(12.5), waves);
-  const auto missed = [&](const PlaceSea& place) {
+  const auto missed = [&](const test::PlaceTruth& place) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> at(-130.0, 130.0);
     double off2 = 0.0, all2 = 0.0;
@@ -244,14 +245,14 @@ TEST_F(ShallowsTest, GradientsAreThoseOfTheSurface) {
     }
     return std::sqrt(off2 / all2);
   };
-  const double open = missed(PlaceSea(inputs_of({bed(-float(sea_depth_m), 100.0, 1.0)}), fine));
+  const double open = missed(test::PlaceTruth(inputs_of({bed(-float(sea_depth_m), 100.0, 1.0)}), fine));
   EXPECT_LT(open, 0.15);
-  EXPECT_LT(missed(PlaceSea(inputs_of(island()), fine)), 1.05 * open);
+  EXPECT_LT(missed(test::PlaceTruth(inputs_of(island()), fine)), 1.05 * open);
 }
 
 // Every point that a query finds is one of the surface, over the bank and about its shore.
 TEST_F(ShallowsTest, QueriesFindTheSurface) {
-  const PlaceSea place = sea(island());
+  const test::PlaceTruth place = sea(island());
   EXPECT_GT(test::expect_found_on_surface(place, field, tiles, 5, 130.0, [](glm::dvec2, const QueryAnswer&) {}), 190);
 }
 
@@ -260,10 +261,10 @@ TEST_F(ShallowsTest, QueriesFindTheSurface) {
 TEST_F(ShallowsTest, DepthIsFromTheStillWater) {
   std::vector<InputSpec> specs = island();
   specs.push_back(lake(2.0f));
-  const PlaceSea place = sea(specs);
+  const test::PlaceTruth place = sea(specs);
   const glm::dvec2 bank(-60.0, 30.0);
   EXPECT_NEAR(place.shallows()->still_m(bank, 0.0, 0.0) - place.shallows()->bed_m(bank, 0.0, 0.0), 4.0, 1e-4);
-  const PlaceSea deeper = sea({bed(-4.0f, 240.0, 40.0), bed(2.0f, 60.0, 20.0)}), alone = sea(island());
+  const test::PlaceTruth deeper = sea({bed(-4.0f, 240.0, 40.0), bed(2.0f, 60.0, 20.0)}), alone = sea(island());
   double off2 = 0.0, other2 = 0.0;
   for (int i = 0; i < 300; ++i) {
     const glm::dvec2 at = bank + glm::dvec2(0.07 * i, -0.05 * i);
@@ -281,7 +282,7 @@ TEST_F(ShallowsTest, ACurrentCarriesWavesOverABed) {
   inputs.settings.flow_mps = 12.0;
   inputs.settings.flow_to_deg = 90.0;
   inputs.kinds.push_back(std::make_shared<const Inputs>(InputTarget::flow, std::vector<InputSpec>{}));
-  const PlaceSea with(inputs, field), without = sea(island());
+  const test::PlaceTruth with(inputs, field), without = sea(island());
   field.evaluate(ticks_from_seconds(12.2), tiles);
   double carried = 0.0, still = 0.0, together = 0.0;
   for (int i = 0; i < 2000; ++i) {
@@ -297,7 +298,7 @@ TEST_F(ShallowsTest, ACurrentCarriesWavesOverABed) {
 // Hard case 35 of the bed: heights at the ends of what an input takes are kept, and the waves there are finite.
 TEST_F(ShallowsTest, ExtremeBedsAreFinite) {
   for (const float height : {-12000.0f, 12000.0f, 0.0f}) {
-    const PlaceSea place = sea({bed(height, 240.0, 40.0)});
+    const test::PlaceTruth place = sea({bed(height, 240.0, 40.0)});
     for (double x = -140.0; x <= 140.0; x += 7.0) {
       const SeaSample s = place.sea(field, tiles, {x, 1.0}, 0.5);
       EXPECT_TRUE(std::isfinite(s.displacement.x + s.displacement.y + s.displacement.z + s.height_gradient.x +

@@ -11,6 +11,7 @@
 #include "ocean/places/flow_phase.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/found_surface.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 namespace {
@@ -54,6 +55,9 @@ class PlaceSeaTest : public ::testing::Test {
   PlaceSeaTest() : field(fresh(), WaveQuality{.resolution = 64, .cascades = 3}), tiles(true) {
     field.evaluate(ticks_from_seconds(12.5), tiles);
   }
+  SeaSample at(const PlaceSea& place, glm::dvec2 rest, double footprint = 0.0) const {
+    return place.at(field, tiles, rest, {.footprint_m = footprint}, {});
+  }
   WaveField field;
   WaveTiles tiles;
 };
@@ -61,7 +65,7 @@ class PlaceSeaTest : public ::testing::Test {
 // A query finds the point of the surface that stands at the place: where it stands, rest and displacement add up to it,
 // level and all; its normal is that of points around it.
 TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
-  const PlaceSea place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
+  const test::PlaceTruth place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
   ASSERT_TRUE(place.moves());
   const int converged =
       test::expect_found_on_surface(place, field, tiles, 3, 60.0, [&](glm::dvec2 asked, const QueryAnswer& answer) {
@@ -75,6 +79,28 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
         EXPECT_GT(glm::dot(normal, answer.normal), 0.98);
       });
   EXPECT_GT(converged, 180);
+}
+
+// At a rest position, for any footprint, the kernel of queries reads what plain double precision does, and its
+// gradients are those of what it reads. Controls seen: the footprint left out; the current's second pattern left out.
+TEST_F(PlaceSeaTest, APointIsThatOfPlainDoublePrecision) {
+  const test::PlaceTruth place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
+  for (const double footprint : {0.0, 0.9, 4.0}) {
+    double off2 = 0.0, all2 = 0.0;
+    for (int i = 0; i < 300; ++i) {
+      const glm::dvec2 rest(60.0 * std::sin(i * 1.7), 60.0 * std::sin(i * 0.61));
+      const auto want = [&](double x, double z) {
+        return place.sea(field, tiles, rest + glm::dvec2(x, z), footprint).displacement;
+      };
+      const SeaSample got = at(place, rest, footprint);
+      ASSERT_LT(glm::distance(got.displacement, want(0.0, 0.0)), 5e-5);
+      constexpr double e = 1e-4;
+      const glm::dvec2 rise(want(e, 0.0).y - want(-e, 0.0).y, want(0.0, e).y - want(0.0, -e).y);
+      const glm::dvec2 off = got.height_gradient - rise / (2.0 * e);
+      off2 += glm::dot(off, off), all2 += glm::dot(got.height_gradient, got.height_gradient);
+    }
+    EXPECT_LT(std::sqrt(off2 / all2), 0.01) << footprint;
+  }
 }
 
 // The still water is that of the inputs themselves: a lake of 6 m over a bed of -10 m, which the bed's Shallows ask as
@@ -113,13 +139,13 @@ TEST_F(PlaceSeaTest, StillWaterIsTheInputs) {
 // nothing else of the waves changes but their slopes, by its own. Controls seen: the level where the water stands;
 // texels taken at their corners.
 TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
-  const PlaceSea place(inputs_of({hill(6.0)}), field);
+  const PlaceSea place(inputs_of({hill(6.0)}), field), open(PlaceInputs{}, field);
   const Inputs alone(InputTarget::level, std::vector<InputSpec>{hill(6.0)});
   for (int i = 0; i < 40; ++i) {
     const glm::dvec2 rest(-44.875 + 2.25 * i, 12.125 - 0.75 * i), between = rest + glm::dvec2(0.1, 0.0625);
-    const SeaSample with = place.sea(field, tiles, rest, 0.0), without = field.sea(tiles, rest, 0.0);
-    const auto level = [&](glm::dvec2 at) { return double(alone.value(at, 0.25, 0.0, glm::vec4(0.0f)).x); };
-    EXPECT_NEAR(with.displacement.y - without.displacement.y, level(rest), 1e-9);
+    const SeaSample with = at(place, rest), without = at(open, rest);
+    const auto level = [&](glm::dvec2 there) { return double(alone.value(there, 0.25, 0.0, glm::vec4(0.0f)).x); };
+    EXPECT_NEAR(with.displacement.y - without.displacement.y, level(rest), 1e-6);
     const double north = 0.6 * level(rest) + 0.4 * level(rest + glm::dvec2(0.25, 0.0)),
                  south = 0.6 * level(rest + glm::dvec2(0.0, 0.25)) + 0.4 * level(rest + glm::dvec2(0.25));
     EXPECT_NEAR(place.level_m(between, 0.0, 0.0), 0.75 * north + 0.25 * south, 1e-6);
@@ -168,9 +194,9 @@ TEST_F(PlaceSeaTest, VolumesTakeWaterByItsHeight) {
 TEST_F(PlaceSeaTest, ATideLiftsEverything) {
   PlaceSettings tide;
   tide.level_m = 2.5;
-  const PlaceSea place(inputs_of({}, tide), field);
+  const PlaceSea place(inputs_of({}, tide), field), open(PlaceInputs{}, field);
   for (const glm::dvec2 rest : {glm::dvec2(0.0), glm::dvec2(1e5, -3e4)}) {
-    const SeaSample with = place.sea(field, tiles, rest, 0.5), without = field.sea(tiles, rest, 0.5);
+    const SeaSample with = at(place, rest, 0.5), without = at(open, rest, 0.5);
     EXPECT_NEAR(with.displacement.y - without.displacement.y, 2.5, 1e-6);
     EXPECT_EQ(with.height_gradient, without.height_gradient);
   }
@@ -201,7 +227,7 @@ TEST_F(PlaceSeaTest, CarriedWavesDoNotPulse) {
       double sum = 0.0;
       for (int j = 0; j < 60; ++j)
         for (int i = 0; i < 60; ++i) {
-          const double h = place.sea(field, tiles, {3.7 * i, 4.3 * j}, 0.0).displacement.y;
+          const double h = at(place, {3.7 * i, 4.3 * j}).displacement.y;
           sum += h * h;
         }
       variances.push_back(sum / field.statistics().height_variance / 3600.0);
@@ -223,7 +249,7 @@ TEST_F(PlaceSeaTest, WavesGoWithTheWater) {
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 40; ++i) {
         const glm::dvec2 rest(5.1 * i, 4.7 * j);
-        const double carried = place.sea(field, tiles, rest, 0.0).displacement.y,
+        const double carried = at(place, rest).displacement.y,
                      wave = field.sea(tiles, rest - glm::dvec2(behind_m, 0.0), 0.0).displacement.y;
         xy += carried * wave, xx += carried * carried, yy += wave * wave;
       }

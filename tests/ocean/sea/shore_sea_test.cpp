@@ -12,6 +12,7 @@
 #include "ocean/sea/place_sea.h"
 #include "ocean/waves/gerstner.h"
 #include "ocean/waves/wave_tiles.h"
+#include "tests/support/place_truth.h"
 
 namespace seascape {
 namespace {
@@ -56,7 +57,7 @@ struct Shore {
     field = std::make_unique<WaveField>(flat(), WaveQuality{.resolution = 16, .cascades = 1}, TileSources{tile});
     PlaceInputs inputs = others;
     inputs.shore = std::make_shared<const ShoreLines>(specs, tile->side_m());
-    place = std::make_unique<PlaceSea>(inputs, *field);
+    place = std::make_unique<test::PlaceTruth>(inputs, *field);
     at(time_s);
   }
   void at(double time_s) { field->evaluate(ticks_from_seconds(time_s), tiles); }
@@ -68,7 +69,7 @@ struct Shore {
   }
   std::shared_ptr<const Gerstner> tile;
   std::unique_ptr<WaveField> field;
-  std::unique_ptr<PlaceSea> place;
+  std::unique_ptr<test::PlaceTruth> place;
   WaveTiles tiles;
 };
 
