@@ -29,8 +29,8 @@ void sample_levels(const DynamicSurface& surface, glm::dvec2 rest, double footpr
         gpu::lod_present(windows.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * texel_m), 0.0, 1.0);
     if (i == 0) weight *= 1.0 - double(windows.reach.z);
     if (!(weight > 0.0)) continue;
-    const auto at = in_tile(d, hn::Set(d, 1.0), hn::Set(d, 0.0), hn::Set(d, 1.0 / (texel_m * size)),
-                            hn::Set(d, rest.x), hn::Set(d, rest.y));
+    const auto at = in_tile(d, hn::Set(d, 1.0), hn::Set(d, 0.0), hn::Set(d, 1.0 / (texel_m * size)), hn::Set(d, rest.x),
+                            hn::Set(d, rest.y));
     const auto before = texel_before(d, at, hn::Set(d, double(size)), hn::Set(d, size - 0.5));
     const auto four = four_texels(df, hn::Set(di, size - 1), hn::Set(di, size),
                                   Spot<hn::FixedTag<float, 1>>{before.x, before.z, before.part_x, before.part_z},

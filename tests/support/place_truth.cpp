@@ -17,15 +17,15 @@ glm::dvec4 between_texels(const WaveTiles& tiles, int tile, WavePlane plane, int
   const glm::dvec2 at = (in_tile + 0.5 / samples) * double(size) - 0.5, cell = glm::floor(at), part = at - cell;
   const auto texel = [&](int x, int z) {
     const auto wrapped = [&](double of) { return ((std::int64_t(of) % size) + size) % size; };
-    return glm::dvec4(tiles.texels(tile, plane, level)[std::ptrdiff_t(wrapped(cell.y + z)) * tiles.stride(tile, level) +
-                                                       std::ptrdiff_t(wrapped(cell.x + x))]);
+    return glm::dvec4(tiles.texels(
+        tile, plane,
+        level)[std::ptrdiff_t(wrapped(cell.y + z)) * tiles.stride(tile, level) + std::ptrdiff_t(wrapped(cell.x + x))]);
   };
   return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y);
 }
 
 // What one of a field's places has at a place of the plane, as its footprint leaves it.
-SeaSample one_place(const WaveField& field, const WaveTiles& tiles, std::size_t of, glm::dvec2 at,
-                    double footprint_m) {
+SeaSample one_place(const WaveField& field, const WaveTiles& tiles, std::size_t of, glm::dvec2 at, double footprint_m) {
   SeaSample sample;
   const WaveField::Place& place = of == field.curved() ? field.curved_place() : field.places()[of];
   const WaveField::Filter filter = field.filter(footprint_m);
@@ -133,8 +133,7 @@ void PlaceTruth::add_curved(Here& here, const Asked& asked) const {
 void PlaceTruth::carry(Here& here, const Asked& asked) const {
   const double period_s = inputs_.settings.flow_period_s;
   const FlowPhase phase = flow_phase(asked.time_s, period_s);
-  const glm::dvec2 velocity(
-      PlaceReader<glm::vec4>(*flow_, inputs_.settings, asked.time_s)(reading(asked), asked.rest));
+  const glm::dvec2 velocity(PlaceReader<glm::vec4>(*flow_, inputs_.settings, asked.time_s)(reading(asked), asked.rest));
   const std::vector<Part> parts = std::exchange(here.parts, {});
   for (const Part& whole : parts) {
     const WaveField::Place& place = asked.field.places()[whole.of];
@@ -176,10 +175,10 @@ void add_turned(const SeaSample& s, const ShorePlace& at, double share, glm::dve
   to.height_gradient +=
       share * (s.height_gradient.x * along + s.height_gradient.y * across) + s.displacement.y * share_gradient;
   // D = share (Dx forward + Dz right); forward turns by `turning_per_m` to the right, right as much against forward.
-  const glm::dvec2 of_forward = s.shift_gradient.x * along + s.shift_gradient.z * across -
-                                s.displacement.z * at.turning_per_m * at.forward;
-  const glm::dvec2 of_right = s.shift_gradient.z * along + s.shift_gradient.y * across +
-                              s.displacement.x * at.turning_per_m * at.forward;
+  const glm::dvec2 of_forward =
+      s.shift_gradient.x * along + s.shift_gradient.z * across - s.displacement.z * at.turning_per_m * at.forward;
+  const glm::dvec2 of_right =
+      s.shift_gradient.z * along + s.shift_gradient.y * across + s.displacement.x * at.turning_per_m * at.forward;
   const auto part = [&](int of, int by) {
     return share * (at.forward[of] * of_forward[by] + across[of] * of_right[by]) + shift[of] * share_gradient[by];
   };
