@@ -82,7 +82,7 @@ TEST_F(PlaceSeaTest, QueriesFindTheSurface) {
 }
 
 // At a rest position, for any footprint, the kernel of queries reads what plain double precision does, and its
-// gradients are those of what it reads. Controls seen: the footprint left out; the current's second pattern left out.
+// gradients are those of what it reads. Control seen: the footprint left out.
 TEST_F(PlaceSeaTest, APointIsThatOfPlainDoublePrecision) {
   const test::PlaceTruth place(inputs_of({hill(6.0)}, current(70.0, 1.5)), field);
   for (const double footprint : {0.0, 0.9, 4.0}) {
