@@ -14,8 +14,8 @@ namespace seascape {
 namespace {
 // Coverages that settle long before are stepped by less often.
 constexpr double settling_step_s = 0.25;
-// A step is over when this share of the time until the next one has gone. It begins with the frame after the one in
-// which it is due, in which spray takes its step whole.
+// A step is over when this share of the time until the next one has gone. It starts one frame after it is due: in that
+// frame spray takes its whole step.
 constexpr double step_share = 2.0 / 3.0;
 // Empties a list that is to hold as many at most, so that no later row makes it grow.
 template <class T>
@@ -280,6 +280,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
     return;
   const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
   const double since = std::max(time_s * s.rate_hz - double(now), 0.0) + 1e-6;  // in steps
+  // Less a little, for what is added to `since`.
   slices_due_ = std::min(int(std::ceil(since / step_share * slices() - 1e-3)), slices());
   const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
   // At once, so that what is drawn from where follows from the viewer alone.

@@ -1,7 +1,6 @@
 // The sea with what belongs to places, on the processor: levels, currents and the bed, without windows and without a
 // GPU.
 #pragma once
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
 // Gerstner waves along curves: their tile, laid so that x runs along a curve and -z across it towards the shore. Part
-// of lib/sea.glsl; the C++ twins are ocean/places/shore_lines.cpp, which says where a place lies, and the queries'
-// ocean/sea/place_layers-inl.h.
+// of lib/sea.glsl; the C++ twins are ocean/places/shore_lines.cpp, which says where a place lies, and, for
+// queries, ocean/sea/place_layers-inl.h.
 
 layout(binding = 44) uniform texture2DArray shore_displacement;  // as those of gerstner, along the tile's axes
 layout(binding = 45) uniform texture2DArray shore_derivatives;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ocean/places/flow_phase.h"
 #include "shaders/shared/flow_height.h"
@@ -217,7 +218,7 @@ SeaSample PlaceTruth::sea(const WaveField& field, const WaveTiles& tiles, glm::d
     add_turned(one_place(field, tiles, field.curved(), part.at.bent_m, footprint), part.at, part.share,
                part.share_gradient, result);
   if (dynamic != nullptr) {
-    const DynamicTruth more = dynamic_truth(*dynamic, rest, footprint);
+    const DynamicSample more = dynamic_truth(*dynamic, rest, footprint);
     result.displacement += more.displacement;
     result.height_gradient += more.height_gradient;
     result.shift_gradient += more.shift_gradient;
@@ -235,8 +236,8 @@ SeaSample PlaceTruth::sea(const WaveField& field, const WaveTiles& tiles, glm::d
   return result;
 }
 
-DynamicTruth dynamic_truth(const DynamicSurface& surface, glm::dvec2 rest, double footprint) {
-  DynamicTruth sum;
+DynamicSample dynamic_truth(const DynamicSurface& surface, glm::dvec2 rest, double footprint) {
+  DynamicSample sum;
   const gpu::LodWindows windows = surface.windows(surface.viewer());
   const float distance = gpu::lod_distance(glm::vec2(rest - surface.viewer()));
   const int n = surface.samples();

@@ -1,7 +1,6 @@
 // The sea with what belongs to places in plain double precision, tile by tile and texel by texel: what vectors and
 // shaders are compared with.
 #pragma once
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -65,11 +64,7 @@ class PlaceTruth : public PlaceSea {
   std::optional<PlaceValues<ShoreTexel>> shore_;
 };
 
-// What the dynamic waves add at a rest position (m) for a footprint (m), with their slopes.
-struct DynamicTruth {
-  glm::dvec3 displacement{0.0}, shift_gradient{0.0};  // m; dDx/dx, dDz/dz, dDx/dz
-  glm::dvec2 height_gradient{0.0};
-};
-DynamicTruth dynamic_truth(const DynamicSurface& surface, glm::dvec2 rest_m, double footprint_m);
+// DynamicSurface::sea, at a rest position (m) for a footprint (m).
+DynamicSample dynamic_truth(const DynamicSurface& surface, glm::dvec2 rest_m, double footprint_m);
 
 }  // namespace seascape::test

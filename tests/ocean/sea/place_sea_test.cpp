@@ -135,8 +135,8 @@ TEST_F(PlaceSeaTest, StillWaterIsTheInputs) {
   EXPECT_EQ(open.still_water(middle, 0.5, 3.0).waves, 1.0);
 }
 
-// The level is that of the rest place, at the middle of a texel to the bit and elsewhere straight between them, and
-// nothing else of the waves changes but their slopes, by its own. Controls seen: the level where the water stands;
+// The level is that of the rest place, at the middle of a texel as floats round it and elsewhere straight between them,
+// and nothing else of the waves changes but their slopes, by its own. Controls seen: the level where the water stands;
 // texels taken at their corners.
 TEST_F(PlaceSeaTest, LevelsLiftTheWaterByItsRestPlace) {
   const PlaceSea place(inputs_of({hill(6.0)}), field), open(PlaceInputs{}, field);
