@@ -77,7 +77,7 @@ class Ocean {
   // Null where no foam is kept, but at most what breaks at the moment is drawn.
   const DrawnFoam* foam() const { return foam_.get(); }
   // Null where the scene has none, or none is wished.
-  const Spray* spray() const { return spray_.get(); }
+  Spray* spray() { return spray_.get(); }
   // Null where nothing belongs to places.
   const DrawnPlace* place() const { return place_.get(); }
   // Adds every image that the surface samples.

@@ -1,5 +1,6 @@
 #include "ocean/foam/spray.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ namespace {
 
 constexpr double cell_m = 4.0;
 constexpr int puffs_a_throw = 3, most_trials = 32;  // of a cell in a step
+constexpr std::size_t puffs_a_piece = 256;          // that a core takes at a time
 constexpr double place_texel_m = 1.0;               // for which the still water is asked
 constexpr double fine_m = 0.25, least_m = 0.05;  // footprint of what breaks; height above the water where a puff begins
 constexpr double least_wind_mps = 7.0, usual_wind_mps = 15.0;
@@ -96,6 +98,8 @@ Spray::Spray(const SpraySettings& settings, Sea& sea, double foam_life_s)
   puffs_.reserve(most);
   places_.resize(most);
   answers_.resize(most);
+  aloft_.resize(most);
+  seen_.resize(most);
   cells_ = 2 * int(std::ceil(settings.range_m / cell_m)) + 2;
   breakers_.resize(std::size_t(cells_) * std::size_t(cells_));
 }
@@ -140,26 +144,35 @@ glm::dvec3 Spray::eddy(Chance& chance, double strength) const {
          (along * wind_to_ + side * glm::dvec3(-wind_to_.z, 0.0, wind_to_.x) + glm::dvec3(0.0, up, 0.0));
 }
 
-// Of those aloft, whose place is that of now: what is under water or has lived is gone; the others feel the wind of
-// their height.
+// Moves those aloft by a step. What is then under water or has lived is gone; the others feel the wind of their height.
 void Spray::land() {
-  for (std::size_t i = 0; i < puffs_.size(); ++i) places_[i] = {puffs_[i].place_m.x, puffs_[i].place_m.z};
+  const double step = 1.0 / settings_.rate_hz;
+  const auto all = tbb::blocked_range<std::size_t>(0, puffs_.size(), puffs_a_piece);
+  tbb::parallel_for(all, [&](const auto& some) {
+    for (std::size_t i = some.begin(); i < some.end(); ++i) {
+      puffs_[i] = after(puffs_[i], step);
+      places_[i] = {puffs_[i].place_m.x, puffs_[i].place_m.z};
+    }
+  });
   query(breaking_.field(), breaking_.tiles(), std::span(places_.data(), puffs_.size()),
         std::span(answers_.data(), puffs_.size()), {.footprint_m = fine_m, .most_iterations = 6, .tolerance_m = 0.02});
-  const double step = 1.0 / settings_.rate_hz;
+  tbb::parallel_for(all, [&](const auto& some) {
+    for (std::size_t i = some.begin(); i < some.end(); ++i) {
+      Puff& p = puffs_[i];
+      const StillWater water = this->water(places_[i]);
+      const double above = p.place_m.y - water.height_m - water.waves * answers_[i].height_m,
+                   flown = std::min(step, p.age_s);
+      aloft_[i] = above >= 0.0 && p.age_s < p.life_s;
+      if (!aloft_[i]) continue;
+      const double before = p.above_m - p.rising_mps * flown;
+      if (flown > 0.25 * step) p.rising_mps = (above - before) / flown;
+      p.above_m = above;
+      feel_air(p);
+    }
+  });
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < puffs_.size(); ++i) {
-    Puff p = puffs_[i];
-    const StillWater water = this->water(places_[i]);
-    const double above = p.place_m.y - water.height_m - water.waves * answers_[i].height_m,
-                 flown = std::min(step, p.age_s);
-    if (!(above >= 0.0) || p.age_s >= p.life_s) continue;
-    const double before = p.above_m - p.rising_mps * flown;
-    if (flown > 0.25 * step) p.rising_mps = (above - before) / flown;
-    p.above_m = above;
-    feel_air(p);
-    puffs_[kept++] = p;
-  }
+  for (std::size_t i = 0; i < puffs_.size(); ++i)
+    if (aloft_[i]) puffs_[kept++] = puffs_[i];
   puffs_.resize(kept);
 }
 
@@ -278,7 +291,6 @@ void Spray::step() {
   const bool throws = per_m2_s() > 0.0 && std::abs(viewer_.y) < settings_.range_m + sea_.statistics().largest_height_m;
   if (!throws && puffs_.empty()) return;
   breaking_.evaluate(ticks_from_seconds(time_s));
-  for (Puff& puff : puffs_) puff = after(puff, 1.0 / settings_.rate_hz);
   land();
   if (!throws) return;
   find_breakers(tick_, viewer_);
@@ -312,30 +324,35 @@ void Spray::prepare(double time_s) {
     breaking_.prepare(ticks_from_seconds(double(tick_ + 1) / settings_.rate_hz), since);
 }
 
-std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu::SprayPuff> to) const {
+std::optional<gpu::SprayPuff> Spray::seen(const Puff& puff, double since, const glm::dvec3& viewer) const {
+  if (!(puff.age_s + since > 0.0)) return std::nullopt;
+  const Puff p = after(puff, since);
+  if (p.age_s >= p.life_s) return std::nullopt;
+  const glm::dvec3 from = p.place_m - viewer;
+  const double distance = glm::length(from), old = p.age_s / p.life_s;
+  // Eddies draw it apart, and what it hides with it, by the power 1.5; drops stay together longer.
+  const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s,
+               closer = p.radius_m / radius, thin = closer * std::sqrt(closer);
+  double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
+  hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) *
+           smooth(0.5, 3.0, distance);
+  if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
+  if (!(hides > 0.004)) return std::nullopt;
+  // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that.
+  const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s);
+  return gpu::SprayPuff{glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)),
+                        glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
+                        glm::vec2(float(p.shape), float(p.drops))};
+}
+
+std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu::SprayPuff> to) {
   const double since = std::max(time_s - step_s(), 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, puffs_.size(), puffs_a_piece), [&](const auto& some) {
+    for (std::size_t i = some.begin(); i < some.end(); ++i) seen_[i] = seen(puffs_[i], since, viewer);
+  });
   std::size_t count = 0;
-  for (const Puff& puff : puffs_) {
-    if (count == to.size()) break;
-    if (!(puff.age_s + since > 0.0)) continue;
-    const Puff p = after(puff, since);
-    if (p.age_s >= p.life_s) continue;
-    const glm::dvec3 from = p.place_m - viewer;
-    const double distance = glm::length(from), old = p.age_s / p.life_s;
-    // Eddies draw it apart, and what it hides with it; drops stay together longer.
-    const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s,
-                 thin = std::pow(p.radius_m / radius, 1.5);
-    double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
-    hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) *
-             smooth(0.5, 3.0, distance);
-    if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
-    if (!(hides > 0.004)) continue;
-    // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that.
-    const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s);
-    to[count++] = {glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)),
-                   glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
-                   glm::vec2(float(p.shape), float(p.drops))};
-  }
+  for (std::size_t i = 0; i < puffs_.size() && count < to.size(); ++i)
+    if (seen_[i]) to[count++] = *seen_[i];
   return count;
 }
 

@@ -65,7 +65,7 @@ class Spray {
   std::span<const Puff> puffs() const { return puffs_; }
   double step_s() const { return double(tick_) / settings_.rate_hz; }
   // Writes what is to be seen of them at a time since the last step, and gives how many.
-  std::size_t drawn(double time_s, const glm::dvec3& viewer_m, std::span<gpu::SprayPuff> to) const;
+  std::size_t drawn(double time_s, const glm::dvec3& viewer_m, std::span<gpu::SprayPuff> to);
   const SpraySettings& settings() const { return settings_; }
   const Breaking& breaking() const { return breaking_; }
   // Of a square metre that breaks on a crest, 1/s.
@@ -78,6 +78,7 @@ class Spray {
 
  private:
   void land();
+  std::optional<gpu::SprayPuff> seen(const Puff& puff, double since_s, const glm::dvec3& viewer_m) const;
   StillWater water(glm::dvec2 place_m) const;
   void feel_air(Puff& puff) const;
   glm::dvec3 eddy(Chance& chance, double strength) const;
@@ -107,6 +108,8 @@ class Spray {
   std::vector<Puff> puffs_;
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;
+  std::vector<std::uint8_t> aloft_;  // which of them stay in the air
+  std::vector<std::optional<gpu::SprayPuff>> seen_;
   int cells_;                            // a side of the square around the viewer
   std::vector<std::uint32_t> breakers_;  // of each cell which of its trials throw some up, a bit each
   std::int64_t tick_ = 0, due_ = 0;      // the last step, and the last that is due

@@ -43,7 +43,7 @@ void DrawnSpray::resize(const Image* depths) {
   bind();
 }
 
-void DrawnSpray::update(Frame& frame, const Spray& spray, double time_s, const glm::dvec3& viewer) {
+void DrawnSpray::update(Frame& frame, Spray& spray, double time_s, const glm::dvec3& viewer) {
   slot_ = frame.slot();
   count_ = spray.puffs().empty()
                ? 0
