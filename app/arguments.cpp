@@ -167,6 +167,8 @@ void add_capture(Options& options, Arguments& arguments) {
   options.whole("--warmup", arguments.warmup, 0, 100'000, "Frames drawn before measuring");
   options.whole("--frames", arguments.frames, 0, 1'000'000, "Frames measured; 0 goes to the path's end");
   options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
+  options.text("--against", "FILE", arguments.against,
+               "The capture.csv of another build, of the same path: says which stage or pass has changed");
 }
 
 void add_lab(Options& options, Arguments& arguments) {
@@ -291,7 +293,8 @@ constexpr CommandRow commands[] = {
      add_replay},
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
-     "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1",
+     "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1\n"
+     "  seascape capture --scene storm --against before/capture.csv",
      add_capture},
     {Command::lab,
      "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, "

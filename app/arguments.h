@@ -39,11 +39,12 @@ struct Arguments {
   int width = 0, height = 0;  // pixels an eye; 0: the display's own choice; bake: texels a side
   int views = 2;              // 1: one picture from `eye`, the default of explore; 2: left and right
   Eye eye = Eye::centre;
-  double fps = 30.0;  // frames a second of simulated time
-  int frames = 0;     // how many; 0: to the path's end (replay, capture), until closed (explore)
-  int start = 0;      // replay: the path's first frame to draw
-  int warmup = 10;    // capture: frames drawn before measuring
-  std::string out;    // folder of results; query: the file
+  double fps = 30.0;    // frames a second of simulated time
+  int frames = 0;       // how many; 0: to the path's end (replay, capture), until closed (explore)
+  int start = 0;        // replay: the path's first frame to draw
+  int warmup = 10;      // capture: frames drawn before measuring
+  std::string against;  // capture: the capture.csv of another build; empty: none
+  std::string out;      // folder of results; query: the file
   PictureFormat format = PictureFormat::png;
   bool json = false;                // plan, doctor: machine-readable
   std::string matrix;               // plan: a folder for the plans of every preset; empty: none

@@ -1,12 +1,14 @@
 // `seascape capture`: measures frame times along a camera path, at one preset or at all of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 
+#include "app/against.h"
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/program.h"
@@ -37,21 +39,21 @@ struct Measured {
   std::vector<double> interval_ms;
 };
 
-std::size_t index_of(std::vector<std::string>& names, const char* name) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return i;
-  names.emplace_back(name);
-  return names.size() - 1;
+// Adds times by name to a frame's. Those of one name count together.
+template <class Times>
+void add_times(const Times& times, std::vector<std::string>& names, std::vector<double>& to) {
+  for (const auto& time : times) {
+    const std::size_t column = std::size_t(std::find(names.begin(), names.end(), time.name) - names.begin());
+    if (column == names.size()) names.emplace_back(time.name);
+    if (to.size() <= column) to.resize(column + 1, 0.0);
+    to[column] += time.ms;
+  }
 }
 
-// Takes the GPU times that `frame` holds, which are of an earlier frame. Passes of one name count together.
+// Takes the GPU times that `frame` holds, which are of an earlier frame.
 void take_gpu_times(const Frame& frame, CaptureRun& run, CaptureFrame& measured) {
   measured.gpu_ms = frame.gpu_ms();
-  for (const PassTime& pass : frame.times()) {
-    const std::size_t column = index_of(run.pass_names, pass.name);
-    if (measured.pass_ms.size() <= column) measured.pass_ms.resize(column + 1, 0.0);
-    measured.pass_ms[column] += pass.ms;
-  }
+  add_times(frame.times(), run.pass_names, measured.pass_ms);
 }
 
 std::vector<MemoryUse> memory_of(const Device& device) {
@@ -133,6 +135,7 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
       now.frame = number;
       now.time_s = path_time_s;
       now.cpu_ms = cpu_ms;
+      add_times(frame.stages().times(), run.stage_names, now.stage_ms);
       now.gpu_ms = std::numeric_limits<double>::quiet_NaN();  // until it is read, and on a device that cannot tell
       now.draws = frame.counts().draws;
       now.triangles = frame.counts().triangles;
@@ -144,7 +147,10 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
     progress.step(std::size_t(++i));
     if (measured) result.interval_ms[std::size_t(number)] = ms_since(interval);
   }
-  for (CaptureFrame& one : run.frames) one.pass_ms.resize(run.pass_names.size(), 0.0);
+  for (CaptureFrame& one : run.frames) {
+    one.pass_ms.resize(run.pass_names.size(), 0.0);
+    one.stage_ms.resize(run.stage_names.size(), 0.0);
+  }
   run.width = int(experience.options().width);
   run.height = int(experience.options().height);
   run.memory = memory_of(device);
@@ -175,6 +181,8 @@ int run_capture(const Arguments& arguments) {
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;
+  std::vector<CaptureRun> before;
+  if (!arguments.against.empty()) before = parse_capture_csv(read_text(arguments.against), arguments.against);
   (void)scene_from(arguments, presets.front() == "auto" ? "high" : presets.front());  // a fault in it is told first
 
   std::optional<WindowSystem> windows;
@@ -201,6 +209,9 @@ int run_capture(const Arguments& arguments) {
   write_trace(out / "trace.json", runs);
   write_report(out / "report.html", machine, runs);
   print_table(all);
+  // Both as files hold them.
+  if (!arguments.against.empty())
+    fmt::print("{}", tell_changes(compare_captures(before, parse_capture_csv(capture_csv(runs), "capture.csv"))));
   return 0;
 }
 

@@ -27,4 +27,7 @@ void append_csv_row(std::string& text, std::span<const double> values);
 // A text cell: in quotes where it holds a comma, a quote or a line break (RFC 4180).
 std::string csv_cell(std::string_view text);
 
+// The cells of a line that is made of such; a quote that is not closed takes the rest of the line.
+std::vector<std::string> csv_cells(std::string_view line);
+
 }  // namespace seascape

@@ -20,6 +20,7 @@ constexpr double degrees_a_pixel =
     0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
 constexpr double longest_step_s = 1.0;  // a pause of the machine is no journey
 constexpr double message_s = 4.0;
+constexpr double shaders_every_s = 0.5;  // looks whether one has changed
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -304,6 +305,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.cpu_ms = cpu_ms_;
   facts.gpu_ms = frame.gpu_ms();
   facts.passes = frame.times();
+  facts.stages = frame.stages().times();
   facts.counts = frame.counts();
   facts.patches = patches_;
   return facts;
@@ -356,6 +358,18 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   if (std::exchange(screenshot_wanted_, false)) take_screenshot();
 }
 
+void Explorer::reload_shaders() {
+  if (now_s_ < shaders_looked_at_s_ + shaders_every_s) return;
+  shaders_looked_at_s_ = now_s_;
+  const std::uint64_t before = experience_->builds();
+  try {
+    experience_->reload_shaders();
+    if (experience_->builds() != before) tell("shaders: read anew");
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+  }
+}
+
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
@@ -380,6 +394,7 @@ void Explorer::run() {
       else
         sea_elapsed_s_ += dt_s * settings().time_scale;
     }
+    if (debug_build) reload_shaders();
     draw(shown, dt_s);
     ++drawn;
   }

@@ -38,31 +38,39 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
 QueryAnswer water_at_camera(Experience& experience, const glm::dvec3& camera_m, double time_s) {
   constexpr double float_m = 0.5;  // what floats there is so large
   Sea& sea = *experience.sea();
-  sea.advance(time_s, camera_m);
-  experience.ocean().make_waves(experience.frame(), time_s);
-  return sea.view_at(time_s, SeaDetail::felt).query({camera_m.x, camera_m.z}, {.footprint_m = float_m});
+  Stages& stages = experience.frame().stages();
+  stages.time("sea", [&] { sea.advance(time_s, camera_m); });
+  stages.time("waves", [&] { experience.ocean().make_waves(experience.frame(), time_s); });
+  QueryAnswer answer;
+  stages.time("queries", [&] {
+    answer = sea.view_at(time_s, SeaDetail::felt).query({camera_m.x, camera_m.z}, {.footprint_m = float_m});
+  });
+  return answer;
 }
 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
+  Stages& stages = frame.stages();
 
   // 1. What the sea does: its change, those who act on it, dynamic waves around the viewer. Then what of it the GPU
   // needs: transforms or tiles, windows of places, foam. Each only if the scene asked for it.
-  e.sea_->advance(time_s, viewpoint.viewer.position_m);
+  stages.time("sea", [&] { e.sea_->advance(time_s, viewpoint.viewer.position_m); });
   e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
 
   // 2. The light: only when sun or haze have changed.
-  e.sky_->update(frame, settings.sky);
+  stages.time("sky", [&] { e.sky_->update(frame, settings.sky); });
 
   // 3. The patches for all eyes together, chosen by the viewer's head; what the shaders are told.
-  const SurfaceSelection& selection = e.ocean_->select(viewpoint);
+  const SurfaceSelection* selection = nullptr;
+  stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
-  if (e.spray_) e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m);
+  if (e.spray_)
+    stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
 
   // 5. Sea, then the sky where no sea is, and spray over both: in the tile up to the finished picture, or into the
   // desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
@@ -72,8 +80,11 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
   e.ocean_->add_uses(uses);
-  frame.draw_pass("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
-    e.surface_->draw(c, frame, selection, uniform, from_air);
+  const auto record = [&](const char* name, const RenderTarget& target, const Uses& used, const auto& commands) {
+    stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
+  };
+  record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
+    e.surface_->draw(c, frame, *selection, uniform, from_air);
     if (deferred) return;
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
@@ -82,7 +93,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   });
   if (deferred) {
     e.surface_->add_points(uses);
-    frame.draw_pass("light", drawn, uses, [&](Commands& c) {
+    record("light", drawn, uses, [&](Commands& c) {
       e.surface_->light(c, uniform);
       if (e.spray_) e.spray_->draw(c, uniform);
     });
@@ -90,7 +101,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
 
   // 6. The desktop frame's tone mapping.
   if (!tile)
-    frame.draw_pass("tone", e.picture_, {use(e.lit_.colour(), Access::fragment_sample)}, [&](Commands& c) {
+    record("tone", e.picture_, Uses{use(e.lit_.colour(), Access::fragment_sample)}, [&](Commands& c) {
       c.bind(e.tone_pipeline_, e.tone_bindings_, {uniform});
       c.push(gpu::DrawPush{c.eye()});
       c.draw(3);

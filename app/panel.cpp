@@ -216,15 +216,19 @@ void Panel::draw_times(const PanelFacts& facts) {
   ImGui::TextWrapped("%.1f ms a frame (%.0f a second)", facts.frame_ms,
                      facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
   ImGui::TextWrapped("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
-  if (!facts.passes.empty() && ImGui::BeginTable("passes", 2)) {
-    for (const PassTime& pass : facts.passes) {
+  const auto table = [](const char* title, const auto& times) {
+    if (times.empty() || !ImGui::BeginTable(title, 2)) return;
+    for (const auto& time : times) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(pass.name);
+      ImGui::TextUnformatted(time.name);
       ImGui::TableNextColumn();
-      ImGui::Text("%.3f ms", pass.ms);
+      ImGui::Text("%.3f ms", time.ms);
     }
     ImGui::EndTable();
-  }
+  };
+  table("stages", facts.stages);
+  ImGui::Separator();
+  table("passes", facts.passes);
   ImGui::Separator();
   ImGui::TextWrapped("%llu draws, %llu triangles, %zu patches", static_cast<unsigned long long>(facts.counts.draws),
                      static_cast<unsigned long long>(facts.counts.triangles), facts.patches);

@@ -25,6 +25,7 @@ struct PanelFacts {
   bool paused = false, recording = false;
   double frame_ms = 0.0, cpu_ms = 0.0, gpu_ms = 0.0;
   std::span<const PassTime> passes;
+  std::span<const StageTime> stages;
   FrameCounts counts;
   std::size_t patches = 0;
 };

@@ -18,14 +18,23 @@ namespace seascape {
 
 namespace {
 
-// In the order in which they are first met.
-std::vector<std::string> all_passes(const std::vector<CaptureRun>& runs) {
-  std::vector<std::string> names;
-  for (const CaptureRun& run : runs)
-    for (const std::string& name : run.pass_names)
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  return names;
-}
+// Columns of capture.csv for times by name: those of all runs, and of each row the run's own.
+class NamedTimes {
+ public:
+  NamedTimes(const std::vector<CaptureRun>& runs, const CaptureTimes& kind)
+      : kind_(kind), names_(all_names(runs, kind)) {}
+  void head(std::string& text) const {
+    for (const std::string& name : names_) text += "," + csv_cell(std::string(kind_.of) + "_" + name + "_ms");
+  }
+  void row(const CaptureRun& run, const CaptureFrame& frame, std::string& text) const {
+    for (const std::string& name : names_)
+      fmt::format_to(std::back_inserter(text), ",{:.4f}", named_time_ms(run, frame, kind_, name));
+  }
+
+ private:
+  CaptureTimes kind_;
+  std::vector<std::string> names_;
+};
 
 double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
@@ -136,6 +145,37 @@ std::string machine_list(const Machine& machine, const std::vector<CaptureRun>& 
 
 }  // namespace
 
+const CaptureTimes gpu_passes{"gpu",
+                              "GPU",
+                              "outside any pass",
+                              &CaptureRun::pass_names,
+                              &CaptureFrame::pass_ms,
+                              [](const CaptureRun&, const CaptureFrame& frame) { return frame.gpu_ms; }};
+const CaptureTimes cpu_stages{"cpu",
+                              "CPU",
+                              "outside any stage",
+                              &CaptureRun::stage_names,
+                              &CaptureFrame::stage_ms,
+                              [](const CaptureRun& run, const CaptureFrame& frame) {
+                                return frame.cpu_ms + named_time_ms(run, frame, cpu_stages, "waiting");
+                              }};
+
+std::vector<std::string> all_names(const std::vector<CaptureRun>& runs, const CaptureTimes& kind) {
+  std::vector<std::string> names;
+  for (const CaptureRun& run : runs)
+    for (const std::string& name : run.*kind.names)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+double named_time_ms(const CaptureRun& run, const CaptureFrame& frame, const CaptureTimes& kind,
+                     const std::string& name) {
+  const auto& names = run.*kind.names;
+  const auto& ms = frame.*kind.ms;
+  const auto at = std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+  return at < names.size() && at < ms.size() ? ms[at] : 0.0;
+}
+
 double frame_ms(const CaptureFrame& frame) {
   if (std::isnan(frame.cpu_ms) || std::isnan(frame.gpu_ms)) return std::numeric_limits<double>::quiet_NaN();
   return std::max(frame.cpu_ms, frame.gpu_ms);
@@ -149,24 +189,21 @@ std::vector<double> frame_times_ms(const CaptureRun& run) {
 }
 
 std::string capture_csv(const std::vector<CaptureRun>& runs) {
-  const std::vector<std::string> passes = all_passes(runs);
+  const NamedTimes passes(runs, gpu_passes), stages(runs, cpu_stages);
   std::string text =
       "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
-  for (const std::string& name : passes) text += "," + csv_cell("gpu_" + name + "_ms");
+  passes.head(text);
+  stages.head(text);
   text += "\n";
   for (const CaptureRun& run : runs) {
-    std::vector<std::size_t> column(passes.size());  // of the run's own passes; past their end: none
-    for (std::size_t i = 0; i < passes.size(); ++i)
-      column[i] = static_cast<std::size_t>(std::find(run.pass_names.begin(), run.pass_names.end(), passes[i]) -
-                                           run.pass_names.begin());
     const std::string start = csv_cell(run.scene) + "," + csv_cell(run.preset);
     for (const CaptureFrame& frame : run.frames) {
       const double ms = frame_ms(frame);
       fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.4f},{:.4f},{},{},{},{:d},{:d},{:d}", start, frame.frame,
                      frame.time_s, frame.cpu_ms, frame.gpu_ms, frame.draws, frame.triangles, frame.dispatches,
                      is_missed(ms, 72), is_missed(ms, 90), is_missed(ms, 120));
-      for (const std::size_t place : column)
-        fmt::format_to(std::back_inserter(text), ",{:.4f}", place < frame.pass_ms.size() ? frame.pass_ms[place] : 0.0);
+      passes.row(run, frame, text);
+      stages.row(run, frame, text);
       text += "\n";
     }
   }
@@ -176,7 +213,7 @@ std::string capture_csv(const std::vector<CaptureRun>& runs) {
 std::string conclusion(const CaptureRun& run) {
   const std::vector<double> times = frame_times_ms(run);
   if (times.empty()) return fmt::format("{} has no frames.", run.preset);
-  const double median = summarise(times).median;
+  const Summary all = summarise(times);
   int held = 0, missed = 0;  // the fastest rate held, the slowest missed
   for (const int rate : display_rates_hz) {
     if (count_missed(times, rate) * 100 <= times.size())
@@ -185,7 +222,8 @@ std::string conclusion(const CaptureRun& run) {
       missed = rate;
   }
   const auto against = [&](int rate) {
-    return fmt::format("median {:.1f} ms against {:.1f} ms", median, budget_ms(rate));
+    return fmt::format("median {:.1f}, p99 {:.1f} and longest frame {:.1f} ms against {:.1f} ms", all.median, all.p99,
+                       all.max, budget_ms(rate));
   };
   std::string text = run.preset;
   if (held)
@@ -223,7 +261,8 @@ std::string report_html(const Machine& machine, const std::vector<CaptureRun>& r
             "side. A frame is "
             "missed when that is over the display's interval. Draws and triangles are medians.</p>\n";
     text += "<h2>Frame time along the path</h2>\n" + frame_time_plot(runs);
-    text += "<h2>Where the GPU's time goes</h2>\n" + pass_time_plot(runs);
+    text += "<h2>Where the GPU's time goes</h2>\n" + named_time_plot(runs, gpu_passes);
+    text += "<h2>Where the CPU's time goes</h2>\n" + named_time_plot(runs, cpu_stages);
     text += "<h2>Spread of frame times</h2>\n" + histogram_plot(runs);
     text += memory_table(runs);
   }

@@ -39,10 +39,9 @@ std::vector<std::pair<double, double>> thinned(const std::vector<std::pair<doubl
   return kept;
 }
 
-double mean_pass_ms(const CaptureRun& run, std::size_t pass) {
+double mean_time_ms(const CaptureRun& run, const CaptureTimes& kind, const std::string& name) {
   std::vector<double> values;
-  for (const CaptureFrame& frame : run.frames)
-    values.push_back(pass < frame.pass_ms.size() ? frame.pass_ms[pass] : 0.0);
+  for (const CaptureFrame& frame : run.frames) values.push_back(named_time_ms(run, frame, kind, name));
   return summarise(values).mean;
 }
 
@@ -132,29 +131,26 @@ std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
   return text + "</figure>\n";
 }
 
-std::string pass_time_plot(const std::vector<CaptureRun>& runs) {
+std::string named_time_plot(const std::vector<CaptureRun>& runs, const CaptureTimes& kind) {
   constexpr double row = 34.0, bar = 22.0, start = 130.0, end = 80.0;
-  std::vector<std::string> names;
-  for (const CaptureRun& run : runs)
-    for (const std::string& name : run.pass_names)
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  const std::vector<std::string> names = all_names(runs, kind);
   double most = 0.0;
   std::vector<double> totals;
   for (const CaptureRun& run : runs) {
-    std::vector<double> gpu;
-    for (const CaptureFrame& frame : run.frames) gpu.push_back(frame.gpu_ms);
-    double passes = 0.0;
-    for (std::size_t i = 0; i < run.pass_names.size(); ++i) passes += mean_pass_ms(run, i);
-    totals.push_back(std::max(summarise(gpu).mean, passes));
+    std::vector<double> whole;
+    for (const CaptureFrame& frame : run.frames) whole.push_back(kind.whole_ms(run, frame));
+    double parts = 0.0;
+    for (const std::string& name : names) parts += mean_time_ms(run, kind, name);
+    totals.push_back(std::max(summarise(whole).mean, parts));
     most = std::max(most, totals.back());
   }
-  if (!(most > 0.0)) return "<p>This device gave no GPU times.</p>\n";
+  if (!(most > 0.0)) return fmt::format("<p>There are no {} times.</p>\n", kind.title);
   std::vector<Legend> entries;
   for (std::size_t i = 0; i < names.size(); ++i) entries.push_back({names[i], colour(i)});
-  entries.push_back({"outside any pass", "var(--line)"});
+  entries.push_back({kind.outside, "var(--line)"});
   const double bottom = row * static_cast<double>(runs.size()) + 8.0;
   std::string text = "<figure>" + open_svg(bottom + 34.0 + legend_height(entries),
-                                           "Mean GPU time of each pass, stacked, for each run");
+                                           fmt::format("Mean {} time by name, stacked, for each run", kind.title));
   const auto length = [&](double ms) { return ms / most * (plot_width - start - end); };
   for (double ms = 0.0, step = round_step(most, 8); ms <= most * (1.0 + 1e-9); ms += step) {
     text += line(start + length(ms), 4.0, start + length(ms), bottom, "axis");
@@ -173,12 +169,8 @@ std::string pass_time_plot(const std::vector<CaptureRun>& runs) {
       x += length(ms);
       left -= ms;
     };
-    for (std::size_t k = 0; k < runs[i].pass_names.size(); ++k) {
-      const std::string& name = runs[i].pass_names[k];
-      piece(name, mean_pass_ms(runs[i], k),
-            colour(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())));
-    }
-    if (left > 1e-6 * totals[i]) piece("outside any pass", left, "var(--line)");
+    for (std::size_t k = 0; k < names.size(); ++k) piece(names[k], mean_time_ms(runs[i], kind, names[k]), colour(k));
+    if (left > 1e-6 * totals[i]) piece(kind.outside, left, "var(--line)");
     text += text_at(start + length(totals[i]) + 6.0, y + 16.0, fmt::format("{:.2f} ms", totals[i]));
   }
   return text + legend(entries, bottom + 40.0) +

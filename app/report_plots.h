@@ -11,7 +11,8 @@ namespace seascape {
 std::string run_label(const CaptureRun& run, const std::vector<CaptureRun>& runs);
 
 std::string frame_time_plot(const std::vector<CaptureRun>& runs);  // over the path, with the budgets as lines
-std::string pass_time_plot(const std::vector<CaptureRun>& runs);   // one stacked bar a run, means
-std::string histogram_plot(const std::vector<CaptureRun>& runs);   // one row a run, one scale
+// One stacked bar a run, means.
+std::string named_time_plot(const std::vector<CaptureRun>& runs, const CaptureTimes& kind);
+std::string histogram_plot(const std::vector<CaptureRun>& runs);  // one row a run, one scale
 
 }  // namespace seascape

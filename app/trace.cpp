@@ -90,18 +90,22 @@ std::vector<TraceEvent> trace_of(const std::vector<CaptureRun>& runs) {
       slice("CPU", name, now, 1000.0 * frame.cpu_ms);
       events.back().values = {{"path time s", frame.time_s}};
       slice("GPU", name, now, 1000.0 * frame.gpu_ms);
-      double start = now, passes_us = 0.0;
-      for (std::size_t i = 0; i < run.pass_names.size() && i < frame.pass_ms.size(); ++i) {
-        const double us = 1000.0 * finite_length(frame.pass_ms[i]);
-        if (us > 0.0) slice("GPU passes", run.pass_names[i], start, us);
-        start += us;
-        passes_us += us;
-      }
+      const auto slices = [&](const char* track, const CaptureTimes& kind) {
+        double passed = 0.0;
+        for (const std::string& part : run.*kind.names) {
+          const double us = 1000.0 * finite_length(named_time_ms(run, frame, kind, part));
+          if (us > 0.0) slice(track, part, now + passed, us);
+          passed += us;
+        }
+        return passed;
+      };
+      const double passes_us = slices("GPU passes", gpu_passes), stages_us = slices("CPU stages", cpu_stages);
       counter("draws", static_cast<double>(frame.draws));
       counter("triangles", static_cast<double>(frame.triangles));
       counter("dispatches", static_cast<double>(frame.dispatches));
-      // Timers of passes may add up to a little more than the frame's own; slices of one track must not overlap.
-      now += std::max({1000.0 * finite_length(frame.cpu_ms), 1000.0 * finite_length(frame.gpu_ms), passes_us});
+      // Timers of passes or stages may add up to more than the frame's own; slices of one track must not overlap.
+      now +=
+          std::max({1000.0 * finite_length(frame.cpu_ms), 1000.0 * finite_length(frame.gpu_ms), passes_us, stages_us});
     }
   }
   return events;

@@ -23,9 +23,9 @@ struct TraceEvent {
 // tracks.
 std::string trace_json(const std::vector<TraceEvent>& events);
 
-// One process a run, frames end to end: tracks "CPU" and "GPU" with a slice a frame, "GPU passes" with one a pass, and
-// counters of draws, triangles, dispatches and memory. Only lengths were measured: passes follow one another without
-// gaps.
+// One process a run, frames end to end: tracks "CPU" and "GPU" with a slice a frame, "GPU passes" with one a pass, "CPU
+// stages" with one a stage, and counters of draws, triangles, dispatches and memory. Only lengths were measured: passes
+// and stages follow one another without gaps, and "waiting" comes before the frame's own CPU time.
 std::vector<TraceEvent> trace_of(const std::vector<CaptureRun>& runs);
 
 void write_trace(const std::filesystem::path& file, const std::vector<CaptureRun>& runs);  // atomic; throws Error

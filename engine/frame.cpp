@@ -163,7 +163,8 @@ void Frame::collect(Slot& slot) {
 void Frame::begin() {
   ++number_;
   Slot& slot = slots_[number_ % slots];
-  collect(slot);
+  stages_.clear();
+  stages_.time("waiting", [&] { collect(slot); });
   slot.frame = number_;
   slot.passes = 0;
   ring_used_ = 0;
@@ -314,7 +315,8 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
   submit.pWaitDstStageMask = &stage;
   submit.signalSemaphoreCount = signal ? 1 : 0;
   submit.pSignalSemaphores = &signal;
-  check(vkQueueSubmit(device_.queue(), 1, &submit, slot.fence.get()), "vkQueueSubmit");
+  stages_.time("submission",
+               [&] { check(vkQueueSubmit(device_.queue(), 1, &submit, slot.fence.get()), "vkQueueSubmit"); });
   slot.pending = true;
 }
 

@@ -12,6 +12,7 @@
 #include "engine/barrier.h"
 #include "engine/pipeline.h"
 #include "engine/render_target.h"
+#include "engine/stages.h"
 
 namespace seascape {
 
@@ -117,7 +118,7 @@ class Frame {
   explicit Frame(Device& device, VkDeviceSize vertex_bytes = first_vertex_bytes);
   ~Frame();
 
-  // Waits until the slot's last frame has left the GPU, reads its timers, and begins to record.
+  // Waits until the slot's last frame has left the GPU (the stage "waiting"), reads its timers, and begins to record.
   void begin();
   template <typename Record>
   void pass(const char* name, const Uses& uses, Record&& record) {
@@ -149,6 +150,10 @@ class Frame {
 
   void submit(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
   void finish();  // waits for all frames, reads their timers
+
+  // What the processor's time goes to, from one begin() to the next.
+  Stages& stages() { return stages_; }
+  const Stages& stages() const { return stages_; }
 
   const FrameCounts& counts() const { return counts_; }  // of the frame recorded last
   // The same by pass and pipeline, in program order.
@@ -188,6 +193,7 @@ class Frame {
   VkDeviceSize vertices_used_ = 0;
   Commands commands_;
   FrameCounts counts_;
+  Stages stages_;
   std::vector<PipelineWork> work_;
   std::vector<PassTime> times_;
   double gpu_ms_ = 0.0;

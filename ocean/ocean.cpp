@@ -64,15 +64,18 @@ void Ocean::make_waves(Frame& frame, double time_s) {
 }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
+  Stages& stages = frame.stages();
   water_ = {};  // whose memory the next one may take
-  make_waves(frame, time_s);
-  // What is beneath the viewer: the picture's own waves where the processor makes them.
-  water_ = upload_ ? upload_->view() : sea_.view_at(time_s, SeaDetail::felt);
-  for (const auto& source : sources_) source->update(frame, water_);
-  if (dynamic_waves_) dynamic_waves_->update(frame, sea_);
-  if (place_) place_->update(frame, sea_, time_s, viewer_m);
-  step_together(foam_ ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m);
-  if (foam_) foam_->update(frame);
+  stages.time("waves", [&] {
+    make_waves(frame, time_s);
+    // What is beneath the viewer: the picture's own waves where the processor makes them.
+    water_ = upload_ ? upload_->view() : sea_.view_at(time_s, SeaDetail::felt);
+  });
+  for (const auto& source : sources_) stages.time("sources", [&] { source->update(frame, water_); });
+  if (dynamic_waves_) stages.time("dynamic_waves", [&] { dynamic_waves_->update(frame, sea_); });
+  if (place_) stages.time("places", [&] { place_->update(frame, sea_, time_s, viewer_m); });
+  step_together(foam_ ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
+  if (foam_) stages.time("foam", [&] { foam_->update(frame); });
   time_s_ = time_s;
 }
 

@@ -65,6 +65,7 @@ TEST(Arguments, EveryCommandHasItsFixedNames) {
             "--out D")
           .preset,
       "all");
+  EXPECT_EQ(parse("capture --against A.csv").against, "A.csv");
   const Arguments plan = parse("plan --scene S --preset high --json --matrix DIR");
   EXPECT_EQ(plan.command, Command::plan);
   EXPECT_TRUE(plan.json);

@@ -104,10 +104,12 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
   EXPECT_THAT(lines[0], testing::StartsWith(std::string(fixed_columns) + ",gpu_"));
   const std::vector<std::string> columns = split(lines[0], ',');
   for (std::size_t i = 12; i < columns.size(); ++i) {
-    EXPECT_THAT(columns[i], testing::MatchesRegex("gpu_.+_ms"));
+    EXPECT_THAT(columns[i], testing::MatchesRegex("[gc]pu_.+_ms"));
     EXPECT_EQ(std::count(columns.begin(), columns.end(), columns[i]), 1) << columns[i];
   }
-  for (const char* pass : {"gpu_wave rows_ms", "gpu_wave columns_ms", "gpu_wave mips_ms", "gpu_surface_ms"})
+  for (const char* pass :
+       {"gpu_wave rows_ms", "gpu_wave columns_ms", "gpu_wave mips_ms", "gpu_surface_ms", "cpu_waiting_ms", "cpu_sea_ms",
+        "cpu_waves_ms", "cpu_sky_ms", "cpu_traversal_ms", "cpu_recording_ms", "cpu_submission_ms"})
     EXPECT_THAT(columns, testing::Contains(pass));
   const char* presets[] = {"low", "medium", "high", "ultra"};
   for (std::size_t row = 0; row < 12; ++row) {
@@ -128,10 +130,13 @@ TEST_F(CaptureOfAllPresets, TheTableHasItsColumnsAndARowAFrame) {
       if (std::abs(frame - 1000.0 / rates[r]) > 1e-3) {
         EXPECT_EQ(cells[9 + r], frame > 1000.0 / rates[r] ? "1" : "0") << lines[row + 1];
       }
-    double passes = 0.0;
-    for (std::size_t i = 12; i < cells.size(); ++i) passes += std::stod(cells[i]);
+    double passes = 0.0, stages = 0.0;
+    for (std::size_t i = 12; i < cells.size(); ++i)
+      if (columns[i] != "cpu_waiting_ms") (columns[i].starts_with("gpu") ? passes : stages) += std::stod(cells[i]);
     EXPECT_LE(passes, gpu * 1.01 + 0.1);
     EXPECT_GT(passes, 0.0);
+    EXPECT_LE(stages, cpu + 1e-3);
+    EXPECT_GT(stages, 0.5 * cpu) << lines[row + 1];
   }
 }
 

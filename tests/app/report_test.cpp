@@ -36,19 +36,22 @@ TEST(CaptureCsv, ColumnsAsDesigned) {
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0],
             "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120,"
-            "gpu_surface_ms,gpu_fft_ms,\"gpu_sky, \"\"far\"\"_ms\"");
-  EXPECT_EQ(lines[1], "open_sea,high,0,0.000000,1.5000,12.0000,7,123456,12,0,1,1,8.0000,4.0000,0.0000");
-  EXPECT_EQ(lines[2], "open_sea,high,1,0.033333,1.5000,12.0100,7,123456,12,0,1,1,8.0067,4.0033,0.0000");
-  EXPECT_EQ(lines[3], "open_sea,low,0,0.000000,1.5000,3.0000,7,123456,12,0,0,0,0.0000,2.0000,1.0000");
+            "gpu_surface_ms,gpu_fft_ms,\"gpu_sky, \"\"far\"\"_ms\",cpu_waiting_ms,cpu_sea_ms,cpu_recording_ms");
+  EXPECT_EQ(lines[1],
+            "open_sea,high,0,0.000000,1.5000,12.0000,7,123456,12,0,1,1,8.0000,4.0000,0.0000,0.2500,0.5000,0.1250");
+  EXPECT_EQ(lines[2],
+            "open_sea,high,1,0.033333,1.5000,12.0100,7,123456,12,0,1,1,8.0067,4.0033,0.0000,0.2500,0.5000,0.1250");
+  EXPECT_EQ(lines[3],
+            "open_sea,low,0,0.000000,1.5000,3.0000,7,123456,12,0,0,0,0.0000,2.0000,1.0000,0.2500,0.5000,0.1250");
 }
 
 // Control: std::max alone takes the CPU's time where the GPU's is NaN.
 TEST(CaptureCsv, FrameTimeIsTheLongerAndNanIsAMiss) {
-  EXPECT_EQ(frame_ms({0, 0, 3.0, 2.0, 0, 0, 0, {}}), 3.0);
-  EXPECT_EQ(frame_ms({0, 0, 3.0, 20.0, 0, 0, 0, {}}), 20.0);
+  EXPECT_EQ(frame_ms({0, 0, 3.0, 2.0, 0, 0, 0, {}, {}}), 3.0);
+  EXPECT_EQ(frame_ms({0, 0, 3.0, 20.0, 0, 0, 0, {}, {}}), 20.0);
   CaptureRun run = capture_run("low", 3.0, 1, {});
   run.frames[0].gpu_ms = std::nan("");
-  EXPECT_THAT(capture_csv({run}), HasSubstr(",nan,7,123456,12,1,1,1\n"));
+  EXPECT_THAT(capture_csv({run}), HasSubstr(",nan,7,123456,12,1,1,1,0.2500,0.5000,0.1250\n"));
 }
 
 struct Comma : std::numpunct<char> {
@@ -74,19 +77,23 @@ TEST(CaptureCsv, NoDecimalComma) {
 // Control: counting a rate as held at any number of misses turns the last sentence into "holds 120 Hz".
 TEST(Report, ConclusionsFollowTheFigures) {
   EXPECT_EQ(conclusion(capture_run("high", 61.0, 100, {})),
-            "high misses 72 Hz in 100 % of frames: median 61.5 ms against 13.9 ms.");
+            "high misses 72 Hz in 100 % of frames: median 61.5, p99 62.0 and longest frame 62.0 ms against 13.9 ms.");
   EXPECT_EQ(conclusion(capture_run("low", 4.0, 100, {})),
-            "low holds 120 Hz (0 % of frames missed): median 4.5 ms against 8.3 ms.");
+            "low holds 120 Hz (0 % of frames missed): median 4.5, p99 5.0 and longest frame 5.0 ms against 8.3 ms.");
   // 12.0 to 12.99 ms: the 80 Hz budget of 12.5 is passed in frames 51 to 99.
   EXPECT_EQ(
       conclusion(capture_run("mid", 12.0, 100, {})),
-      "mid holds 72 Hz (0 % of frames missed) and misses 80 Hz in 49.0 % of frames: median 12.5 ms against 12.5 ms.");
+      "mid holds 72 Hz (0 % of frames missed) and misses 80 Hz in 49.0 % of frames: median 12.5, p99 13.0 and longest "
+      "frame 13.0 ms against 12.5 ms.");
   CaptureRun spike = capture_run("low", 4.0, 1000, {});
   for (CaptureFrame& frame : spike.frames) frame.gpu_ms = 4.0;
   spike.frames[5].gpu_ms = 500.0;
-  EXPECT_EQ(conclusion(spike), "low holds 120 Hz (0.1 % of frames missed): median 4.0 ms against 8.3 ms.");
+  EXPECT_EQ(
+      conclusion(spike),
+      "low holds 120 Hz (0.1 % of frames missed): median 4.0, p99 4.0 and longest frame 500.0 ms against 8.3 ms.");
   for (int i = 0; i < 11; ++i) spike.frames[static_cast<std::size_t>(i)].gpu_ms = 500.0;
-  EXPECT_EQ(conclusion(spike), "low misses 72 Hz in 1.1 % of frames: median 4.0 ms against 13.9 ms.");
+  EXPECT_EQ(conclusion(spike),
+            "low misses 72 Hz in 1.1 % of frames: median 4.0, p99 500.0 and longest frame 500.0 ms against 13.9 ms.");
   EXPECT_EQ(conclusion(capture_run("low", 4.0, 0, {})), "low has no frames.");
 }
 
@@ -115,7 +122,8 @@ TEST(Report, HoldsTheFigures) {
   for (const char* figure :
        {"12.50</td>", "12.05</td>", "12.94</td>", "12.98</td>", "12.99</td>", ">49.0 %</td>", ">100 %</td>",
         ">0 %</td>", "<td>3.5</td>", "<td>7</td>", "123\u202f456", "1280 × 720, 2 views, 4 × MSAA", "Some driver 1.2",
-        "2 cores", "surface: 8.330 ms, 66.7 %", "fft: 4.165 ms, 33.3 %", "<dd>42</dd>"})
+        "2 cores", "surface: 8.330 ms, 66.7 %", "fft: 4.165 ms, 33.3 %", "waiting: 0.250 ms, 14.3 %",
+        "outside any stage: 0.875 ms, 50.0 %", "<dd>42</dd>"})
     EXPECT_THAT(page, HasSubstr(figure));
   EXPECT_THAT(page, Not(HasSubstr("in software")));
   EXPECT_THAT(page, Not(HasSubstr("p99 is little more")));
@@ -159,7 +167,9 @@ TEST(Report, TagsMatch) {
       }
     }
     EXPECT_TRUE(open.empty());
-    const std::string plots = runs.empty() ? "" : frame_time_plot(runs) + pass_time_plot(runs) + histogram_plot(runs);
+    const std::string plots = runs.empty() ? ""
+                                           : frame_time_plot(runs) + named_time_plot(runs, gpu_passes) +
+                                                 named_time_plot(runs, cpu_stages) + histogram_plot(runs);
     for (const char* wrong : {"nan", "inf"}) EXPECT_THAT(plots, Not(HasSubstr(wrong)));
   }
 }

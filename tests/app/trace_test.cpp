@@ -67,6 +67,7 @@ TEST(Trace, FramesAndPassesDoNotOverlap) {
   EXPECT_EQ(slices["low/GPU"], 20);
   EXPECT_EQ(slices["low/GPU passes"], 58);  // 60 less the two without a length
   EXPECT_EQ(slices["high/GPU passes"], 10);
+  EXPECT_EQ(slices["low/CPU stages"], 60);
   EXPECT_EQ(counters, (std::set<std::string>{"draws", "triangles", "dispatches", "memory MiB"}));
 }
 

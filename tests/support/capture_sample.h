@@ -17,10 +17,11 @@ inline CaptureRun capture_run(const std::string& preset, double ms, int count, c
   run.views = 2;
   run.msaa = 4;
   run.pass_names = passes;
+  run.stage_names = {"waiting", "sea", "recording"};
   run.memory = {{"textures", 3 << 20}, {"buffers", 1 << 19}};
   for (int i = 0; i < count; ++i) {
     const double gpu = ms + 0.01 * i;
-    CaptureFrame frame{i, i / 30.0, 1.5, gpu, 7, 123456, 12, {}};
+    CaptureFrame frame{i, i / 30.0, 1.5, gpu, 7, 123456, 12, {}, {0.25, 0.5, 0.125}};
     for (std::size_t k = 0; k < passes.size(); ++k)
       frame.pass_ms.push_back(k == 0 ? gpu * 2.0 / 3.0 : gpu / 3.0 / static_cast<double>(passes.size() - 1));
     run.frames.push_back(frame);

@@ -81,11 +81,12 @@ TEST(Sea, MakesTilesOnceForATimeAndADetail) {
   foam_spec.settings.windows = {.resolution = 32, .slices = 2, .texel_m = 0.5};
   FoamSea foam(foam_spec, sea);
   Spray spray({.most = 64, .range_m = 20.0}, sea, 3.85);
-  step_together(&foam, &spray, 30.0, head);
+  Stages stages;
+  step_together(&foam, &spray, 30.0, head, stages);
   // What settles: foam 28 steps of a quarter of a second and 12 of a twelfth, spray 30 of a twelfth.
   EXPECT_EQ(sea.made(SeaDetail::crests), 28u + 30u - 6u);
   const std::uint64_t before = sea.made(SeaDetail::crests);
-  for (int i = 1; i <= 60; ++i) step_together(&foam, &spray, 30.0 + i / 60.0, head);
+  for (int i = 1; i <= 60; ++i) step_together(&foam, &spray, 30.0 + i / 60.0, head, stages);
   EXPECT_EQ(sea.made(SeaDetail::crests), before + 12u);
 }
 
