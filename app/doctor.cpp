@@ -32,7 +32,7 @@ int run_doctor(const Arguments& arguments) {
   nlohmann::json json;
   try {
     Device device(device_options());
-    ShaderLibrary shaders;
+    ShaderLibrary shaders{ShaderLibrary::default_directory(), DiskCache::of_user()};
     const DeviceFacts& f = device.facts();
     const bool multiview = multiview_works(device, shaders);
     findings.push_back({"device", fmt::format("{} ({})", f.name, f.kind), "", false});
@@ -76,6 +76,13 @@ int run_doctor(const Arguments& arguments) {
   findings.push_back({"content",
                       content ? content_directory().string() : "not found at " + content_directory().string(),
                       content ? "" : "set SEASCAPE_CONTENT to the folder content/ of the checkout", !content});
+
+  const DiskCache cache = DiskCache::of_user();
+  findings.push_back({"cache",
+                      cache.folder().empty()
+                          ? "none: shaders are prepared anew at each start"
+                          : fmt::format("{} (SEASCAPE_CACHE=off does without)", cache.folder().string()),
+                      "", false});
 
   bool fault = false;
   json["findings"] = nlohmann::json::array();

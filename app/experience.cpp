@@ -64,6 +64,12 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
   build();
 }
 
+void Experience::reload_shaders() {
+  if (!shaders_.reload()) return;
+  sky_ = std::make_unique<Sky>(device_, shaders_);
+  build();
+}
+
 bool Experience::in_tile() const {
   const FrameShape shape = scene_.settings.render.shape;
   return shape == FrameShape::tile || (shape == FrameShape::automatic && !options_.linear_picture);

@@ -34,6 +34,10 @@ class Experience {
   // was, where an effect's settings do not go together.
   void apply_effects(const std::vector<std::string>& effects);
 
+  // Where a shader has changed on disk, builds its objects anew from it. Throws Error where one cannot be read, and
+  // stays as it was.
+  void reload_shaders();
+
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
 

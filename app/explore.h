@@ -34,6 +34,7 @@ class Explorer {
   void scale_time(double factor);
   void next_debug_view();
   void take_screenshot();
+  void reload_shaders();  // of a debug build, where one has changed on disk
   void toggle_recording();
   // On the terminal and, for a few seconds, in the window.
   void tell(const std::string& line);
@@ -59,7 +60,7 @@ class Explorer {
   bool screenshot_wanted_ = false, leaving_ = false;
   double now_s_ = 0.0;          // the display's clock, what a hidden window waited left out
   double sea_elapsed_s_ = 0.0;  // the sea's time since time.start_s
-  double recording_began_s_ = 0.0, message_until_s_ = 0.0;
+  double recording_began_s_ = 0.0, message_until_s_ = 0.0, shaders_looked_at_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
   std::size_t patches_ = 0;
   std::string message_;

@@ -17,9 +17,9 @@ namespace seascape {
 
 namespace {
 
-bool environment_says(const char* name) {
+bool environment_says(const char* name, bool otherwise) {
   const char* value = std::getenv(name);
-  return value && *value && std::strcmp(value, "0") != 0;
+  return value && *value ? std::strcmp(value, "0") != 0 : otherwise;
 }
 
 std::string processor_name() {
@@ -47,8 +47,9 @@ DeviceClass device_class(const DeviceFacts& facts) {
 
 DeviceOptions device_options() {
   DeviceOptions options;
-  options.validation = environment_says("SEASCAPE_VALIDATION");
-  options.core_only = environment_says("SEASCAPE_CORE_ONLY");
+  options.validation = environment_says("SEASCAPE_VALIDATION", debug_build);
+  options.core_only = environment_says("SEASCAPE_CORE_ONLY", false);
+  options.cache = DiskCache::of_user();
   return options;
 }
 
@@ -130,11 +131,7 @@ Machine machine_of(const DeviceFacts& facts, std::uint64_t seed) {
 }
 
 std::string build_name() {
-#ifndef SEASCAPE_DEBUG
-  const char* configuration = "release";
-#else
-  const char* configuration = "debug";
-#endif
+  const char* configuration = debug_build ? "debug" : "release";
 #ifdef __clang__
   const char* compiler = "Clang " __clang_version__;
 #else

@@ -11,14 +11,22 @@
 
 namespace seascape {
 
+#ifdef SEASCAPE_DEBUG
+inline constexpr bool debug_build = true;
+#else
+inline constexpr bool debug_build = false;
+#endif
+
 struct Program {
   std::unique_ptr<Device> device;
-  ShaderLibrary shaders;
+  ShaderLibrary shaders{ShaderLibrary::default_directory(), DiskCache::of_user()};
   std::string preset;  // resolved: never "auto"
   Scene scene;
 };
 
-// SEASCAPE_VALIDATION=1 turns the validation layer on; SEASCAPE_CORE_ONLY=1 uses nothing beyond Vulkan 1.1's floor.
+// Keeps pipelines in the user's cache folder (DiskCache::of_user). SEASCAPE_VALIDATION=1 turns the
+// validation layer on, which a debug build has on unless it is 0; SEASCAPE_CORE_ONLY=1 uses nothing beyond Vulkan 1.1's
+// floor.
 DeviceOptions device_options();
 Program make_program(const Arguments& arguments, const DeviceOptions& options);
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options);

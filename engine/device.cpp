@@ -277,6 +277,8 @@ void Device::create_device(const DeviceOptions& options) {
   pool.queueFamilyIndex = queue_family_;
   pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
   check(vkCreateCommandPool(device_, &pool, nullptr, &now_pool_), "vkCreateCommandPool");
+  cache_ = options.cache;
+  load_pipeline_cache();
 }
 
 Device::~Device() { give_back(); }
@@ -289,6 +291,10 @@ void Device::give_back() {
   }
   for (auto& [key, pass] : render_passes_) vkDestroyRenderPass(device_, pass, nullptr);
   if (now_pool_) vkDestroyCommandPool(device_, now_pool_, nullptr);
+  if (pipeline_cache_) {
+    keep_pipeline_cache();
+    vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
+  }
   memory_.reset();
   if (device_) vkDestroyDevice(device_, nullptr);
   if (messenger_) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/disk_cache.h"
 #include "engine/memory.h"
 #include "engine/objects.h"
 #include "engine/vulkan.h"
@@ -18,6 +19,7 @@ struct DeviceOptions {
   bool core_only = false;   // use nothing beyond Vulkan 1.1's floor, as on a driver that has no more
   bool present = false;     // with a swapchain
   std::vector<std::string> instance_extensions;  // what a window needs
+  DiskCache cache;                               // where the driver's pipelines are kept for later starts
 };
 
 // What the chosen device is and can do.
@@ -65,6 +67,14 @@ class Device {
   std::vector<ObjectRecord> objects() const;
   std::uint64_t pipelines_made() const { return pipelines_made_; }
 
+  // What a pipeline is to be made with: called once for each. Counted are those that were given what an earlier start
+  // has left.
+  VkPipelineCache pipeline_cache() {
+    pipelines_given_kept_ += kept_hash_ != 0;
+    return pipeline_cache_;
+  }
+  std::uint64_t pipelines_given_kept() const { return pipelines_given_kept_; }
+
   // Records and runs commands at once, and waits for them: set-up work only.
   template <typename Record>
   void run_now(Record&& record) {
@@ -95,6 +105,8 @@ class Device {
   void create_instance(const DeviceOptions& options);
   void choose_physical(const DeviceOptions& options);
   void create_device(const DeviceOptions& options);
+  void load_pipeline_cache();
+  void keep_pipeline_cache() const;
   void give_back();  // all that there is, at the end or where the beginning failed
   void destroy(const Retired& object);
   VkCommandBuffer begin_now();
@@ -110,11 +122,14 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queue_family_ = 0;
   VkCommandPool now_pool_ = VK_NULL_HANDLE;
+  VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;
+  DiskCache cache_;
+  std::uint64_t kept_hash_ = 0;  // of what the cache began with; 0: with nothing
   DeviceFacts facts_;
   std::unique_ptr<Memory> memory_;
   std::map<std::uint64_t, ObjectRecord> records_;  // by creation number
   std::map<std::pair<VkObjectType, std::uint64_t>, std::uint64_t> creation_;
-  std::uint64_t created_ = 0, pipelines_made_ = 0;
+  std::uint64_t created_ = 0, pipelines_made_ = 0, pipelines_given_kept_ = 0;
   std::map<std::string, VkRenderPass> render_passes_;
   std::deque<Retired> retired_;
   std::uint64_t frame_number_ = 0;

@@ -74,7 +74,7 @@ Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std
   info.stage.pName = "main";
   info.layout = p.layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(vkCreateComputePipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
         "vkCreateComputePipelines");
   p.pipeline_ = Owned<VkPipeline>(device, pipeline, name);
   return p;
@@ -145,12 +145,12 @@ class GraphicsBuilder {
     info.layout = p.layout_.get();
     info.renderPass = target.render_pass();
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+    check(vkCreateGraphicsPipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
           "vkCreateGraphicsPipelines");
     p.pipeline_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment);
     if (spec.facing) {
       raster.cullMode = VK_CULL_MODE_BACK_BIT;
-      check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+      check(vkCreateGraphicsPipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
             "vkCreateGraphicsPipelines");
       p.facing_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment + ", facing");
     }

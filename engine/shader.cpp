@@ -4,7 +4,10 @@
 #include <spdlog/spdlog.h>
 #include <spirv_cross/spirv_cross_c.h>
 
+#include <spirv-tools/libspirv.h>
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <spirv-tools/optimizer.hpp>
 #include <unordered_map>
 
@@ -15,16 +18,12 @@ namespace seascape {
 
 namespace {
 
+using SpecBits = std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>;
+
 VkShaderStageFlagBits stage_of(const std::string& name) {
   if (name.ends_with(".vert")) return VK_SHADER_STAGE_VERTEX_BIT;
   if (name.ends_with(".frag")) return VK_SHADER_STAGE_FRAGMENT_BIT;
   return VK_SHADER_STAGE_COMPUTE_BIT;
-}
-
-std::uint64_t hash_words(const std::vector<std::uint32_t>& words) {
-  std::uint64_t h = 1469598103934665603ull;  // FNV-1a
-  for (std::uint32_t w : words) h = (h ^ w) * 1099511628211ull;
-  return h;
 }
 
 // Reads the bindings that are used and the size of the push constants.
@@ -118,19 +117,7 @@ void sort_interface(std::vector<std::uint32_t>& words) {
   }
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, std::span<const SpecValue> values,
-                                      const std::string& name) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  std::string fault;
-  optimizer.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* message) {
-    if (level <= SPV_MSG_ERROR) fault = message;
-  });
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> bits;
-  for (const SpecValue& v : values) bits[v.id] = {v.value};
-  std::vector<std::uint32_t> sized = words;
-  settle_workgroup(sized, bits);
+void register_passes(spvtools::Optimizer& optimizer, const SpecBits& bits) {
   optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(bits))
       .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
       .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
@@ -157,6 +144,36 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
       .RegisterPass(spvtools::CreateDeadVariableEliminationPass())
       .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
       .RegisterPass(spvtools::CreateBlockMergePass());
+}
+
+// Of all that what specialise() gives follows from, besides its arguments. `form`: raised where it changes otherwise
+// than by its passes.
+std::uint64_t hash_of_specialise() {
+  constexpr std::uint32_t form = 1;
+  static const std::uint64_t hash = [] {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+    register_passes(optimizer, {});
+    std::string says = spvSoftwareVersionDetailsString();
+    for (const char* pass : optimizer.GetPassNames()) says += std::string(" ") + pass;
+    return hash_bytes({reinterpret_cast<const std::uint8_t*>(says.data()), says.size()}, hash_start ^ form);
+  }();
+  return hash;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, std::span<const SpecValue> values,
+                                      const std::string& name) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  std::string fault;
+  optimizer.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* message) {
+    if (level <= SPV_MSG_ERROR) fault = message;
+  });
+  SpecBits bits;
+  for (const SpecValue& v : values) bits[v.id] = {v.value};
+  std::vector<std::uint32_t> sized = words;
+  settle_workgroup(sized, bits);
+  register_passes(optimizer, bits);
   std::vector<std::uint32_t> result;
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // the build has validated the file; the tests validate the results
@@ -171,7 +188,8 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
   return result;
 }
 
-ShaderLibrary::ShaderLibrary(std::filesystem::path directory) : directory_(std::move(directory)) {}
+ShaderLibrary::ShaderLibrary(std::filesystem::path directory, DiskCache cache)
+    : directory_(std::move(directory)), cache_(std::move(cache)) {}
 
 std::filesystem::path ShaderLibrary::default_directory() { return executable_directory() / "shaders"; }
 
@@ -179,30 +197,54 @@ std::shared_ptr<const Shader> ShaderLibrary::load(const std::string& name, std::
   std::string key = name;
   for (const SpecValue& v : values) key += fmt::format(" {}={}", v.id, v.value);
   if (auto found = loaded_.find(key); found != loaded_.end()) return found->second;
+  return loaded_[key] = read(name, values);
+}
+
+std::shared_ptr<const Shader> ShaderLibrary::read(const std::string& name, std::span<const SpecValue> values) {
   const std::filesystem::path file = directory_ / (name + ".spv");
+  std::error_code ignored;
+  times_[name] = std::filesystem::last_write_time(file, ignored);
   auto shader = std::make_shared<Shader>();
   shader->name = name;
   shader->stage = stage_of(name);
-  shader->words = specialise(read_spirv(file), values, name);
+  shader->words = specialised_words(file, values, name);
   shader->values.assign(values.begin(), values.end());
   shader->hash = hash_words(shader->words);
   reflect(*shader);
-  std::error_code ignored;
-  times_[name] = std::filesystem::last_write_time(file, ignored);
-  return loaded_[key] = shader;
+  return shader;
 }
 
-bool ShaderLibrary::changed() {
-  for (const auto& [name, time] : times_) {
+std::vector<std::uint32_t> ShaderLibrary::specialised_words(const std::filesystem::path& file,
+                                                            std::span<const SpecValue> values,
+                                                            const std::string& name) {
+  const std::vector<std::uint32_t> whole = read_spirv(file);
+  std::uint64_t hash = hash_words(whole, hash_of_specialise());
+  for (const SpecValue& v : values) hash = hash_words(std::array{v.id, v.value}, hash);
+  const std::string kept_name = fmt::format("{}-{:016x}.spv", name, hash);
+  if (const auto kept = cache_.read(kept_name); kept && kept->size() % 4 == 0) {
+    std::vector<std::uint32_t> words(kept->size() / 4);
+    std::memcpy(words.data(), kept->data(), kept->size());
+    return words;
+  }
+  ++specialised_;
+  const std::vector<std::uint32_t> words = specialise(whole, values, name);
+  cache_.write(kept_name, {reinterpret_cast<const std::uint8_t*>(words.data()), 4 * words.size()});
+  return words;
+}
+
+bool ShaderLibrary::reload() {
+  bool changed = false;
+  for (auto& [name, time] : times_) {
     std::error_code failed;
     const auto now = std::filesystem::last_write_time(directory_ / (name + ".spv"), failed);
-    if (!failed && now != time) {
-      loaded_.clear();
-      times_.clear();
-      return true;
-    }
+    changed |= !failed && now != time;
+    if (!failed) time = now;
   }
-  return false;
+  if (!changed) return false;
+  auto anew = loaded_;
+  for (auto& [key, shader] : anew) shader = read(shader->name, shader->values);
+  loaded_ = std::move(anew);
+  return true;
 }
 
 }  // namespace seascape

@@ -35,20 +35,30 @@ struct Shader {
   std::uint64_t hash = 0;         // of the words
 };
 
-// Loads from `shaders/` beside the executable. Equal requests give the same Shader.
+// Loads from `shaders/` beside the executable. Equal requests give the same Shader; what it is specialised to is kept
+// for later starts.
 class ShaderLibrary {
  public:
-  explicit ShaderLibrary(std::filesystem::path directory = default_directory());
+  explicit ShaderLibrary(std::filesystem::path directory = default_directory(), DiskCache cache = {});
   static std::filesystem::path default_directory();
 
   // Throws Error when the file is missing or not SPIR-V, or names a specialisation constant it does not have.
   std::shared_ptr<const Shader> load(const std::string& name, std::span<const SpecValue> values);
 
-  // True once after any loaded file has changed on disk: forgets all, so that the next loads read anew.
-  bool changed();
+  // Where a file that was loaded has changed on disk, reads all of them anew, and gives true. Throws Error where one
+  // cannot be read; then all stay as they were until a file changes again.
+  bool reload();
+
+  // How often the optimiser has run.
+  int specialised() const { return specialised_; }
 
  private:
+  std::shared_ptr<const Shader> read(const std::string& name, std::span<const SpecValue> values);
+  std::vector<std::uint32_t> specialised_words(const std::filesystem::path& file, std::span<const SpecValue> values,
+                                               const std::string& name);
   std::filesystem::path directory_;
+  DiskCache cache_;
+  int specialised_ = 0;
   std::map<std::string, std::shared_ptr<const Shader>> loaded_;
   std::map<std::string, std::filesystem::file_time_type> times_;
 };

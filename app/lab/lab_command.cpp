@@ -128,7 +128,7 @@ int run_lab(const Arguments& arguments) {
   options.quick = arguments.quick;
   options.seed = settings.sea.seed;
   std::optional<Device> device;
-  ShaderLibrary shaders;
+  ShaderLibrary shaders{ShaderLibrary::default_directory(), DiskCache::of_user()};
   if (needs_device(curve)) device.emplace(device_options());
   LabOrigin origin{machine_of(device ? device->facts() : DeviceFacts{}, options.seed), options.quick};
 
