@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "app/csv.h"
 #include "app/statistics.h"
@@ -18,95 +19,121 @@ namespace seascape {
 
 namespace {
 
-constexpr std::size_t fixed_columns = 12, pieces = 12;
-constexpr double least_ms = 0.02, least_noise = 0.05;
-// Student's t of 11 degrees of freedom, two-sided 0.001 (Abramowitz and Stegun 1964, table 26.10).
-constexpr double student = 4.437;
+constexpr std::size_t fixed_columns = 12;
+constexpr double least_ms = 0.02, least_noise = 0.05, least_noise_ms = 0.025, deviations = 2.0;
 
-const CaptureTimes& kind_of(const std::string& column) {
-  return column.starts_with("gpu_") ? gpu_passes : cpu_stages;
-}
+const CaptureTimes& kind_of(const std::string& column) { return column.starts_with("gpu_") ? gpu_passes : cpu_stages; }
 
 std::string name_of(const std::string& column) { return column.substr(4, column.size() - 7); }
-
-const CaptureRun* same_run(const std::vector<CaptureRun>& runs, const CaptureRun& run) {
-  for (const CaptureRun& other : runs)
-    if (other.scene == run.scene && other.preset == run.preset) return &other;
-  return nullptr;
-}
 
 double median_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return percentile(values, 0.5);
 }
 
-// One name's times in the frames that both runs have.
-struct Pairs {
-  std::string column;
-  std::vector<double> before_ms, now_ms;
-};
-
-// The logarithms of now to before, in each piece the median; empty where a piece has no frame with both.
-std::vector<double> pieces_of(const Pairs& pairs) {
-  std::vector<double> medians;
-  for (std::size_t p = 0; p < pieces; ++p) {
-    std::vector<double> logs;
-    const std::size_t frames = pairs.now_ms.size();
-    for (std::size_t i = p * frames / pieces; i < (p + 1) * frames / pieces; ++i)
-      if (pairs.before_ms[i] > 0.0 && pairs.now_ms[i] > 0.0) logs.push_back(std::log(pairs.now_ms[i] / pairs.before_ms[i]));
-    if (logs.empty()) return {};
-    medians.push_back(median_of(logs));
-  }
-  return medians;
-}
-
 double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-std::vector<Pairs> pairs_of(const CaptureRun& before, const CaptureRun& now) {
-  std::map<int, const CaptureFrame*> of_before;
-  for (const CaptureFrame& frame : before.frames) of_before[frame.frame] = &frame;
-  std::vector<Pairs> all;
-  for (const CaptureTimes* kind : {&cpu_stages, &gpu_passes})
-    for (const std::string& name : now.*kind->names) {
-      const auto& names = before.*kind->names;
-      if (std::find(names.begin(), names.end(), name) == names.end() || name == "waiting") continue;
-      Pairs pairs{std::string(kind->of) + "_" + name + "_ms", {}, {}};
-      for (const CaptureFrame& frame : now.frames)
-        if (const auto other = of_before.find(frame.frame); other != of_before.end()) {
-          pairs.before_ms.push_back(named_time_ms(before, *other->second, *kind, name));
-          pairs.now_ms.push_back(named_time_ms(now, frame, *kind, name));
-        }
-      if (std::max(mean_of(pairs.before_ms), mean_of(pairs.now_ms)) >= least_ms) all.push_back(std::move(pairs));
-    }
-  return all;
+using Runs = std::vector<const CaptureRun*>;
+
+Runs runs_of(const std::vector<CaptureRun>& runs, const CaptureRun& like) {
+  Runs result;
+  for (const CaptureRun& run : runs)
+    if (run.scene == like.scene && run.preset == like.preset) result.push_back(&run);
+  return result;
 }
 
-RunChange compare(const CaptureRun& before, const CaptureRun& now) {
-  RunChange run{now.scene, now.preset, 0, 1.0, {}};
-  const std::vector<Pairs> all = pairs_of(before, now);
-  std::vector<std::vector<double>> logs;
-  for (const Pairs& pairs : all) logs.push_back(pieces_of(pairs));
-  std::vector<double> common(pieces, 0.0);
-  for (std::size_t p = 0; p < pieces; ++p) {
-    std::vector<double> of_names;
-    for (const auto& one : logs)
-      if (!one.empty()) of_names.push_back(one[p]);
-    common[p] = median_of(of_names);
+// A stage's times in the frames that all runs have: a row a run.
+using Times = std::vector<std::vector<double>>;
+
+Times times_of(const Runs& runs, const std::set<int>& frames, const std::string& name) {
+  Times times;
+  for (const CaptureRun* run : runs) {
+    times.emplace_back();
+    for (const CaptureFrame& frame : run->frames)
+      if (frames.contains(frame.frame)) times.back().push_back(named_time_ms(*run, frame, cpu_stages, name));
   }
-  run.together = std::exp(mean_of(common));
-  for (std::size_t n = 0; n < all.size(); ++n) {
-    if (logs[n].empty()) continue;
-    run.frames = std::max(run.frames, int(all[n].now_ms.size()));
-    std::vector<double> own;
-    for (std::size_t p = 0; p < pieces; ++p) own.push_back(logs[n][p] - common[p]);
-    const double mean = mean_of(own);
-    double square = 0.0;
-    for (const double value : own) square += (value - mean) * (value - mean);
-    const double off = student * std::sqrt(square / double(pieces - 1) / double(pieces));
-    run.times.push_back({now.scene, now.preset, all[n].column, mean_of(all[n].before_ms), mean_of(all[n].now_ms),
-                         std::exp(mean), std::max(std::expm1(off), least_noise)});
+  return times;
+}
+
+// The sum over frames of the shortest time, without run `without`; 0 where there is none.
+double shortest_ms(const Times& times, std::size_t without) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < times.front().size(); ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t run = 0; run < times.size(); ++run)
+      if (run != without) least = std::min(least, times[run][i]);
+    sum += least;
+  }
+  return sum;
+}
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+struct Pair {
+  std::string name;
+  Times before, now;
+  double log_ratio(std::size_t without_before, std::size_t without_now) const {
+    return std::log(shortest_ms(now, without_now) / shortest_ms(before, without_before));
+  }
+};
+
+// How each stage has changed beyond what all have in common, which `common` gets.
+std::vector<double> changes_of(const std::vector<Pair>& pairs, std::size_t without_before, std::size_t without_now,
+                               double& common) {
+  std::vector<double> logs;
+  for (const Pair& pair : pairs) logs.push_back(pair.log_ratio(without_before, without_now));
+  common = median_of(logs);
+  for (double& one : logs) one -= common;
+  return logs;
+}
+
+// Adds the variance by which leaving out each of a side's runs shows the changes to vary.
+void add_variance(const std::vector<std::vector<double>>& left_out, std::vector<double>& variance) {
+  const double count = double(left_out.size());
+  for (std::size_t n = 0; n < variance.size(); ++n) {
+    std::vector<double> values;
+    for (const auto& changes : left_out) values.push_back(changes[n]);
+    const double mean = mean_of(values);
+    for (const double value : values) variance[n] += (count - 1.0) / count * (value - mean) * (value - mean);
+  }
+}
+
+RunChange compare(const Runs& before, const Runs& now) {
+  RunChange run{now.front()->scene, now.front()->preset, 0, 1.0, {}};
+  std::map<int, std::size_t> having;
+  for (const Runs* side : {&before, &now})
+    for (const CaptureRun* one : *side)
+      for (const CaptureFrame& frame : one->frames) ++having[frame.frame];
+  std::set<int> frames;
+  for (const auto& [frame, count] : having)
+    if (count == before.size() + now.size()) frames.insert(frame);
+  run.frames = int(frames.size());
+  if (frames.empty()) return run;
+  std::vector<Pair> pairs;
+  for (const std::string& name : now.front()->stage_names) {
+    if (name == "waiting") continue;  // for the GPU
+    Pair pair{name, times_of(before, frames, name), times_of(now, frames, name)};
+    const double least_sum = least_ms * run.frames;
+    if (shortest_ms(pair.before, none) >= least_sum && shortest_ms(pair.now, none) >= least_sum)
+      pairs.push_back(std::move(pair));
+  }
+  double common = 0.0, unused = 0.0;
+  const std::vector<double> changes = changes_of(pairs, none, none, common);
+  std::vector<std::vector<double>> without_before, without_now;
+  for (std::size_t r = 0; r < before.size(); ++r) without_before.push_back(changes_of(pairs, r, none, unused));
+  for (std::size_t r = 0; r < now.size(); ++r) without_now.push_back(changes_of(pairs, none, r, unused));
+  std::vector<double> variance(pairs.size(), 0.0);
+  add_variance(without_before, variance);
+  add_variance(without_now, variance);
+  run.together = std::exp(common);
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    const double before_ms = shortest_ms(pairs[n].before, none) / run.frames,
+                 now_ms = shortest_ms(pairs[n].now, none) / run.frames,
+                 off = std::expm1(deviations * std::sqrt(variance[n]));
+    run.stages.push_back({"cpu_" + pairs[n].name + "_ms", before_ms, now_ms, std::exp(changes[n]),
+                          std::max({off, least_noise, least_noise_ms / std::min(before_ms, now_ms)})});
   }
   return run;
 }
@@ -144,11 +171,14 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
     const auto number = [&](std::size_t i, double least, double most) {
       const std::optional<double> value = real_from(cells[i]);
       if (!value || !(*value >= least && *value <= most))
-        throw Error(place, fmt::format("{}: {} is not a number from {} to {}", columns[i], in_quotes(cells[i]), least, most),
+        throw Error(place,
+                    fmt::format("{}: {} is not a number from {} to {}", columns[i], in_quotes(cells[i]), least, most),
                     remedy);
       return *value;
     };
-    if (runs.empty() || runs.back().scene != cells[0] || runs.back().preset != cells[1]) {
+    const int frame_number = int(number(2, 0.0, 1e9));
+    if (runs.empty() || runs.back().scene != cells[0] || runs.back().preset != cells[1] ||
+        runs.back().frames.back().frame >= frame_number) {
       runs.emplace_back();
       runs.back().scene = cells[0];
       runs.back().preset = cells[1];
@@ -156,7 +186,7 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
         (runs.back().*kind_of(columns[i]).names).push_back(name_of(columns[i]));
     }
     CaptureFrame frame;
-    frame.frame = int(number(2, 0.0, 1e9));
+    frame.frame = frame_number;
     frame.cpu_ms = number(4, 0.0, 1e9);
     for (std::size_t i = fixed_columns; i < columns.size(); ++i)
       (frame.*kind_of(columns[i]).ms).push_back(number(i, 0.0, 1e9));
@@ -168,8 +198,17 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
 
 std::vector<RunChange> compare_captures(const std::vector<CaptureRun>& before, const std::vector<CaptureRun>& now) {
   std::vector<RunChange> changes;
-  for (const CaptureRun& run : now)
-    if (const CaptureRun* other = same_run(before, run)) changes.push_back(compare(*other, run));
+  for (const CaptureRun& run : now) {
+    const Runs of_now = runs_of(now, run), of_before = runs_of(before, run);
+    if (of_now.front() != &run || of_before.empty()) continue;
+    for (const Runs* side : {&of_before, &of_now})
+      if (side->size() < least_repeats)
+        throw Error("--against",
+                    fmt::format("{} / {} was measured {} times and a comparison takes {} on either side", run.scene,
+                                run.preset, side->size(), least_repeats),
+                    "capture both with --repeat 8");
+    changes.push_back(compare(of_before, of_now));
+  }
   return changes;
 }
 
@@ -178,15 +217,15 @@ std::string tell_changes(const std::vector<RunChange>& runs) {
   std::string text;
   for (const RunChange& run : runs) {
     const std::string title = run.scene + " / " + run.preset;
-    text += fmt::format("{}: {} frames, all times together {:.2f} of before\n", title, run.frames, run.together);
+    text += fmt::format("{}: {} frames, all stages together {:.2f} of before\n", title, run.frames, run.together);
     bool any = false;
-    for (const TimeChange& time : run.times) {
+    for (const StageChange& time : run.stages) {
       if (!time.changed()) continue;
       any = true;
       text += fmt::format("{}: {} {:+.1f} % beyond that ({:.3f} ms before, {:.3f} now; noise {:.1f} %)\n", title,
                           time.name, 100.0 * (time.ratio - 1.0), time.before_ms, time.now_ms, 100.0 * time.noise);
     }
-    if (!any) text += fmt::format("{}: no stage and no pass has changed by more than its noise\n", title);
+    if (!any) text += fmt::format("{}: no stage has changed by more than its noise\n", title);
   }
   return text;
 }

@@ -166,9 +166,11 @@ void add_capture(Options& options, Arguments& arguments) {
   options.number("--fps", "1/s", arguments.fps, 0.1, 1000.0, "Frames a second of the path's time");
   options.whole("--warmup", arguments.warmup, 0, 100'000, "Frames drawn before measuring");
   options.whole("--frames", arguments.frames, 0, 1'000'000, "Frames measured; 0 goes to the path's end");
+  options.whole("--repeat", arguments.repeat, 1, 1000,
+                "How often the path is measured; from 2 on CPU and GPU take turns, so that neither disturbs the other");
   options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
   options.text("--against", "FILE", arguments.against,
-               "The capture.csv of another build, of the same path: says which stage or pass has changed");
+               "The capture.csv of another build, of the same path: says which stage has changed; with --repeat 8");
 }
 
 void add_lab(Options& options, Arguments& arguments) {
@@ -294,7 +296,7 @@ constexpr CommandRow commands[] = {
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
      "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1\n"
-     "  seascape capture --scene storm --against before/capture.csv",
+     "  seascape capture --scene storm --repeat 8 --against before/capture.csv",
      add_capture},
     {Command::lab,
      "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, "

@@ -43,6 +43,7 @@ struct Arguments {
   int frames = 0;       // how many; 0: to the path's end (replay, capture), until closed (explore)
   int start = 0;        // replay: the path's first frame to draw
   int warmup = 10;      // capture: frames drawn before measuring
+  int repeat = 1;       // capture: how often the path is measured
   std::string against;  // capture: the capture.csv of another build; empty: none
   std::string out;      // folder of results; query: the file
   PictureFormat format = PictureFormat::png;

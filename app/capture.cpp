@@ -128,6 +128,7 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
                sea_time_s(program.scene.settings, sample.scene_time_s + before_s));
     display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
+    if (arguments.repeat > 1) device.wait_idle();
 
     if (measured) {
       if (number == 0) first_number = frame.number();
@@ -182,7 +183,12 @@ int run_capture(const Arguments& arguments) {
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;
   std::vector<CaptureRun> before;
-  if (!arguments.against.empty()) before = parse_capture_csv(read_text(arguments.against), arguments.against);
+  if (!arguments.against.empty()) {
+    before = parse_capture_csv(read_text(arguments.against), arguments.against);
+    if (arguments.repeat < least_repeats)
+      throw Error("--against", fmt::format("takes {} runs of the path and more on either side", least_repeats),
+                  "add --repeat 8");
+  }
   (void)scene_from(arguments, presets.front() == "auto" ? "high" : presets.front());  // a fault in it is told first
 
   std::optional<WindowSystem> windows;
@@ -201,7 +207,8 @@ int run_capture(const Arguments& arguments) {
       make_output_directory(out);
       machine = machine_of(program.device->facts(), program.scene.settings.sea.seed);
     }
-    all.push_back(measure(arguments, program, windows ? &*windows : nullptr));
+    for (int n = 0; n < arguments.repeat; ++n)
+      all.push_back(measure(arguments, program, windows ? &*windows : nullptr));
   }
   std::vector<CaptureRun> runs;
   for (const Measured& measured : all) runs.push_back(measured.run);

@@ -65,7 +65,8 @@ TEST(Arguments, EveryCommandHasItsFixedNames) {
             "--out D")
           .preset,
       "all");
-  EXPECT_EQ(parse("capture --against A.csv").against, "A.csv");
+  EXPECT_EQ(parse("capture --against A.csv --repeat 8").against, "A.csv");
+  EXPECT_EQ(parse("capture --repeat 8").repeat, 8);
   const Arguments plan = parse("plan --scene S --preset high --json --matrix DIR");
   EXPECT_EQ(plan.command, Command::plan);
   EXPECT_TRUE(plan.json);
