@@ -196,17 +196,20 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
   return runs;
 }
 
+void expect_repeats(const std::vector<CaptureRun>& runs, const std::string& where) {
+  for (const CaptureRun& run : runs)
+    if (const std::size_t count = runs_of(runs, run).size(); count < least_repeats)
+      throw Error(where,
+                  fmt::format("{} / {}: {} runs of the path, and a comparison takes {} on either side", run.scene,
+                              run.preset, count, least_repeats),
+                  "capture both with --repeat 8");
+}
+
 std::vector<RunChange> compare_captures(const std::vector<CaptureRun>& before, const std::vector<CaptureRun>& now) {
   std::vector<RunChange> changes;
   for (const CaptureRun& run : now) {
     const Runs of_now = runs_of(now, run), of_before = runs_of(before, run);
     if (of_now.front() != &run || of_before.empty()) continue;
-    for (const Runs* side : {&of_before, &of_now})
-      if (side->size() < least_repeats)
-        throw Error("--against",
-                    fmt::format("{} / {} was measured {} times and a comparison takes {} on either side", run.scene,
-                                run.preset, side->size(), least_repeats),
-                    "capture both with --repeat 8");
     changes.push_back(compare(of_before, of_now));
   }
   return changes;

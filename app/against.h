@@ -29,8 +29,11 @@ constexpr int least_repeats = 3;  // of a path, for a comparison
 // Reads what capture_csv() writes. Throws Error("WHERE:LINE", ...).
 std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::string& where);
 
+// Throws Error(WHERE, ...) where there are fewer than least_repeats runs of a scene at a preset.
+void expect_repeats(const std::vector<CaptureRun>& runs, const std::string& where);
+
 // Compares the runs of a scene at a preset with those of the same; scenes and presets that only one side has are left
-// out. Throws Error where a side has fewer than least_repeats runs of one.
+// out. Both have been through expect_repeats().
 //
 // Of each frame the shortest time of a stage over the runs counts: what else a machine does only adds to it. Sums of
 // these over the frames are compared; the median over the stages of how they have changed is what they have in common.

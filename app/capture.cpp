@@ -185,6 +185,7 @@ int run_capture(const Arguments& arguments) {
   std::vector<CaptureRun> before;
   if (!arguments.against.empty()) {
     before = parse_capture_csv(read_text(arguments.against), arguments.against);
+    expect_repeats(before, arguments.against);
     if (arguments.repeat < least_repeats)
       throw Error("--against", fmt::format("takes {} runs of the path and more on either side", least_repeats),
                   "add --repeat 8");
