@@ -57,7 +57,7 @@ Times times_of(const Runs& runs, const std::set<int>& frames, const std::string&
   return times;
 }
 
-// The sum over frames of the shortest time, without run `without`; 0 where there is none.
+// The sum over frames of the shortest time in any run but `without`.
 double shortest_ms(const Times& times, std::size_t without) {
   double sum = 0.0;
   for (std::size_t i = 0; i < times.front().size(); ++i) {

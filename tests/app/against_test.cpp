@@ -64,7 +64,7 @@ std::vector<std::string> changed(const std::vector<CaptureRun>& before, const st
 }
 
 // Controls seen: what the stages have in common left in (4 of 40 found); means of the runs instead of the shortest
-// times, and no least noise (30 each).
+// times (30).
 TEST(Against, FindsTenPerCentInOneStage) {
   int found = 0;
   for (std::uint64_t i = 0; i < 40; ++i) {
