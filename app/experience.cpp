@@ -120,13 +120,11 @@ void Experience::build() {
   look.deferred = deferred();
   look.probe = options_.probe;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
-  const SurfaceLight light{sky_->map().view(), sky_->sampler(), &sky_->light()};
-  surface_ =
-      std::make_unique<Surface>(device_, shaders_, drawn, ocean_->waves(), ocean_->sources(), ocean_->dynamic_waves(),
-                                ocean_->place(), ocean_->foam(), frame_->ring(), light, look);
+  const SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
+  surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
   spray_.reset();
   if (ocean_->spray())
-    spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, frame_->ring(), light, s.spray.most,
+    spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
                                           SprayLook{tile, surface_->depths()});
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
@@ -134,14 +132,15 @@ void Experience::build() {
     GraphicsSpec sky;
     sky.vertex = "sky.vert";
     sky.fragment = "sky.frag";
-    sky.values = {{0, !options_.per_eye}, {2, tile}, {4, look.debug}};
+    sky.values = {
+        {gpu::value_multiview, !options_.per_eye}, {gpu::value_tile_shape, tile}, {gpu::value_debug, look.debug}};
     sky.depth_write = false;
     sky.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
     sky_pipeline_ = make_graphics_pipeline(device_, shaders_, drawn, sky);
     sky_bindings_ = Bindings(device_, sky_pipeline_,
-                             {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                              {.binding = 4, .view = sky_->map().view(), .sampler = sky_->sampler()},
-                              {.binding = 5, .buffer = &sky_->light()}},
+                             {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                              {.binding = gpu::slot_sky_map, .view = sky_->map().view(), .sampler = sky_->sampler()},
+                              {.binding = gpu::slot_sky_light, .buffer = &sky_->light()}},
                              "sky");
   }
   tone_pipeline_ = {};
@@ -150,14 +149,16 @@ void Experience::build() {
     GraphicsSpec tone;
     tone.vertex = "sky.vert";
     tone.fragment = "tone.frag";
-    tone.values = {{0, !options_.per_eye}, {4, look.debug}, {6, false}};
+    tone.values = {
+        {gpu::value_multiview, !options_.per_eye}, {gpu::value_debug, look.debug}, {gpu::value_sky_ray, false}};
     tone.depth_test = tone.depth_write = false;
     tone_pipeline_ = make_graphics_pipeline(device_, shaders_, picture_, tone);
     lit_sampler_ = make_sampler(device_, "lit", {false, false, 1.0f});
-    tone_bindings_ = Bindings(device_, tone_pipeline_,
-                              {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                               {.binding = 6, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
-                              "tone");
+    tone_bindings_ =
+        Bindings(device_, tone_pipeline_,
+                 {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                  {.binding = gpu::slot_lit_picture, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
+                 "tone");
   }
 }
 
@@ -189,10 +190,11 @@ void Experience::resize(std::uint32_t width, std::uint32_t height) {
   surface_->resize(in_tile() ? picture_ : lit_);
   if (spray_) spray_->resize(surface_->depths());
   if (tone_pipeline_)
-    tone_bindings_ = Bindings(device_, tone_pipeline_,
-                              {{.binding = 0, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                               {.binding = 6, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
-                              "tone");
+    tone_bindings_ =
+        Bindings(device_, tone_pipeline_,
+                 {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                  {.binding = gpu::slot_lit_picture, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
+                 "tone");
 }
 
 void Experience::apply_effects(const std::vector<std::string>& effects) {

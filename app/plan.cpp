@@ -116,10 +116,10 @@ void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
   if (&surface.lighting() != &surface.pipeline())
     shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
   for (const auto& shader : shaders) {
-    for (const auto& [effect, constant] : Surface::effect_code) {
+    for (const auto& [effect, code] : Surface::effect_code) {
       std::vector<SpecValue> without = shader->values;
       for (SpecValue& value : without)
-        if (value.id == constant) value.value = 0;
+        if (value.id == code) value.value = 0;
       const std::size_t lacking = library.load(shader->name, without)->words.size();
       if (lacking < shader->words.size())
         effect_named(plan, effect).modules.push_back({shader->name, shader->words.size() - lacking, "surface"});

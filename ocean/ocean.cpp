@@ -11,29 +11,19 @@
 
 namespace seascape {
 
-namespace {
-bool on_gpu(const Device& device, WavePlace place) {
-  return place == WavePlace::gpu || (place == WavePlace::automatic && !device.facts().software);
+template <class Piece>
+Piece* Ocean::add(std::unique_ptr<Piece> piece) {
+  Piece* const added = piece.get();
+  pieces_.push_back(std::move(piece));
+  return added;
 }
-}  // namespace
 
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings)
-    : sea_(sea),
-      settings_(settings),
-      waves_(device, sea.state(), sea.spec().drawn, sea.bins(), sea.statistics(), settings.water.anisotropy,
-             on_gpu(device, settings.wave_place) ? WaveImages::Filled::stored : WaveImages::Filled::written),
-      waves_version_(sea.waves_version()),
-      quadtree_(settings.lod) {
+    : sea_(sea), settings_(settings), quadtree_(settings.lod) {
   const SeaSpec& spec = sea.spec();
-  if (!spec.has_waves) {
-    // Nothing computes them.
-  } else if (on_gpu(device, settings.wave_place)) {
-    compute_ = std::make_unique<WaveCompute>(device, shaders, sea.state(), sea.bins(), waves_);
-  } else {
-    upload_ = std::make_unique<WaveUpload>(device, sea, waves_);
-  }
+  waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy));
   for (const auto& source : spec.sources) {
-    sources_.push_back(std::make_unique<DrawnSource>(device, source, waves_.half_storage()));
+    sources_.push_back(add(std::make_unique<DrawnSource>(device, source, waves().half_storage())));
     const SourceStatistics s = source->along_curves() && spec.place.shore ? spec.place.shore->bent(source->statistics())
                                                                           : source->statistics();
     of_sources_.height_variance += s.height_variance;
@@ -44,24 +34,19 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
     else
       source_error_.add(*source);
   }
-  if (sea.dynamic_waves()) dynamic_waves_ = std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves);
-  if (!spec.place.empty()) place_ = std::make_unique<DrawnPlace>(device, sea);
+  if (sea.dynamic_waves()) dynamic_waves_ = add(std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves));
+  if (!spec.place.empty()) place_ = add(std::make_unique<DrawnPlace>(device, sea));
   if (settings.foam && keeps_foam(*settings.foam, bool(sea.shallows()), dynamic_waves_ != nullptr, spec.actors_foam)) {
     // Waves along curves are not drawn by every device (DrawnShore).
-    foam_ = std::make_unique<DrawnFoam>(device, *settings.foam, sea,
-                                        device.facts().float32_linear ? spec.place.shore : nullptr);
+    foam_ = add(std::make_unique<DrawnFoam>(device, *settings.foam, sea,
+                                            device.facts().float32_linear ? spec.place.shore : nullptr));
   }
   if (settings.spray && settings.spray->amount > 0.0)
     spray_ = std::make_unique<Spray>(*settings.spray, sea,
                                      settings.foam ? settings.foam->settings.life_s : FoamSettings{}.life_s);
 }
 
-void Ocean::make_waves(Frame& frame, double time_s) {
-  follow_waves(frame);
-  const std::int64_t ticks = ticks_from_seconds(time_s);
-  if (compute_) compute_->update(frame, ticks);
-  if (upload_) upload_->update(frame, ticks);
-}
+void Ocean::make_waves(Frame& frame, double time_s) { waves_->make(frame, time_s); }
 
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   Stages& stages = frame.stages();
@@ -69,58 +54,46 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   stages.time("waves", [&] {
     make_waves(frame, time_s);
     // What is beneath the viewer: the picture's own waves where the processor makes them.
-    water_ = upload_ ? upload_->view() : sea_.view_at(time_s, SeaDetail::felt);
+    water_ = waves_->by_processor() ? waves_->view() : sea_.view_at(time_s, SeaDetail::felt);
   });
-  for (const auto& source : sources_) stages.time("sources", [&] { source->update(frame, water_); });
-  if (dynamic_waves_) stages.time("dynamic_waves", [&] { dynamic_waves_->update(frame, sea_); });
-  if (place_) stages.time("places", [&] { place_->update(frame, sea_, time_s, viewer_m); });
-  step_together(foam_ ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
-  if (foam_) stages.time("foam", [&] { foam_->update(frame); });
-  time_s_ = time_s;
-}
-
-// Takes what a change has made of the waves.
-void Ocean::follow_waves(Frame& frame) {
-  if (sea_.waves_version() == waves_version_) return;
-  waves_version_ = sea_.waves_version();
-  waves_.take(sea_.bins(), sea_.chop(), sea_.statistics());
-  if (compute_) compute_->take(frame, sea_.bins(), sea_.chop());
-  if (foam_ && !sea_.changing()) foam_->set_wind(sea_.state());
+  step_together(foam_ != nullptr ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
+  const DrawnMoment moment{sea_, water_, time_s, viewer_m};
+  for (const auto& piece : pieces_) stages.time(piece->stage(), [&] { piece->update(frame, moment); });
 }
 
 void Ocean::change(const SeaState& state, double over_s) {
   sea_.change(state, over_s, place_ ? place_->remake(sea_.spec().place, sea_.spec().sources) : nullptr);
 }
 
-double Ocean::others_height_m() const {
-  return most_share() * of_sources_.largest_height_m + (dynamic_waves_ ? dynamic_waves_->height_m() : 0.0) +
-         (place_ ? place_->level_m() : 0.0);
+WaterReach Ocean::others_reach() const {
+  WaterReach reach{most_share() * of_sources_.largest_height_m, most_share() * of_sources_.largest_shift_m};
+  for (const auto& piece : pieces_) {
+    const WaterReach own = piece->reach();
+    reach.height_m += own.height_m;
+    reach.shift_m += own.shift_m;
+  }
+  return reach;
 }
+bool Ocean::waves_alone() const { return sources_.empty() && !dynamic_waves_ && !place_; }
 double Ocean::most_share() const { return place_ && sea_.shallows() ? sea_.shallows().most_share() : 1.0; }
 double Ocean::land_m() const { return place_ ? place_->land_m() : 0.0; }
-double Ocean::others_shift_m() const {
-  return most_share() * of_sources_.largest_shift_m + (dynamic_waves_ ? dynamic_waves_->shift_m() : 0.0);
-}
 
 void Ocean::add_uses(Uses& uses) const {
-  waves_.add_reads(uses);
-  for (const auto& source : sources_) source->add_uses(uses, Access::surface_read);
-  if (dynamic_waves_) dynamic_waves_->add_uses(uses, Access::surface_read);
-  if (place_) place_->add_uses(uses, Access::surface_read);
-  if (foam_) foam_->add_uses(uses, Access::surface_read);
+  for (const auto& piece : pieces_) piece->add_uses(uses);
 }
 
 DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
+  const WaterReach others = others_reach();
   DisplacementBounds result;
   result.vertical_m = settings_.lod.max_height_m > 0.0
                           ? settings_.lod.max_height_m
-                          : most_share() * sea_.statistics().largest_height_m + others_height_m() + land_m();
-  result.horizontal_m = most_share() * sea_.statistics().largest_shift_m + others_shift_m();
+                          : most_share() * sea_.statistics().largest_height_m + others.height_m + land_m();
+  result.horizontal_m = most_share() * sea_.statistics().largest_shift_m + others.shift_m;
   result.mesh_error = sea_.statistics().mesh_error;
   if (water_ && sea_.spec().has_waves)
     result.below =
         water_below(water_.field(), water_.tiles(), viewpoint.viewer.position_m, sea_.statistics().near_motion);
-  if (sources_.empty() && !dynamic_waves_ && !place_) return result;
+  if (waves_alone()) return result;
   result.mesh_error = source_error_.with(result.mesh_error);
   if (dynamic_waves_) result.near = dynamic_waves_->mesh_errors();
   if (!result.below) return result;
@@ -132,10 +105,10 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   for (std::size_t n = 0; n < result.below->off.vertical_m.size(); ++n) {
     const double land_m =
         place_ && sea_.shallows() ? place_->land_m(std::ldexp(NearMotion::least_distance_m, int(n))) : 0.0;
-    result.below->off.vertical_m[n] = others_height_m() + most_m + land_m;
-    result.below->off.horizontal_m[n] = others_shift_m() + furthest_m;
+    result.below->off.vertical_m[n] = others.height_m + most_m + land_m;
+    result.below->off.horizontal_m[n] = others.shift_m + furthest_m;
     double& moved = result.below->motion.horizontal_m[n];
-    moved = std::hypot(moved, others_shift_m() / largest_deviations);
+    moved = std::hypot(moved, others.shift_m / largest_deviations);
   }
   return result;
 }
@@ -147,10 +120,11 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
   patches.apply(settings_.lod);
-  const bool all_here = upload_ && upload_->view() && sources_.empty() && !dynamic_waves_ && !place_;
+  const SeaView& drawn = waves_->view();
+  const bool all_here = drawn && waves_alone();
   const DisplacementBounds bounds = this->bounds(viewpoint);
-  const SurfaceSelection& selection = patches.select(viewpoint, bounds, all_here ? &upload_->view().field() : nullptr,
-                                                     all_here ? &upload_->view().tiles() : nullptr);
+  const SurfaceSelection& selection =
+      patches.select(viewpoint, bounds, all_here ? &drawn.field() : nullptr, all_here ? &drawn.tiles() : nullptr);
   if (place_ && place_->clips())
     patches.leave_out(
         bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most, bounds.vertical_m); });
@@ -159,13 +133,14 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patc
 
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   constexpr double margin_m = 0.5;  // the near plane reaches less far
+  const WaterReach others = others_reach();
   return std::all_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
     const glm::dvec3& place = eye.pose.position_m;
-    if (place.y > most_share() * sea_.statistics().largest_height_m + others_height_m() + land_m() + margin_m)
+    if (place.y > most_share() * sea_.statistics().largest_height_m + others.height_m + land_m() + margin_m)
       return true;
-    if (!upload_ || place.y < margin_m || most_share() > 1.0) return false;
-    const QueryAnswer water = upload_->view().query({place.x, place.z});
-    return water.converged && place.y > water.height_m + others_height_m() + margin_m;
+    if (!waves_->by_processor() || place.y < margin_m || most_share() > 1.0) return false;
+    const QueryAnswer water = waves_->view().query({place.x, place.z});
+    return water.converged && place.y > water.height_m + others.height_m + margin_m;
   });
 }
 
@@ -178,23 +153,13 @@ void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
 void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const {
   const SurfaceSelection& s = selection;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  data.sea = waves_.sea_data(s.grid_origin_m);
-  for (const auto& source : sources_) {
-    const std::string_view name = source->source().name();
-    const auto one = [](gpu::CascadeData& laid) { return std::span(&laid, 1); };
-    source->describe(name == "baked"      ? one(data.sea.baked)
-                     : name == "gerstner" ? one(source->source().along_curves() ? data.sea.shore : data.sea.gerstner)
-                                          : std::span(data.sea.particles),
-                     s.grid_origin_m);
-  }
+  for (const auto& piece : pieces_) piece->describe(data, s.grid_origin_m);
   data.sea.footprint.y = settings_.baked_fade_m > 0.0 ? float(1.0 / settings_.baked_fade_m) : 0.0f;
-  if (dynamic_waves_) dynamic_waves_->describe(data.sea.dynamic, s.grid_origin_m);
-  if (place_) place_->describe(data.sea.place, s.grid_origin_m, time_s_);
-  if (foam_) foam_->describe(data.foam, s.grid_origin_m);
-  data.sea.footprint.z += float(others_height_m() + land_m());
+  const WaterReach others = others_reach();
+  data.sea.footprint.z += float(others.height_m + land_m());
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x =
-      float(std::max(2.0 * (most_share() * sea_.statistics().largest_shift_m + others_shift_m()), 0.01));
+      float(std::max(2.0 * (most_share() * sea_.statistics().largest_shift_m + others.shift_m), 0.01));
   data.viewer =
       glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
   data.morph = s.morph;

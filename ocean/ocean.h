@@ -8,16 +8,13 @@
 #include "ocean/drawn/drawn_foam.h"
 #include "ocean/drawn/drawn_place.h"
 #include "ocean/drawn/drawn_source.h"
-#include "ocean/drawn/wave_compute.h"
-#include "ocean/drawn/wave_images.h"
-#include "ocean/drawn/wave_upload.h"
+#include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
 #include "ocean/mesh/quadtree.h"
 #include "ocean/sea/sea.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/source_error.h"
-#include "ocean/waves/wave_place.h"
 #include "shaders/shared/frame_data.h"
 
 namespace seascape {
@@ -69,17 +66,19 @@ class Ocean {
   Sea& sea() { return sea_; }
   const Sea& sea() const { return sea_; }
 
-  const WaveImages& waves() const { return waves_; }
+  // All that the surface is drawn from.
+  std::span<const std::unique_ptr<DrawnPiece>> pieces() const { return pieces_; }
+  const WaveImages& waves() const { return waves_->images(); }
   // Those that are not still.
-  std::span<const std::unique_ptr<DrawnSource>> sources() const { return sources_; }
+  std::span<const DrawnSource* const> sources() const { return sources_; }
   // Null where the scene has none, or nothing that could ever push the water.
-  const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_.get(); }
+  const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_; }
   // Null where no foam is kept, but at most what breaks at the moment is drawn.
-  const DrawnFoam* foam() const { return foam_.get(); }
+  const DrawnFoam* foam() const { return foam_; }
   // Null where the scene has none, or none is wished.
   Spray* spray() { return spray_.get(); }
   // Null where nothing belongs to places.
-  const DrawnPlace* place() const { return place_.get(); }
+  const DrawnPlace* place() const { return place_; }
   // Adds every image that the surface samples.
   void add_uses(Uses& uses) const;
   const OceanSettings& settings() const { return settings_; }
@@ -87,23 +86,21 @@ class Ocean {
  private:
   Sea& sea_;
   OceanSettings settings_;
-  WaveImages waves_;
-  std::unique_ptr<WaveCompute> compute_;  // either this
-  std::unique_ptr<WaveUpload> upload_;    // or this fills them
-  std::vector<std::unique_ptr<DrawnSource>> sources_;
-  std::unique_ptr<DrawnDynamicWaves> dynamic_waves_;
-  std::unique_ptr<DrawnPlace> place_;
-  std::unique_ptr<DrawnFoam> foam_;
+  template <class Piece>
+  Piece* add(std::unique_ptr<Piece> piece);
+  std::vector<std::unique_ptr<DrawnPiece>> pieces_;  // in the order of their updates; then those of them that it asks
+  DrawnWaves* waves_ = nullptr;
+  std::vector<const DrawnSource*> sources_;
+  DrawnDynamicWaves* dynamic_waves_ = nullptr;
+  DrawnPlace* place_ = nullptr;
+  DrawnFoam* foam_ = nullptr;
   std::unique_ptr<Spray> spray_;
-  void follow_waves(Frame& frame);
-  std::uint64_t waves_version_;    // Sea::waves_version that is drawn
-  SeaView water_;                  // that selection asks, as of the last update
-  double time_s_ = 0.0;            // of the last update
-  double others_height_m() const;  // of all but the waves, no more than that
-  double others_shift_m() const;
-  double land_m() const;         // how far it stands above the still sea at most
-  double most_share() const;     // by which a bed may raise waves, 1 without one
-  SourceStatistics of_sources_;  // all of them together
+  SeaView water_;                   // that selection asks, as of the last update
+  WaterReach others_reach() const;  // of all but the waves, no more than that
+  bool waves_alone() const;         // nothing else moves the water
+  double land_m() const;            // how far it stands above the still sea at most
+  double most_share() const;        // by which a bed may raise waves, 1 without one
+  SourceStatistics of_sources_;     // all of them together
   SourceError source_error_;
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;

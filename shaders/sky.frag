@@ -5,10 +5,10 @@
 #include "lib/view.glsl"
 #include "lib/tone.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sky_light.glsl"
-layout(constant_id = 2) const bool tile_shape = false;
-layout(constant_id = 4) const bool debug = false;
+layout(constant_id = value_tile_shape) const bool tile_shape = false;
+layout(constant_id = value_debug) const bool debug = false;
 
 layout(location = 0) in vec3 pixel_ray;
 layout(location = 0) out vec4 colour;

@@ -4,8 +4,8 @@
 #include "shared/frame_data.h"
 #include "lib/view.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
-layout(constant_id = 6) const bool needs_ray = true;
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
+layout(constant_id = value_sky_ray) const bool needs_ray = true;
 layout(location = 0) out vec3 pixel_ray;  // of the pixel, world axes, not of unit length
 
 void main() {

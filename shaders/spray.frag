@@ -4,8 +4,9 @@
 #include "shared/frame_data.h"
 #include "lib/view.glsl"
 
-layout(constant_id = 22) const bool depth_sampled = false;  // the sea's depth is a picture, not this pass's
-layout(binding = 36) uniform sampler2DArray sea_depths;
+layout(constant_id = value_depth_sampled) const
+    bool depth_sampled = false;  // the sea's depth is a picture, not this pass's
+layout(binding = slot_sea_depths) uniform sampler2DArray sea_depths;
 
 layout(location = 0) in vec2 at;
 layout(location = 1) flat in vec3 colour;

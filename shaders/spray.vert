@@ -6,12 +6,12 @@
 #include "shared/frame_data.h"
 #include "lib/view.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sky_light.glsl"
 #include "lib/tone.glsl"
 #include "lib/water_light.glsl"
 
-layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here
+layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
 
 layout(location = 0) in vec4 puff_place;  // SprayPuff
 layout(location = 1) in vec4 puff_streak;

@@ -7,14 +7,14 @@
 #include "shared/patch_vertex.h"
 #include "lib/view.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea.glsl"
 
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
-layout(constant_id = 1) const bool probe = false;
-layout(constant_id = 4) const bool debug = false;
-layout(constant_id = 10) const bool deferred = false;  // pixels have their place from their depth
-layout(std430, binding = 8) buffer Probe {
+layout(constant_id = value_probe) const bool probe = false;
+layout(constant_id = value_debug) const bool debug = false;
+layout(constant_id = value_deferred) const bool deferred = false;  // pixels have their place from their depth
+layout(std430, binding = slot_probe) buffer Probe {
   vec4 probed[];
 };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
 

@@ -6,16 +6,16 @@
 #include "shared/frame_data.h"
 #include "lib/view.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/tone.glsl"
 
-layout(binding = 16) uniform usampler2DArray points;
-layout(binding = 17) uniform usampler2DArray footprints;
-layout(binding = 18) uniform sampler2DArray depths;
+layout(binding = slot_points) uniform usampler2DArray points;
+layout(binding = slot_footprints) uniform usampler2DArray footprints;
+layout(binding = slot_point_depths) uniform sampler2DArray depths;
 
-layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here
-layout(constant_id = 4) const bool debug = false;
+layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
+layout(constant_id = value_debug) const bool debug = false;
 
 layout(location = 0) in vec3 pixel_ray;
 layout(location = 0) out vec4 colour;

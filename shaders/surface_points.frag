@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea.glsl"
 
 layout(location = 1) in vec2 rest;

@@ -5,9 +5,9 @@
 #include "lib/view.glsl"
 #include "lib/tone.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
-layout(binding = 6) uniform sampler2DArray lit_picture;
-layout(constant_id = 4) const bool debug = false;
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
+layout(binding = slot_lit_picture) uniform sampler2DArray lit_picture;
+layout(constant_id = value_debug) const bool debug = false;
 
 layout(location = 0) out vec4 colour;
 

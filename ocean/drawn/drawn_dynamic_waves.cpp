@@ -29,7 +29,8 @@ DrawnDynamicWaves::DrawnDynamicWaves(Device& device, const DynamicSeaSettings& s
   mesh_errors_.reserve(spec.layers);
 }
 
-void DrawnDynamicWaves::update(Frame& frame, Sea& sea) {
+void DrawnDynamicWaves::update(Frame& frame, const DrawnMoment& moment) {
+  Sea& sea = moment.sea;
   const std::uint64_t version = sea.dynamic_waves()->surface_version();
   if (surface_ != nullptr && version == version_) return;
   version_ = version;
@@ -39,12 +40,12 @@ void DrawnDynamicWaves::update(Frame& frame, Sea& sea) {
   const DynamicSurface& surface = *surface_;
   const std::uint32_t samples = images_[0].spec().width, layers = images_[0].spec().layers;
   const std::size_t texels = std::size_t(samples) * samples;
-  height_m_ = shift_m_ = 0.0;
+  reach_ = {};
   regions_.clear();
   for (int i = 0; i < surface.levels(); ++i) {
     if (surface.still(i)) continue;
-    height_m_ += surface.extent(i).height_m;
-    shift_m_ += surface.extent(i).shift_m;
+    reach_.height_m += surface.extent(i).height_m;
+    reach_.shift_m += surface.extent(i).shift_m;
     VkBufferImageCopy region{};
     region.bufferOffset = std::size_t(i) * texels * texel_bytes;
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(i), 1};
@@ -95,7 +96,14 @@ void DrawnDynamicWaves::find_mesh_errors() {
   }
 }
 
-void DrawnDynamicWaves::describe(gpu::DynamicData& data, glm::dvec2 grid_origin_m) const {
+void DrawnDynamicWaves::declare(SurfaceSlots& slots, std::size_t) const {
+  slots.set(gpu::value_dynamic_levels, images_[0].spec().layers);
+  slots.bind(gpu::slot_dynamic_shift, images_[0]);
+  slots.bind(gpu::slot_dynamic_slope, images_[1]);
+}
+
+void DrawnDynamicWaves::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const {
+  gpu::DynamicData& data = frame.sea.dynamic;
   const DynamicSurface& surface = *surface_;
   data.windows = surface.windows(grid_origin_m);
   for (int i = 0; i < surface.levels(); ++i) {

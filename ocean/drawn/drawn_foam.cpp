@@ -37,11 +37,14 @@ DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared
     staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                      HostAccess::write);
   fill_lace(device);
-  set_wind(sea.state());
+  follow_wind(sea);
 }
 
-void DrawnFoam::set_wind(const SeaState& sea) {
-  const double to = glm::radians(sea.wind_to_deg), drawn_out = glm::smoothstep(9.0, 28.0, sea.wind_speed_mps);
+void DrawnFoam::follow_wind(const Sea& sea) {
+  if (waves_ == sea.waves_version()) return;
+  waves_ = sea.waves_version();
+  const SeaState& state = sea.state();
+  const double to = glm::radians(state.wind_to_deg), drawn_out = glm::smoothstep(9.0, 28.0, state.wind_speed_mps);
   wind_ = {std::sin(to), -std::cos(to), 1.0 - 1.0 / (1.0 + 1.5 * drawn_out), 1.0 - 1.0 / (1.0 + 5.0 * drawn_out)};
 }
 
@@ -67,7 +70,8 @@ void DrawnFoam::fill_lace(Device& device) {
   });
 }
 
-void DrawnFoam::update(Frame& frame) {
+void DrawnFoam::update(Frame& frame, const DrawnMoment& moment) {
+  if (!moment.sea.changing()) follow_wind(moment.sea);
   const std::uint32_t changed = sea_.changed();
   if (const auto fault = sea_.take_fault()) spdlog::warn("{}", *fault);
   const Foam& foam = sea_.foam();
@@ -100,7 +104,14 @@ void DrawnFoam::update(Frame& frame) {
              [&](Commands& c) { c.copy(staging, windows_, regions_); });
 }
 
-void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
+void DrawnFoam::declare(SurfaceSlots& slots, std::size_t) const {
+  slots.set(gpu::value_foam_kept, 1);
+  slots.bind(gpu::slot_foam, windows_);
+  slots.bind(gpu::slot_foam_lace, lace_);
+}
+
+void DrawnFoam::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const {
+  gpu::FoamData& data = frame.foam;
   const LodField<float>& field = sea_.foam().field();
   data.windows = lod_windows(settings_, field.placement(), grid_origin_m);
   const glm::dvec2 along(wind_);
@@ -115,9 +126,9 @@ void DrawnFoam::describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const {
   data.wind = wind_;
 }
 
-void DrawnFoam::add_uses(Uses& uses, Access access) const {
-  uses.add(use(windows_, access));
-  uses.add(use(lace_, access));
+void DrawnFoam::add_uses(Uses& uses) const {
+  uses.add(use(windows_, Access::surface_read));
+  uses.add(use(lace_, Access::surface_read));
 }
 
 }  // namespace seascape

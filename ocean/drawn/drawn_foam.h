@@ -4,26 +4,22 @@
 #include <array>
 #include <vector>
 
-#include "engine/frame.h"
+#include "ocean/drawn/drawn_piece.h"
 #include "ocean/foam/foam_sea.h"
-#include "shaders/shared/foam_data.h"
 
 namespace seascape {
 
-class DrawnFoam {
+class DrawnFoam final : public DrawnPiece {
  public:
   // As FoamSea is made.
   DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore);
 
-  // Has the foam, which has been stepped, in the images; records nothing where it has not changed, or where there is
-  // and was none.
-  void update(Frame& frame);
-  // Foam is drawn out into streaks along the wind: from Beaufort 6 on, and to the full in a storm (Beaufort 11, 2.5 and
-  // 6 times).
-  void set_wind(const SeaState& sea);
-  // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
-  void describe(gpu::FoamData& data, glm::dvec2 grid_origin_m) const;
-  void add_uses(Uses& uses, Access access) const;
+  const char* stage() const override { return "foam"; }
+  // Of the foam as it has been stepped; records nothing where there is and was none.
+  void update(Frame& frame, const DrawnMoment& moment) override;
+  void declare(SurfaceSlots& slots, std::size_t copy) const override;
+  void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const override;
+  void add_uses(Uses& uses) const override;
 
   FoamSea& sea() { return sea_; }
   const FoamSea& sea() const { return sea_; }
@@ -31,6 +27,9 @@ class DrawnFoam {
   const Image& lace() const { return lace_; }
 
  private:
+  // Foam is drawn out into streaks along the wind: from Beaufort 6 on, and to the full in a storm (Beaufort 11, 2.5 and
+  // 6 times).
+  void follow_wind(const Sea& sea);
   void fill_lace(Device& device);
   FoamSea sea_;
   LodWindowSettings settings_;
@@ -38,6 +37,7 @@ class DrawnFoam {
   std::array<Buffer, Frame::slots> staging_;
   std::vector<VkBufferImageCopy> regions_;
   glm::dvec4 wind_{0.0};     // gpu::FoamData::wind
+  std::uint64_t waves_ = 0;  // Sea::waves_version that it is of
   std::uint32_t drawn_ = 0;  // slices whose images may have foam
   bool begun_ = false;       // or else nothing is in them yet
 };

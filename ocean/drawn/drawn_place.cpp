@@ -24,6 +24,25 @@ VkFormat format_of(InputTarget kind, bool whole) {
   }
 }
 
+// Its specialisation constant and its image's slot.
+struct KindSlots {
+  int value, slot;
+};
+KindSlots slots_of(InputTarget kind) {
+  switch (kind) {
+    case InputTarget::level:
+      return {gpu::value_level, gpu::slot_level};
+    case InputTarget::flow:
+      return {gpu::value_flow, gpu::slot_flow};
+    case InputTarget::clip:
+      return {gpu::value_clip, gpu::slot_clip};
+    case InputTarget::albedo:
+      return {gpu::value_albedo, gpu::slot_albedo};
+    default:
+      return {gpu::value_shadow, gpu::slot_shadow};
+  }
+}
+
 std::uint32_t all_slices(const PlaceSettings& settings) { return (1u << settings.windows.slices) - 1u; }
 
 // A row of a slice's texels.
@@ -71,7 +90,9 @@ DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
   }
 }
 
-void DrawnPlace::update(Frame& frame, Sea& sea, double time_s, const glm::dvec3& viewer) {
+void DrawnPlace::update(Frame& frame, const DrawnMoment& moment) {
+  const auto& [sea, water, time_s, viewer] = moment;
+  time_s_ = time_s;
   if (!std::isfinite(viewer.x + viewer.y + viewer.z)) return;
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
@@ -99,7 +120,6 @@ void DrawnPlace::update(Frame& frame, Sea& sea, double time_s, const glm::dvec3&
             for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
         });
   }
-  time_s_ = time_s;
   if (clip_) clip_->update(frame, sea.clip_volumes());
   if (bed_) follow(sea);
   if (bed_) update(frame, *bed_, time_s);
@@ -170,11 +190,38 @@ void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
        [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
 }
 
-void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const {
+void DrawnPlace::declare(SurfaceSlots& slots, std::size_t) const {
+  for (const Drawn& drawn : drawn_) {
+    const auto [value, slot] = slots_of(drawn.kind);
+    if (drawn.kind != InputTarget::clip) slots.set(value, std::uint32_t(drawn.laid));
+    slots.bind(slot, drawn.windows.image());
+  }
+  if (bed_) {
+    slots.set(gpu::value_bed, 1);
+    slots.bind(gpu::slot_bed, bed_->heights.image());
+    slots.bind(gpu::slot_bed_waves, bed_->waves.image());
+  }
+  if (shore_) {
+    slots.bind(gpu::slot_shore_lines, shore_->lines());
+    slots.bind(gpu::slot_shore_ways, shore_->ways());
+  }
+  const bool flat = drawn(InputTarget::clip) != nullptr, volumes = clip_ != nullptr,
+             hulls = volumes && clip_->hulls() != nullptr;
+  if (!flat && !volumes) return;
+  slots.set(gpu::value_clip, 1);
+  slots.set(gpu::value_clip_kinds, (flat ? 1u : 0u) | (volumes ? 2u : 0u) | (hulls ? 4u : 0u));
+  if (!volumes) return;
+  slots.bind(gpu::slot_clip_nodes, clip_->node_buffer());
+  slots.bind(gpu::slot_clip_volumes, clip_->volume_buffer());
+  if (hulls) slots.bind(gpu::slot_clip_hulls, *clip_->hulls());
+}
+
+void DrawnPlace::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const {
+  gpu::PlaceData& data = frame.sea.place;
   data.windows = lod_windows(settings_.windows, placement_, grid_origin_m);
   const glm::vec4 current = place_outside(settings_, InputTarget::flow);
   data.outside = glm::vec4(float(settings_.level_m), settings_.clip_by_default ? 1.0f : 0.0f, current.x, current.y);
-  const FlowPhase phase = flow_phase(time_s, settings_.flow_period_s);
+  const FlowPhase phase = flow_phase(time_s_, settings_.flow_period_s);
   if (shallows_) {
     constexpr double noise_m = gpu::ground_pattern_m;
     data.outside_bed =
@@ -190,7 +237,8 @@ void DrawnPlace::describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double
       glm::vec4(float(phase.first_s), float(phase.second_s), float(phase.first), float(0.5 * settings_.flow_period_s));
 }
 
-void DrawnPlace::add_uses(Uses& uses, Access access) const {
+void DrawnPlace::add_uses(Uses& uses) const {
+  constexpr Access access = Access::surface_read;
   for (const Drawn& drawn : drawn_) uses.add(use(drawn.windows.image(), access));
   if (clip_) clip_->add_uses(uses, access);
   if (shore_) shore_->add_uses(uses, access);
@@ -202,15 +250,6 @@ void DrawnPlace::add_uses(Uses& uses, Access access) const {
 const DrawnPlace::Drawn* DrawnPlace::drawn(InputTarget kind) const {
   const auto found = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& d) { return d.kind == kind; });
   return found == drawn_.end() ? nullptr : &*found;
-}
-const Image* DrawnPlace::image(InputTarget kind) const {
-  if (kind == InputTarget::sea_depth) return bed_ ? &bed_->heights.image() : nullptr;
-  const Drawn* found = drawn(kind);
-  return found == nullptr ? nullptr : &found->windows.image();
-}
-int DrawnPlace::laid(InputTarget kind) const {
-  const Drawn* found = drawn(kind);
-  return found == nullptr ? 0 : found->laid;
 }
 const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
   const Drawn* found = drawn(kind);

@@ -5,34 +5,28 @@
 #include <vector>
 
 #include "ocean/drawn/drawn_clip.h"
+#include "ocean/drawn/drawn_piece.h"
 #include "ocean/drawn/drawn_shore.h"
 #include "ocean/drawn/drawn_windows.h"
 #include "ocean/places/bed_change.h"
 #include "ocean/places/clip_mask.h"
-#include "ocean/sea/sea.h"
-#include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
-class DrawnPlace {
+class DrawnPlace final : public DrawnPiece {
  public:
   // Every field is made under the name of its effect. Throws as validate() does.
   DrawnPlace(Device& device, const Sea& sea);
 
-  // Has the data around a viewer (m) at a time in the images, with what the bed makes of the sea's waves and what clips
-  // now; records nothing where nothing has changed.
-  void update(Frame& frame, Sea& sea, double time_s, const glm::dvec3& viewer_m);
-  // What shaders are told; `grid_origin_m` is the world x, z that rest positions count from.
-  void describe(gpu::PlaceData& data, glm::dvec2 grid_origin_m, double time_s) const;
-  void add_uses(Uses& uses, Access access) const;
+  const char* stage() const override { return "places"; }
+  // The data around the viewer, with what the bed makes of the sea's waves and what clips now.
+  void update(Frame& frame, const DrawnMoment& moment) override;
+  void declare(SurfaceSlots& slots, std::size_t copy) const override;
+  void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const override;
+  void add_uses(Uses& uses) const override;
+  // Of the still water's level.
+  WaterReach reach() const override { return {level_m(), 0.0}; }
 
-  // The image of a kind, null where there is none; that of the bed, and of what it makes of the waves.
-  const Image* image(InputTarget kind) const;
-  const Image* bed_waves() const { return bed_ ? &bed_->waves.image() : nullptr; }
-  // Which parts of it there are (gpu::laid_stays, gpu::laid_follows); 0 without.
-  int laid(InputTarget kind) const;
-  // Null where no waves run along curves.
-  const DrawnShore* shore() const { return shore_.get(); }
   const PlaceField<glm::vec4>* field(InputTarget kind) const;
   // How far the still water stands above or below y = 0 at most, of what has been around the viewer, m.
   double level_m() const;
@@ -44,7 +38,6 @@ class DrawnPlace {
   // from the still sea: no water, and no bed where it is clipped.
   bool clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const;
   bool clips() const { return !bed_ && (clip_ || field(InputTarget::clip) != nullptr); }
-  const DrawnClip* clip_volumes() const { return clip_.get(); }
   const ShallowsMix& shallows() const { return shallows_; }
   // For SeaMaker: makes of another sea what the bed makes of it and the windows around the viewer as he is now. Empty
   // where no bed is known.

@@ -13,6 +13,35 @@
 
 namespace seascape {
 
+namespace {
+
+// Where a source's layings are counted, where its three images are bound and where its layings are told.
+struct SourceSlot {
+  std::string_view name;
+  bool along_curves;
+  int value, slot;
+  std::span<gpu::CascadeData> (*layings)(gpu::SeaData&);
+};
+constexpr SourceSlot source_slots[] = {
+    {"baked", false, gpu::value_baked, gpu::slot_baked, [](gpu::SeaData& sea) { return std::span(&sea.baked, 1); }},
+    {"gerstner", false, gpu::value_gerstner, gpu::slot_gerstner,
+     [](gpu::SeaData& sea) { return std::span(&sea.gerstner, 1); }},
+    {"gerstner", true, gpu::value_shore_waves, gpu::slot_shore,
+     [](gpu::SeaData& sea) { return std::span(&sea.shore, 1); }},
+    {"wave_particles", false, gpu::value_particles, gpu::slot_particles,
+     [](gpu::SeaData& sea) { return std::span<gpu::CascadeData>(sea.particles); }},
+};
+
+const SourceSlot& slot_of(const TileSource& source) {
+  const auto found = std::find_if(std::begin(source_slots), std::end(source_slots), [&](const SourceSlot& slot) {
+    return slot.name == source.name() && slot.along_curves == source.along_curves();
+  });
+  assert(found != std::end(source_slots) && "shaders know nothing of this source");
+  return *found;
+}
+
+}  // namespace
+
 DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half)
     : source_(std::move(source)), half_(half || !device.facts().float32_linear) {
   const EffectScope scope(device, source_->name());
@@ -43,7 +72,8 @@ DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> sourc
     }
 }
 
-void DrawnSource::update(Frame& frame, const SeaView& view) {
+void DrawnSource::update(Frame& frame, const DrawnMoment& moment) {
+  const SeaView& view = moment.water;
   if (uploaded_ && view.ticks() == ticks_) return;
   uploaded_ = true;
   ticks_ = view.ticks();
@@ -77,7 +107,14 @@ void DrawnSource::add_uses(Uses& uses, Access access, bool whole) const {
   for (const Image& image : images_) uses.add(use(image, access, whole));
 }
 
-void DrawnSource::describe(std::span<gpu::CascadeData> layings, glm::dvec2 grid_origin_m) const {
+void DrawnSource::declare(SurfaceSlots& slots, std::size_t) const {
+  const SourceSlot& own = slot_of(*source_);
+  slots.set(own.value, std::uint32_t(source_->layings().size()));
+  for (int plane = 0; plane < planes; ++plane) slots.bind(own.slot + plane, images_[std::size_t(plane)]);
+}
+
+void DrawnSource::describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const {
+  const std::span<gpu::CascadeData> layings = slot_of(*source_).layings(data.sea);
   const glm::dvec3 moments = source_->statistics().slope_moments;
   const double half_texel = 0.5 / source_->samples();
   std::size_t i = 0;

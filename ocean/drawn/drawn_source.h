@@ -6,31 +6,28 @@
 #include <span>
 #include <vector>
 
-#include "engine/frame.h"
-#include "ocean/sea/sea_view.h"
+#include "ocean/drawn/drawn_piece.h"
 #include "ocean/waves/tile_source.h"
-#include "shaders/shared/sea_data.h"
 
 namespace seascape {
 
-class DrawnSource {
+class DrawnSource final : public DrawnPiece {
  public:
   // Everything is made under the source's name. `half`: texels are 16-bit floats.
   DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half);
 
-  // Copies the source's tile of a time; nothing when the images already hold it. `view`: of any detail, all of which
-  // have the sources' tiles.
-  void update(Frame& frame, const SeaView& view);
-
-  // What shaders are told of its layings; `grid_origin_m` is the world x, z that rest positions count from.
-  void describe(std::span<gpu::CascadeData> layings, glm::dvec2 grid_origin_m) const;
-  void add_uses(Uses& uses, Access access, bool whole = false) const;
+  const char* stage() const override { return "sources"; }
+  void update(Frame& frame, const DrawnMoment& moment) override;
+  void declare(SurfaceSlots& slots, std::size_t copy) const override;
+  void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const override;
+  void add_uses(Uses& uses) const override { add_uses(uses, Access::surface_read); }
   const TileSource& source() const { return *source_; }
   const Image& displacement() const { return images_[0]; }
   const Image& derivatives() const { return images_[1]; }
   const Image& moments() const { return images_[2]; }
 
  private:
+  void add_uses(Uses& uses, Access access, bool whole = false) const;
   static constexpr int planes = 3;
   std::shared_ptr<const TileSource> source_;
   bool half_;

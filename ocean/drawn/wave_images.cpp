@@ -80,8 +80,7 @@ void WaveImages::add_uses(Uses& uses, Access access, bool whole) const {
     for (const Image* image : {&set.displacement, &set.derivatives, &set.moments}) uses.add(use(*image, access, whole));
 }
 
-gpu::SeaData WaveImages::sea_data(glm::dvec2 grid_origin_m) const {
-  gpu::SeaData data{};
+void WaveImages::describe(gpu::SeaData& data, glm::dvec2 grid_origin_m) const {
   for (std::size_t i = 0; i < cascade_moments_.size(); ++i) {
     const Cascade& cascade = ladder_[i];
     const double c = std::cos(cascade.rotation_rad) / cascade.side_m,
@@ -98,7 +97,6 @@ gpu::SeaData WaveImages::sea_data(glm::dvec2 grid_origin_m) const {
   }
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(chop_));
   data.footprint.z = float(statistics_.largest_height_m);
-  return data;
 }
 
 }  // namespace seascape

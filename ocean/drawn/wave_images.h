@@ -22,8 +22,8 @@ class WaveImages {
   // Other amplitudes and chop: what shaders are told of the waves' statistics.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
-  // The part of SeaData that follows the place: `grid_origin_m` is the world x, z that rest positions count from.
-  gpu::SeaData sea_data(glm::dvec2 grid_origin_m) const;
+  // What shaders are told of the waves; `grid_origin_m` is the world x, z that rest positions count from.
+  void describe(gpu::SeaData& data, glm::dvec2 grid_origin_m) const;
 
   // Tiles of one shape as texture arrays, a layer a cascade (see shaders/lib/wave_columns.glsl for the channels).
   struct Set {

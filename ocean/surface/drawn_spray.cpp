@@ -4,8 +4,8 @@
 
 namespace seascape {
 
-DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const Buffer& frame_ring,
-                       const SurfaceLight& light, int most, const SprayLook& look)
+DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const SurfaceLight& light,
+                       int most, const SprayLook& look)
     : device_(device), look_(look), most_(std::size_t(most)) {
   const EffectScope scope(device, "spray");
   for (Buffer& puffs : puffs_)
@@ -14,7 +14,9 @@ DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarge
   GraphicsSpec spec;
   spec.vertex = "spray.vert";
   spec.fragment = "spray.frag";
-  spec.values = {{0, !picture.spec().per_eye}, {2, look.tile_shape}, {22, look.depths != nullptr}};
+  spec.values = {{gpu::value_multiview, !picture.spec().per_eye},
+                 {gpu::value_tile_shape, look.tile_shape},
+                 {gpu::value_depth_sampled, look.depths != nullptr}};
   spec.buffers = {{0, sizeof(gpu::SprayPuff), VK_VERTEX_INPUT_RATE_INSTANCE}};
   spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(gpu::SprayPuff, place)},
                      {1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(gpu::SprayPuff, streak)},
@@ -22,9 +24,9 @@ DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarge
   spec.depth_write = false;
   spec.blend = true;
   pipeline_ = make_graphics_pipeline(device, shaders, picture, spec);
-  entries_ = {{.binding = 0, .buffer = &frame_ring, .range = sizeof(gpu::FrameData)},
-              {.binding = 4, .view = light.sky_map, .sampler = light.sky_sampler},
-              {.binding = 5, .buffer = light.sky_light}};
+  entries_ = {{.binding = gpu::slot_frame, .buffer = light.frame_ring, .range = sizeof(gpu::FrameData)},
+              {.binding = gpu::slot_sky_map, .view = light.sky_map, .sampler = light.sky_sampler},
+              {.binding = gpu::slot_sky_light, .buffer = light.sky_light}};
   if (look.depths != nullptr) sampler_ = make_sampler(device, "spray", {false, false, 1.0f});
   bind();
 }
@@ -32,7 +34,7 @@ DrawnSpray::DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarge
 void DrawnSpray::bind() {
   std::vector<Bound> entries = entries_;
   if (look_.depths != nullptr)
-    entries.push_back({.binding = 36, .view = look_.depths->view(), .sampler = sampler_.get()});
+    entries.push_back({.binding = gpu::slot_sea_depths, .view = look_.depths->view(), .sampler = sampler_.get()});
   bindings_ = Bindings(device_, pipeline_, entries, "spray");
 }
 

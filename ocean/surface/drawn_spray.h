@@ -20,8 +20,8 @@ struct SprayLook {
 // the haze between them tells near from far. They are drawn in the order in which they were thrown up.
 class DrawnSpray {
  public:
-  DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const Buffer& frame_ring,
-             const SurfaceLight& light, int most, const SprayLook& look);
+  DrawnSpray(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const SurfaceLight& light, int most,
+             const SprayLook& look);
   // Other depths, after a change of size.
   void resize(const Image* depths);
 

@@ -1,11 +1,7 @@
 // Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
 #pragma once
 #include "engine/frame.h"
-#include "ocean/drawn/drawn_dynamic_waves.h"
-#include "ocean/drawn/drawn_foam.h"
-#include "ocean/drawn/drawn_place.h"
-#include "ocean/drawn/drawn_source.h"
-#include "ocean/drawn/wave_images.h"
+#include "ocean/drawn/drawn_piece.h"
 #include "ocean/mesh/quadtree.h"
 
 namespace seascape {
@@ -21,8 +17,9 @@ struct SurfaceLook {
   float anisotropy = 1.0f;
 };
 
-// What the surface is lit by.
+// What the surface's shaders are told each frame, and what lights it.
 struct SurfaceLight {
+  const Buffer* frame_ring;  // of gpu::FrameData
   VkImageView sky_map;
   VkSampler sky_sampler;
   const Buffer* sky_light;
@@ -30,11 +27,9 @@ struct SurfaceLight {
 
 class Surface {
  public:
-  // `picture`: what the finished pixels go into. `dynamic_waves`, `place`, `foam`: null where there are none.
-  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const WaveImages& waves,
-          std::span<const std::unique_ptr<DrawnSource>> sources, const DrawnDynamicWaves* dynamic_waves,
-          const DrawnPlace* place, const DrawnFoam* foam, const Buffer& frame_ring, const SurfaceLight& light,
-          const SurfaceLook& look);
+  // `picture`: what the finished pixels go into. `pieces`: all that the sea is drawn from; they outlive it.
+  Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture,
+          std::span<const std::unique_ptr<DrawnPiece>> pieces, const SurfaceLight& light, const SurfaceLook& look);
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);
@@ -56,15 +51,24 @@ class Surface {
   const Pipeline& pipeline() const { return pipeline_; }
   // What its pixels are lit by.
   const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }
-  // Effects that are code in its shaders: what they are where the effect's constant is 0 lacks it.
+  // Effects that are code in its shaders: what they are where the effect's value is 0 lacks it.
   struct EffectCode {
     const char* effect;
-    std::uint32_t constant;
+    std::uint32_t value;
   };
-  static constexpr EffectCode effect_code[] = {
-      {"waves", 7},          {"foam", 3},           {"baked", 12}, {"gerstner", 11},  {"gerstner", 28},
-      {"wave_particles", 8}, {"dynamic_waves", 13}, {"level", 14}, {"sea_depth", 15}, {"flow", 16},
-      {"clip", 17},          {"albedo", 18},        {"shadow", 19}};
+  static constexpr EffectCode effect_code[] = {{"waves", gpu::value_cascades},
+                                               {"foam", gpu::value_foam},
+                                               {"baked", gpu::value_baked},
+                                               {"gerstner", gpu::value_gerstner},
+                                               {"gerstner", gpu::value_shore_waves},
+                                               {"wave_particles", gpu::value_particles},
+                                               {"dynamic_waves", gpu::value_dynamic_levels},
+                                               {"level", gpu::value_level},
+                                               {"sea_depth", gpu::value_bed},
+                                               {"flow", gpu::value_flow},
+                                               {"clip", gpu::value_clip},
+                                               {"albedo", gpu::value_albedo},
+                                               {"shadow", gpu::value_shadow}};
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
@@ -72,17 +76,17 @@ class Surface {
 
  private:
   void bind_light();
-  std::vector<Bound> entries(std::size_t copy) const;
   Device& device_;
-  const WaveImages& waves_;
+  const DrawnPiece* copied_ = nullptr;  // whose images are there several times; null: nobody's
+  std::size_t shown() const { return copied_ != nullptr ? copied_->shown() : 0; }
   SurfaceLook look_;
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
-  std::vector<Bound> entries_;  // without the waves
+  std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
   RenderTarget points_;
   Pipeline pipeline_, light_pipeline_;
   Owned<VkSampler> points_sampler_;
-  std::vector<Bindings> bindings_, light_bindings_;  // one for each copy of the waves' images
+  std::vector<Bindings> bindings_, light_bindings_;  // of each copy
 };
 
 }  // namespace seascape

@@ -1,9 +1,9 @@
 // Foam on the water: what breaks now, what has stayed, and the lace that it breaks up into. Part of lib/sea_light.glsl;
 // the C++ twin of what it reads is ocean/foam/foam.h.
 
-layout(constant_id = 21) const bool foam_kept = false;  // it is simulated around the viewer
-layout(binding = 34) uniform texture2DArray foam_windows;
-layout(binding = 35) uniform texture2DArray foam_lace;
+layout(constant_id = value_foam_kept) const bool foam_kept = false;  // it is simulated around the viewer
+layout(binding = slot_foam) uniform texture2DArray foam_windows;
+layout(binding = slot_foam_lace) uniform texture2DArray foam_lace;
 
 // Two ways that the pattern has been carried by a current, and the first one's share.
 struct FoamWay {

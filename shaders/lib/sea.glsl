@@ -7,54 +7,54 @@
 
 // All images of the sea share two samplers, for a device allows few a stage (16 on many). Both are linear and repeat;
 // that of pixels is anisotropic.
-layout(binding = 50) uniform sampler smooth_sampler;
-layout(binding = 51) uniform sampler pixel_sampler;
+layout(binding = slot_smooth_sampler) uniform sampler smooth_sampler;
+layout(binding = slot_pixel_sampler) uniform sampler pixel_sampler;
 
 // The first cascade's tile, which has more texels, and all others.
-layout(binding = 1) uniform texture2DArray sea_longest_displacement;
-layout(binding = 2) uniform texture2DArray sea_longest_derivatives;
-layout(binding = 3) uniform texture2DArray sea_longest_moments;
-layout(binding = 9) uniform texture2DArray sea_displacement_tiles;  // Dx, h, Dz, dDx/dz
-layout(binding = 10) uniform texture2DArray sea_derivative_tiles;   // dh/dx, dh/dz, dDx/dx, dDz/dz
-layout(binding = 11) uniform texture2DArray sea_moment_tiles;       // (dh/dx)^2, (dh/dz)^2, product
+layout(binding = slot_longest_tile) uniform texture2DArray sea_longest_displacement;
+layout(binding = slot_longest_tile + 1) uniform texture2DArray sea_longest_derivatives;
+layout(binding = slot_longest_tile + 2) uniform texture2DArray sea_longest_moments;
+layout(binding = slot_tiles) uniform texture2DArray sea_displacement_tiles;    // Dx, h, Dz, dDx/dz
+layout(binding = slot_tiles + 1) uniform texture2DArray sea_derivative_tiles;  // dh/dx, dh/dz, dDx/dx, dDz/dz
+layout(binding = slot_tiles + 2) uniform texture2DArray sea_moment_tiles;      // (dh/dx)^2, (dh/dz)^2, product
 
 // How many cascades there are; what is beyond is stripped.
-layout(constant_id = 7) const int cascade_count = max_cascades;
+layout(constant_id = value_cascades) const int cascade_count = max_cascades;
 // Of the samplers of slopes; 1 where the driver has no other.
-layout(constant_id = 5) const float anisotropy = 1.0;
+layout(constant_id = value_anisotropy) const float anisotropy = 1.0;
 
 // A recorded loop's tile (the effect baked); 0: there is none, and nothing of it is left here.
-layout(constant_id = 12) const int baked_layings = 0;
-layout(binding = 22) uniform texture2DArray baked_displacement;  // as those above
-layout(binding = 23) uniform texture2DArray baked_derivatives;
-layout(binding = 24) uniform texture2DArray baked_moments;
+layout(constant_id = value_baked) const int baked_layings = 0;
+layout(binding = slot_baked) uniform texture2DArray baked_displacement;  // as those above
+layout(binding = slot_baked + 1) uniform texture2DArray baked_derivatives;
+layout(binding = slot_baked + 2) uniform texture2DArray baked_moments;
 
 // The tile of Gerstner waves (the effect gerstner); 0: there are none, and nothing of them is left here.
-layout(constant_id = 11) const int gerstner_layings = 0;
-layout(binding = 19) uniform texture2DArray gerstner_displacement;  // as those above
-layout(binding = 20) uniform texture2DArray gerstner_derivatives;
-layout(binding = 21) uniform texture2DArray gerstner_moments;
+layout(constant_id = value_gerstner) const int gerstner_layings = 0;
+layout(binding = slot_gerstner) uniform texture2DArray gerstner_displacement;  // as those above
+layout(binding = slot_gerstner + 1) uniform texture2DArray gerstner_derivatives;
+layout(binding = slot_gerstner + 2) uniform texture2DArray gerstner_moments;
 
 // Wave particles: one tile laid over the sea in up to three sizes; 0: there are none, and nothing of them is left here.
-layout(constant_id = 8) const int particle_layings = 0;
-layout(binding = 12) uniform texture2DArray particle_displacement;  // as those above
-layout(binding = 13) uniform texture2DArray particle_derivatives;
-layout(binding = 14) uniform texture2DArray particle_moments;
+layout(constant_id = value_particles) const int particle_layings = 0;
+layout(binding = slot_particles) uniform texture2DArray particle_displacement;  // as those above
+layout(binding = slot_particles + 1) uniform texture2DArray particle_derivatives;
+layout(binding = slot_particles + 2) uniform texture2DArray particle_moments;
 
 // Dynamic waves: so many levels around the viewer; 0: there are none, and nothing of them is left here.
-layout(constant_id = 13) const int dynamic_levels = 0;
-layout(binding = 25) uniform texture2DArray dynamic_shift;  // as those of displacement,
-layout(binding = 26) uniform texture2DArray dynamic_slope;  // and of derivatives
+layout(constant_id = value_dynamic_levels) const int dynamic_levels = 0;
+layout(binding = slot_dynamic_shift) uniform texture2DArray dynamic_shift;  // as those of displacement,
+layout(binding = slot_dynamic_slope) uniform texture2DArray dynamic_slope;  // and of derivatives
 
 // Data of places; false: there is none, and nothing of it is left here.
-layout(constant_id = 14) const bool sea_level = false;
-layout(binding = 27) uniform texture2DArray sea_level_windows;  // the still water's height, m
-layout(constant_id = 16) const bool sea_flow = false;
-layout(binding = 29) uniform texture2DArray sea_flow_windows;  // the water's velocity along x and z, m/s
-layout(constant_id = 15) const bool sea_bed = false;
-layout(binding = 15) uniform texture2DArray sea_bed_windows;  // BedTexel::bed (ocean/places/bed_field.h),
-layout(binding = 28) uniform texture2DArray sea_bed_waves;    // and its other two, two layers a slice
-layout(constant_id = 17) const bool water_clip = false;
+layout(constant_id = value_level) const bool sea_level = false;
+layout(binding = slot_level) uniform texture2DArray sea_level_windows;  // the still water's height, m
+layout(constant_id = value_flow) const bool sea_flow = false;
+layout(binding = slot_flow) uniform texture2DArray sea_flow_windows;  // the water's velocity along x and z, m/s
+layout(constant_id = value_bed) const bool sea_bed = false;
+layout(binding = slot_bed) uniform texture2DArray sea_bed_windows;      // BedTexel::bed (ocean/places/bed_field.h),
+layout(binding = slot_bed_waves) uniform texture2DArray sea_bed_waves;  // and its other two, two layers a slice
+layout(constant_id = value_clip) const bool water_clip = false;
 
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
 vec4 laid(float size) { return vec4(size, size, size, 1.0); }
@@ -87,7 +87,7 @@ void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int n
 }
 
 // Gerstner waves along curves; false: there are none, and nothing of shores is left here.
-layout(constant_id = 28) const bool shore_waves = false;
+layout(constant_id = value_shore_waves) const bool shore_waves = false;
 #include "lib/shore.glsl"
 
 // What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and

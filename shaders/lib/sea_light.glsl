@@ -6,13 +6,13 @@
 #include "lib/sky_light.glsl"
 #include "lib/water_light.glsl"
 
-layout(constant_id = 3) const bool foam = false;
+layout(constant_id = value_foam) const bool foam = false;
 // Data of places (lib/sea.glsl).
-layout(constant_id = 18) const int water_albedo = 0;
-layout(binding = 31) uniform texture2DArray
+layout(constant_id = value_albedo) const int water_albedo = 0;
+layout(binding = slot_albedo) uniform texture2DArray
     water_albedo_windows;  // a colour that lies on the water, times its cover; the cover
-layout(constant_id = 19) const int water_shadow = 0;
-layout(binding = 32) uniform texture2DArray
+layout(constant_id = value_shadow) const int water_shadow = 0;
+layout(binding = slot_shadow) uniform texture2DArray
     water_shadow_windows;  // light kept away from within the water, and from its surface
 
 #include "lib/albedo.glsl"

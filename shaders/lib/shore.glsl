@@ -2,11 +2,11 @@
 // of lib/sea.glsl; the C++ twins are ocean/places/shore_lines.cpp, which says where a place lies, and, for
 // queries, ocean/sea/place_layers-inl.h.
 
-layout(binding = 44) uniform texture2DArray shore_displacement;  // as those of gerstner, along the tile's axes
-layout(binding = 45) uniform texture2DArray shore_derivatives;
-layout(binding = 46) uniform texture2DArray shore_moments;
-layout(binding = 47) uniform texture2DArray shore_line_windows;  // ShoreTexel (ocean/drawn/drawn_shore.h)
-layout(binding = 48) uniform texture2DArray shore_way_windows;
+layout(binding = slot_shore) uniform texture2DArray shore_displacement;  // as those of gerstner, along the tile's axes
+layout(binding = slot_shore + 1) uniform texture2DArray shore_derivatives;
+layout(binding = slot_shore + 2) uniform texture2DArray shore_moments;
+layout(binding = slot_shore_lines) uniform texture2DArray shore_line_windows;  // ShoreTexel (ocean/drawn/drawn_shore.h)
+layout(binding = slot_shore_ways) uniform texture2DArray shore_way_windows;
 
 float shore_share;    // of the waves at the place that was read last; 0: nothing else is known
 float shore_stretch;  // what the pattern's x grows by in a metre along the curve

@@ -3,8 +3,8 @@
 #define SEASCAPE_SKY_LIGHT_GLSL
 #include "lib/sky.glsl"
 
-layout(binding = 4) uniform sampler2D sky_map;
-layout(binding = 5) uniform Light { SkyLight light; };
+layout(binding = slot_sky_map) uniform sampler2D sky_map;
+layout(binding = slot_sky_light) uniform Light { SkyLight light; };
 
 // Radiance of the sky along `ray`, of unit length; `pixel`: radians a pixel.
 vec3 sky_light(vec3 ray, float pixel) {

@@ -4,14 +4,14 @@
 #include "shared/patch_instance.h"
 #include "lib/view.glsl"
 
-layout(binding = 0) uniform Frame { FrameData frame; };
+layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/tone.glsl"
 
-layout(constant_id = 2) const bool tile_shape = false;  // tone mapping here, in the tile
-layout(constant_id = 4) const bool debug = false;
+layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here, in the tile
+layout(constant_id = value_debug) const bool debug = false;
 #ifdef CLIP_EACH_SAMPLE
-layout(constant_id = 9) const int clip_samples = 4;  // of a pixel
+layout(constant_id = value_clip_samples) const int clip_samples = 4;  // of a pixel
 #endif
 
 // Centroid: at the edge of a crest a multisampled pixel would else extrapolate past it, to places without sense.

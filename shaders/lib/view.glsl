@@ -2,7 +2,7 @@
 #ifndef SEASCAPE_VIEW_GLSL
 #define SEASCAPE_VIEW_GLSL
 #extension GL_EXT_multiview : require
-layout(constant_id = 0) const bool multiview = true;
+layout(constant_id = value_multiview) const bool multiview = true;
 layout(push_constant) uniform Push { DrawPush push; };
 int eye_index() { return multiview ? int(gl_ViewIndex) : int(push.eye); }
 #endif

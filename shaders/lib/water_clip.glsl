@@ -3,11 +3,11 @@
 #include "shared/clip_volume.h"
 
 // What there is of both: 1 flat inputs, 2 volumes, 4 hulls among them.
-layout(constant_id = 24) const int water_clip_kinds = 0;
-layout(binding = 30) uniform texture2DArray water_clip_windows;  // 1 where there is no water
-layout(std430, binding = 38) readonly buffer ClipNodes { ClipNode clip_nodes[]; };
-layout(std430, binding = 39) readonly buffer ClipVolumes { ClipVolume clip_volumes[]; };
-layout(binding = 40) uniform texture2DArray clip_hulls;  // lowest, highest, beyond (clip_hull_distance)
+layout(constant_id = value_clip_kinds) const int water_clip_kinds = 0;
+layout(binding = slot_clip) uniform texture2DArray water_clip_windows;  // 1 where there is no water
+layout(std430, binding = slot_clip_nodes) readonly buffer ClipNodes { ClipNode clip_nodes[]; };
+layout(std430, binding = slot_clip_volumes) readonly buffer ClipVolumes { ClipVolume clip_volumes[]; };
+layout(binding = slot_clip_hulls) uniform texture2DArray clip_hulls;  // lowest, highest, beyond (clip_hull_distance)
 
 bool clip_within(ClipVolume v, vec3 from_middle) {
   const vec3 p =

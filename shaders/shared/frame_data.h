@@ -4,6 +4,7 @@
 #include "foam_data.h"
 #include "gpu_types.h"
 #include "sea_data.h"
+#include "slots.h"
 #include "vertex_morph.h"
 SEASCAPE_SHARED_BEGIN
 

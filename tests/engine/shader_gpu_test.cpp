@@ -61,7 +61,9 @@ struct Module {
 };
 
 std::vector<SpecValue> surface_values(bool probe, bool tile, bool foam, bool debug) {
-  return {{0, true}, {1, probe}, {2, tile}, {3, foam}, {4, debug}, {5, std::bit_cast<std::uint32_t>(4.0f)}};
+  return {{gpu::value_multiview, true},  {gpu::value_probe, probe},
+          {gpu::value_tile_shape, tile}, {gpu::value_foam, foam},
+          {gpu::value_debug, debug},     {gpu::value_anisotropy, std::bit_cast<std::uint32_t>(4.0f)}};
 }
 
 std::vector<std::uint32_t> words(const std::string& name, std::vector<SpecValue> values) {
@@ -113,22 +115,22 @@ TEST(Specialisation, TheLibraryListsTheBindingsThatAreLeft) {
 // Vulkan 1.1, table 54). The control: an image of the sea bound with a sampler of its own again is seen.
 TEST(Specialisation, AllEffectsTogetherShareFewSamplers) {
   std::vector<SpecValue> values = surface_values(false, true, true, true);
-  for (const auto& [constant, value] : {std::pair{7u, 5u},
-                                        {8u, 3u},
-                                        {10u, 1u},
-                                        {11u, 1u},
-                                        {12u, 1u},
-                                        {13u, 8u},
-                                        {14u, 1u},
-                                        {15u, 1u},
-                                        {16u, 1u},
-                                        {17u, 1u},
-                                        {18u, 3u},
-                                        {19u, 3u},
-                                        {21u, 1u},
-                                        {24u, 7u},
-                                        {28u, 1u}})
-    values.push_back({constant, value});
+  for (const auto& [constant, value] : {std::pair{gpu::value_cascades, 5u},
+                                        {gpu::value_particles, 3u},
+                                        {gpu::value_deferred, 1u},
+                                        {gpu::value_gerstner, 1u},
+                                        {gpu::value_baked, 1u},
+                                        {gpu::value_dynamic_levels, 8u},
+                                        {gpu::value_level, 1u},
+                                        {gpu::value_bed, 1u},
+                                        {gpu::value_flow, 1u},
+                                        {gpu::value_clip, 1u},
+                                        {gpu::value_albedo, 3u},
+                                        {gpu::value_shadow, 3u},
+                                        {gpu::value_foam_kept, 1u},
+                                        {gpu::value_clip_kinds, 7u},
+                                        {gpu::value_shore_waves, 1u}})
+    values.push_back({std::uint32_t(constant), value});
   ShaderLibrary library;
   std::size_t images = 0;
   for (const char* name :

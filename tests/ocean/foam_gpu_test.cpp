@@ -183,8 +183,9 @@ TEST_F(DrawnFoamWindows, LaceIsDrawnOutByTheWindAndStaysWhereItLies) {
     const glm::dvec2 place(4e5, -3e5), blown(std::sin(glm::radians(70.0)), -std::cos(glm::radians(70.0)));
     // Where in its tile each laying has a place, as shaders/lib/foam.glsl finds it.
     const auto layings = [&](const glm::dvec2& at, const glm::dvec2& origin) {
-      gpu::FoamData data{};
-      shot.experience().ocean().foam()->describe(data, origin);
+      gpu::FrameData frame{};
+      shot.experience().ocean().foam()->describe(frame, origin);
+      const gpu::FoamData& data = frame.foam;
       const glm::dvec2 rest = at - origin, along(data.wind.x, data.wind.y);
       const auto drawn_out = [&](double taken) { return rest - taken * glm::dot(rest, along) * along; };
       const glm::dvec2 lace = drawn_out(data.wind.z), wide = drawn_out(data.wind.w);

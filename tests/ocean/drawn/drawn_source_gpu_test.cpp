@@ -60,7 +60,8 @@ TEST_F(DrawnSources, HoldWhatTheSourceEvaluates) {
     for (int i = 0; i < 5; ++i) {
       const std::int64_t ticks = ticks_from_seconds(3.3 * i);
       frame.begin();
-      drawn.update(frame, sea.view(ticks, SeaDetail::felt));
+      const SeaView view = sea.view(ticks, SeaDetail::felt);
+      drawn.update(frame, {sea, view, 3.3 * i, glm::dvec3(0.0)});
       frame.submit();
       if (i % 2 == 0) continue;
       frame.finish();

@@ -1,0 +1,76 @@
+// What takes one part of the sea to the GPU, as the ocean and its surface see it: waves, places, foam, each a piece.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "engine/frame.h"
+#include "ocean/sea/sea.h"
+#include "shaders/shared/frame_data.h"
+
+namespace seascape {
+
+// What the surface's shaders are built for and what they are bound to; each piece adds its own
+// (shaders/shared/slots.h).
+class SurfaceSlots {
+ public:
+  // A specialisation constant; 0 where no piece sets it.
+  void set(int constant, std::uint32_t value) { values_.push_back({std::uint32_t(constant), value}); }
+  std::uint32_t value(int constant) const {
+    const auto found =
+        std::find_if(values_.begin(), values_.end(), [&](const SpecValue& v) { return v.id == std::uint32_t(constant); });
+    return found == values_.end() ? 0 : found->value;
+  }
+  void bind(int slot, const Image& image, VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) {
+    bound_.push_back({.binding = std::uint32_t(slot), .view = image.view(), .layout = layout});
+  }
+  void bind(int slot, const Buffer& buffer) { bound_.push_back({.binding = std::uint32_t(slot), .buffer = &buffer}); }
+  void bind(int slot, VkSampler sampler) { bound_.push_back({.binding = std::uint32_t(slot), .sampler = sampler}); }
+
+  const std::vector<SpecValue>& values() const { return values_; }
+  const std::vector<Bound>& bound() const { return bound_; }
+
+ private:
+  std::vector<SpecValue> values_;
+  std::vector<Bound> bound_;
+};
+
+// A frame's moment of the sea.
+struct DrawnMoment {
+  Sea& sea;               // as of time_s
+  const SeaView& water;   // of a detail that has the sources' tiles
+  double time_s;          // of the sea
+  glm::dvec3 viewer_m;    // in the world
+};
+
+// How far water is moved at most, m.
+struct WaterReach {
+  double height_m = 0.0, shift_m = 0.0;
+};
+
+class DrawnPiece {
+ public:
+  DrawnPiece() = default;
+  DrawnPiece(const DrawnPiece&) = delete;
+  DrawnPiece& operator=(const DrawnPiece&) = delete;
+  virtual ~DrawnPiece() = default;
+
+  // The CPU stage that its updates count for: a literal.
+  virtual const char* stage() const = 0;
+  // Has the moment in its images and buffers; records nothing where they hold it.
+  virtual void update(Frame& frame, const DrawnMoment& moment) = 0;
+  // Adds its values and bindings; these never change while it lives, but for the copy that is bound.
+  virtual void declare(SurfaceSlots& slots, std::size_t copy) const = 0;
+  // What shaders are told, as of the last update; `grid_origin_m` is the world x, z that rest positions count from.
+  virtual void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const = 0;
+  // Adds all that the surface reads.
+  virtual void add_uses(Uses& uses) const = 0;
+
+  // How many copies of its images there are, for frames in flight, and which the surface is to read from now.
+  virtual std::size_t copies() const { return 1; }
+  virtual std::size_t shown() const { return 0; }
+  // What it does to the water's place as of the last update, where a bed makes no more of it.
+  virtual WaterReach reach() const { return {}; }
+};
+
+}  // namespace seascape

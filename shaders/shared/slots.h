@@ -1,0 +1,40 @@
+// Slots of the shaders that draw: where each binding and each specialisation constant is. Each has its number to itself,
+// so that shaders may be put together of any of the files that declare them.
+#ifndef SEASCAPE_SLOTS_H
+#define SEASCAPE_SLOTS_H
+#include "gpu_types.h"
+SEASCAPE_SHARED_BEGIN
+
+// Bindings. Where a tile has three images, the displacement's slot is named; derivatives and moments follow it.
+SEASCAPE_CONST int slot_frame = 0;  // FrameData
+SEASCAPE_CONST int slot_sky_map = 4, slot_sky_light = 5;
+SEASCAPE_CONST int slot_lit_picture = 6;
+SEASCAPE_CONST int slot_probe = 8;
+SEASCAPE_CONST int slot_smooth_sampler = 50, slot_pixel_sampler = 51;
+SEASCAPE_CONST int slot_longest_tile = 1, slot_tiles = 9;
+SEASCAPE_CONST int slot_particles = 12, slot_gerstner = 19, slot_baked = 22, slot_shore = 44;
+SEASCAPE_CONST int slot_shore_lines = 47, slot_shore_ways = 48;
+SEASCAPE_CONST int slot_dynamic_shift = 25, slot_dynamic_slope = 26;
+SEASCAPE_CONST int slot_level = 27, slot_bed = 15, slot_bed_waves = 28, slot_flow = 29;
+SEASCAPE_CONST int slot_clip = 30, slot_clip_nodes = 38, slot_clip_volumes = 39, slot_clip_hulls = 40;
+SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;
+SEASCAPE_CONST int slot_foam = 34, slot_foam_lace = 35;
+SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18;
+SEASCAPE_CONST int slot_sea_depths = 36;
+
+// Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left in
+// a shader then.
+SEASCAPE_CONST int value_multiview = 0;
+SEASCAPE_CONST int value_tile_shape = 2, value_debug = 4, value_sky_ray = 6;
+SEASCAPE_CONST int value_deferred = 10, value_anisotropy = 5, value_probe = 1;
+SEASCAPE_CONST int value_cascades = 7;
+SEASCAPE_CONST int value_particles = 8, value_gerstner = 11, value_baked = 12, value_shore_waves = 28;  // layings
+SEASCAPE_CONST int value_dynamic_levels = 13;
+SEASCAPE_CONST int value_level = 14, value_bed = 15, value_flow = 16;
+SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 9;
+SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
+SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21;
+SEASCAPE_CONST int value_depth_sampled = 22;
+
+SEASCAPE_SHARED_END
+#endif
