@@ -44,7 +44,8 @@ void main() {
   const vec2 from_viewer = rest - frame.viewer.xy;
   const float footprint = vertex_footprint(rest);
   const float displaced = displacement_footprint(frame.morph, stands) * frame.skirt.z;
-  const vec4 d = sea_displacement(rest, displaced);
+  const SeaPlace here = sea_place(rest, displaced);
+  const vec4 d = sea_displacement(here, displaced);
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
@@ -54,7 +55,7 @@ void main() {
   else
     height_shear = d.yw;
   const ViewData view = frame.view[eye_index()];
-  derivatives = sea_carried(rest, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
+  derivatives = sea_carried(here, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;
   if (probe) {
     const int at = 2 * ((gl_InstanceIndex * patches_an_instance + number) * side * side + vertex);

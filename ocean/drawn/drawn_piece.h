@@ -17,8 +17,8 @@ class SurfaceSlots {
   // A specialisation constant; 0 where no piece sets it.
   void set(int constant, std::uint32_t value) { values_.push_back({std::uint32_t(constant), value}); }
   std::uint32_t value(int constant) const {
-    const auto found =
-        std::find_if(values_.begin(), values_.end(), [&](const SpecValue& v) { return v.id == std::uint32_t(constant); });
+    const auto found = std::find_if(values_.begin(), values_.end(),
+                                    [&](const SpecValue& v) { return v.id == std::uint32_t(constant); });
     return found == values_.end() ? 0 : found->value;
   }
   void bind(int slot, const Image& image, VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) {
@@ -37,10 +37,10 @@ class SurfaceSlots {
 
 // A frame's moment of the sea.
 struct DrawnMoment {
-  Sea& sea;               // as of time_s
-  const SeaView& water;   // of a detail that has the sources' tiles
-  double time_s;          // of the sea
-  glm::dvec3 viewer_m;    // in the world
+  Sea& sea;              // as of time_s
+  const SeaView& water;  // of a detail that has the sources' tiles
+  double time_s;         // of the sea
+  glm::dvec3 viewer_m;   // in the world
 };
 
 // How far water is moved at most, m.

@@ -2,19 +2,17 @@
 // there are two, each carried for the time of a phase about the place where it belongs, and the one fades in as the
 // other goes (Max and Becker 1996). Part of lib/sea.glsl; the C++ twin is ocean/sea/place_sea.cpp.
 
-vec2 flow_velocity;  // of the water here, m/s
-
-// What the two patterns' weighted sum has to be multiplied by.
-float flow_height(CascadeData c) {
-  return flow_height(c.moments.w, c.origin.w, length(flow_velocity) * frame.sea.place.flow.w, frame.sea.place.flow.z);
+// What the two patterns' weighted sum has to be multiplied by. `flow`: the water's velocity, m/s.
+float flow_height(CascadeData c, vec2 flow) {
+  return flow_height(c.moments.w, c.origin.w, length(flow) * frame.sea.place.flow.w, frame.sea.place.flow.z);
 }
 
 // The sum of the two patterns' texels at tile coordinates `at`.
-vec4 flow_texel(texture2DArray tiles, CascadeData c, vec3 at, float level) {
-  const vec2 way = tile_vector(c, flow_velocity);
+vec4 flow_texel(texture2DArray tiles, CascadeData c, vec2 flow, vec3 at, float level) {
+  const vec2 way = tile_vector(c, flow);
   const vec4 first =
       textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at.xy - way * frame.sea.place.flow.x, at.z), level);
   const vec4 second =
       textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at.xy - way * frame.sea.place.flow.y, at.z), level);
-  return flow_height(c) * mix(second, first, frame.sea.place.flow.z);
+  return flow_height(c, flow) * mix(second, first, frame.sea.place.flow.z);
 }

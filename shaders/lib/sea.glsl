@@ -55,6 +55,8 @@ layout(constant_id = value_bed) const bool sea_bed = false;
 layout(binding = slot_bed) uniform texture2DArray sea_bed_windows;      // BedTexel::bed (ocean/places/bed_field.h),
 layout(binding = slot_bed_waves) uniform texture2DArray sea_bed_waves;  // and its other two, two layers a slice
 layout(constant_id = value_clip) const bool water_clip = false;
+// Gerstner waves along curves; false: there are none, and nothing of shores is left here.
+layout(constant_id = value_shore_waves) const bool shore_waves = false;
 
 // What a tile's displacement counts for where it is laid `size` times as long; its shear is that of the tile.
 vec4 laid(float size) { return vec4(size, size, size, 1.0); }
@@ -68,27 +70,37 @@ vec2 tile_vector(CascadeData c, vec2 rest) {
 float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint / c.moments.w, 0.0, 1.0); }
 
 #include "lib/place.glsl"
+#include "lib/sea_place.glsl"
 #include "lib/flow.glsl"
 #include "lib/sea_bed.glsl"
+#include "lib/shore.glsl"
+
+// What is known of a rest position for a footprint in metres.
+SeaPlace sea_place(vec2 rest, float footprint) {
+  SeaPlace place = plain_place(rest, place_read(rest, footprint));
+  if (sea_level) place.level = place_value(sea_level_windows, place.read, rest, frame.sea.place.outside).x;
+  if (sea_flow) place.flow = place_value(sea_flow_windows, place.read, rest, frame.sea.place.outside.zwzw).xy;
+  if (sea_bed) place.bed = sea_bed_read(place.read, rest);
+  if (shore_waves) place.shore = shore_read(place.read, rest);
+  return place;
+}
 
 // `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other
 // sources.
-void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int number, float layer, vec4 by, vec2 rest,
-                      float footprint) {
+void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int number, float layer, vec4 by,
+                      SeaPlace place, float footprint) {
   const float share = kept(c, footprint);
   if (share <= 0.0) return;
   const float level = log2(max(footprint / c.origin.z, 1.0));
-  vec2 at = tile_vector(c, rest) + c.origin.xy;
-  if (sea_bed) at += sea_bed_shift(c, number);
+  vec2 at = tile_vector(c, place.rest) + c.origin.xy;
+  if (sea_bed) at += sea_bed_shift(place.bed, c, number);
   vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, layer), level);
-  if (sea_flow) texel = flow_texel(tiles, c, vec3(at, layer), level);
-  if (sea_bed) texel *= sea_bed_displaced(number);
+  if (sea_flow) texel = flow_texel(tiles, c, place.flow, vec3(at, layer), level);
+  if (sea_bed) texel *= sea_bed_displaced(place.bed, number);
   sum += share * by * texel;
 }
 
-// Gerstner waves along curves; false: there are none, and nothing of shores is left here.
-layout(constant_id = value_shore_waves) const bool shore_waves = false;
-#include "lib/shore.glsl"
+#include "lib/shore_displacement.glsl"
 
 // What is left, at a distance from the viewer, of what fades with it: from half of a source's own distance on less, and
 // at the whole nothing.
@@ -100,45 +112,38 @@ float near_viewer(vec2 rest) {
 
 #include "lib/water_clip.glsl"
 
-// Displacement in metres at `rest` (metres from the grid origin) of the waves longer than the footprint; w: dDx/dz.
-vec4 sea_displacement(vec2 rest, float footprint) {
+// Displacement in metres at a place of the waves longer than the footprint; w: dDx/dz.
+vec4 sea_displacement(SeaPlace place, float footprint) {
   vec4 sum = vec4(0.0);
-  if (sea_bed) sea_bed_read(rest, footprint);
-  if (sea_flow)
-    flow_velocity = place_value(sea_flow_windows, place_read(rest, footprint), rest, frame.sea.place.outside.zwzw).xy;
   // Written out: drivers do not unroll a loop with so much in it, and then read its uniforms lane by lane.
   if (cascade_count > 0)
-    add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), place, footprint);
   if (cascade_count > 1)
-    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), place, footprint);
   if (cascade_count > 2)
-    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 2, 1.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[2], 2, 1.0, vec4(1.0), place, footprint);
   if (cascade_count > 3)
-    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 3, 2.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[3], 3, 2.0, vec4(1.0), place, footprint);
   if (cascade_count > 4)
-    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 4, 3.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, sea_displacement_tiles, frame.sea.cascade[4], 4, 3.0, vec4(1.0), place, footprint);
   if (baked_layings > 0)
-    add_displacement(sum, baked_displacement, frame.sea.baked, 5, 0.0, vec4(near_viewer(rest)), rest, footprint);
+    add_displacement(sum, baked_displacement, frame.sea.baked, 5, 0.0, vec4(near_viewer(place.rest)), place, footprint);
   if (gerstner_layings > 0)
-    add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 5, 0.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, gerstner_displacement, frame.sea.gerstner, 5, 0.0, vec4(1.0), place, footprint);
   if (particle_layings > 0)
-    add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), rest, footprint);
+    add_displacement(sum, particle_displacement, frame.sea.particles[0], 5, 0.0, vec4(1.0), place, footprint);
   if (particle_layings > 1)
-    add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), rest,
+    add_displacement(sum, particle_displacement, frame.sea.particles[1], 5, 0.0, laid(particle_size_1), place,
                      footprint);
   if (particle_layings > 2)
-    add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), rest,
+    add_displacement(sum, particle_displacement, frame.sea.particles[2], 5, 0.0, laid(particle_size_2), place,
                      footprint);
-  if (shore_waves) shore_read(place_read(rest, footprint), rest);
-  if (shore_waves && sea_flow) flow_velocity = shore_vector(flow_velocity);  // nothing below asks for it
-  if (shore_waves) add_shore_displacement(sum, footprint);
-  if (dynamic_levels > 0) add_dynamic_displacement(sum, rest, footprint);
-  if (sea_level) sum.y += place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
-  if (sea_bed && sea_level)
-    sea_bed_still = place_value(sea_level_windows, place_read(rest, footprint), rest, frame.sea.place.outside).x;
-  if (sea_bed) sum = sea_bed_land(sum);
-  if (sea_bed && water_clip && water_clipped(rest, vec3(rest.x + sum.x, sum.y, rest.y + sum.z)))
-    sum = vec4(0.0, sea_bed_here.x, 0.0, 0.0);  // the bed lies dry
+  if (shore_waves) add_shore_displacement(sum, place, footprint);
+  if (dynamic_levels > 0) add_dynamic_displacement(sum, place.rest, footprint);
+  if (sea_level) sum.y += place.level;
+  if (sea_bed) sum = sea_bed_land(place, sum);
+  if (sea_bed && water_clip && water_clipped(place.rest, vec3(place.rest.x + sum.x, sum.y, place.rest.y + sum.z)))
+    sum = vec4(0.0, place.bed.here.x, 0.0, 0.0);  // the bed lies dry
   return sum;
 }
 
@@ -159,25 +164,25 @@ float level_blur(vec3 to_eye, float pixel) {
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
 
-void add_carried(inout vec4 sum, texture2DArray tiles, int i, vec2 rest, float footprint, float blur) {
+void add_carried(inout vec4 sum, texture2DArray tiles, int i, SeaPlace place, float footprint, float blur) {
   const CascadeData c = frame.sea.cascade[i];
   const float share = carried(c, footprint, blur);
   if (share <= 0.0) return;
-  vec2 at = tile_vector(c, rest) + c.origin.xy;
-  if (sea_bed) at += sea_bed_shift(c, i);
+  vec2 at = tile_vector(c, place.rest) + c.origin.xy;
+  if (sea_bed) at += sea_bed_shift(place.bed, c, i);
   vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
-  if (sea_flow) texel = flow_texel(tiles, c, vec3(at, float(max(i - 1, 0))), 0.0);
-  if (sea_bed) texel = sea_bed_derivatives(texel, i);
+  if (sea_flow) texel = flow_texel(tiles, c, place.flow, vec3(at, float(max(i - 1, 0))), 0.0);
+  if (sea_bed) texel = sea_bed_derivatives(place.bed, texel, i);
   sum += share * texel;
 }
 
 // Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are
 // too short for all but the nearest vertices.
-vec4 sea_carried(vec2 rest, float footprint, float blur) {
+vec4 sea_carried(SeaPlace place, float footprint, float blur) {
   vec4 sum = vec4(0.0);
-  if (cascade_count > 0) add_carried(sum, sea_longest_derivatives, 0, rest, footprint, blur);
-  if (cascade_count > 1) add_carried(sum, sea_derivative_tiles, 1, rest, footprint, blur);
-  if (cascade_count > 2) add_carried(sum, sea_derivative_tiles, 2, rest, footprint, blur);
+  if (cascade_count > 0) add_carried(sum, sea_longest_derivatives, 0, place, footprint, blur);
+  if (cascade_count > 1) add_carried(sum, sea_derivative_tiles, 1, place, footprint, blur);
+  if (cascade_count > 2) add_carried(sum, sea_derivative_tiles, 2, place, footprint, blur);
   return sum;
 }
 
@@ -204,41 +209,55 @@ vec4 tile_mean(texture2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
 
 #include "lib/flow_mean.glsl"
 
-vec4 pattern_mean(texture2DArray tiles, CascadeData c, vec3 at, vec2 du, vec2 dv, float level) {
+vec4 pattern_mean(texture2DArray tiles, CascadeData c, SeaPlace place, vec3 at, vec2 du, vec2 dv, float level) {
   vec4 mean = tile_mean(tiles, at, du, dv, level);
-  if (sea_flow) mean = flow_mean(tiles, c, at, du, dv, level);
+  if (sea_flow) mean = flow_mean(tiles, c, place.flow, at, du, dv, level);
   return mean;
+}
+
+// What a pixel takes in of the rest positions, metres: its two axes, and what the sampler averages at least.
+struct SeaFootprint {
+  vec2 along, across;
+  float blur;
+};
+
+// Of two axes, of which one that is out of all bounds counts for nothing.
+SeaFootprint sea_footprint(vec2 along, vec2 across) {
+  along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
+  across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
+  const float l0 = length(along), l1 = length(across);
+  return SeaFootprint(along, across, max(min(l0, l1), max(l0, l1) / anisotropy));
 }
 
 // `left`: the share that the vertices have not carried.
 void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray moments, CascadeData c, int number,
-                float layer, vec2 rest, vec2 along, vec2 across, float blur, float left) {
+                float layer, SeaPlace place, SeaFootprint over, float left) {
   if (left <= 0.0) return;
-  const float share = kept(c, 2.0 * blur);  // at two to four pixels a wave
+  const float share = kept(c, 2.0 * over.blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
     vec3 all = c.moments.xyz;
-    if (sea_bed) all *= sea_bed_energy(number);
+    if (sea_bed) all *= sea_bed_energy(place.bed, number);
     s.variance += all;
     return;
   }
-  vec3 at = vec3(tile_vector(c, rest) + c.origin.xy, layer);
-  if (sea_bed) at.xy += sea_bed_shift(c, number);
-  const vec2 du = 0.5 * tile_vector(c, along), dv = 0.5 * tile_vector(c, across);
-  const float level = mip_level(0.5 * blur / c.origin.z);
+  vec3 at = vec3(tile_vector(c, place.rest) + c.origin.xy, layer);
+  if (sea_bed) at.xy += sea_bed_shift(place.bed, c, number);
+  const vec2 du = 0.5 * tile_vector(c, over.along), dv = 0.5 * tile_vector(c, over.across);
+  const float level = mip_level(0.5 * over.blur / c.origin.z);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel
   // aliases nothing.
-  const vec4 d = share * pattern_mean(derivatives, c, at, du, dv, level);
+  const vec4 d = share * pattern_mean(derivatives, c, place, at, du, dv, level);
   vec4 drawn = d;
-  if (sea_bed) drawn = sea_bed_derivatives(d, number);
+  if (sea_bed) drawn = sea_bed_derivatives(place.bed, d, number);
   s.gradient += left * drawn.xy;
   s.shift.xy += left * drawn.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to
   // twice that.
-  const float coarse = clamp(blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
+  const float coarse = clamp(over.blur / (0.375 * c.origin.w) - 1.0, 0.0, 1.0);
   if (coarse <= 0.0) return;
   const vec3 m = mix(c.moments.xyz, tile_mean(moments, at, du, dv, level).xyz, share);
   vec3 rough = coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
-  if (sea_bed) rough *= sea_bed_energy(number);
+  if (sea_bed) rough *= sea_bed_energy(place.bed, number);
   s.variance += rough;
 }
 
@@ -266,52 +285,36 @@ struct CarriedSlopes {
   float footprint, blur;
 };
 
-// `along`, `across`: the two axes of the footprint at the rest position, in metres.
-SeaSlopes sea_slopes(vec2 rest, vec2 along, vec2 across, CarriedSlopes have) {
+SeaSlopes sea_slopes(SeaPlace place, SeaFootprint over, CarriedSlopes have) {
   SeaSlopes s = SeaSlopes(have.derivatives.xy, vec3(have.derivatives.zw, have.shear), frame.sea.tail.xyz);
-  along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
-  across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
-  const float l0 = length(along), l1 = length(across);
-  const float blur = max(min(l0, l1), max(l0, l1) / anisotropy);  // what the sampler averages at least
-  if (sea_bed) sea_bed_read(rest, blur);
-  if (sea_bed) s.variance *= sea_bed_more.w * sea_bed_more.w;
-  if (sea_flow)
-    flow_velocity = place_value(sea_flow_windows, place_read(rest, blur), rest, frame.sea.place.outside.zwzw).xy;
+  if (sea_bed) s.variance *= place.bed.more.w * place.bed.more.w;
   if (cascade_count > 0)
-    add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, rest, along, across, blur,
+    add_slopes(s, sea_longest_derivatives, sea_longest_moments, frame.sea.cascade[0], 0, 0.0, place, over,
                1.0 - carried(frame.sea.cascade[0], have.footprint, have.blur));
   if (cascade_count > 1)
-    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, rest, along, across, blur,
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[1], 1, 0.0, place, over,
                1.0 - carried(frame.sea.cascade[1], have.footprint, have.blur));
   if (cascade_count > 2)
-    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 2, 1.0, rest, along, across, blur,
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[2], 2, 1.0, place, over,
                1.0 - carried(frame.sea.cascade[2], have.footprint, have.blur));
   if (cascade_count > 3)
-    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 3, 2.0, rest, along, across, blur, 1.0);
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[3], 3, 2.0, place, over, 1.0);
   if (cascade_count > 4)
-    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 4, 3.0, rest, along, across, blur, 1.0);
+    add_slopes(s, sea_derivative_tiles, sea_moment_tiles, frame.sea.cascade[4], 4, 3.0, place, over, 1.0);
   SeaSlopes part = no_slopes();
-  if (baked_layings > 0)
-    add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 5, 0.0, rest, along, across, blur, 1.0);
-  if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(rest));
+  if (baked_layings > 0) add_slopes(part, baked_derivatives, baked_moments, frame.sea.baked, 5, 0.0, place, over, 1.0);
+  if (baked_layings > 0) add_near(s, part, frame.sea.baked, near_viewer(place.rest));
   if (gerstner_layings > 0)
-    add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 5, 0.0, rest, along, across, blur, 1.0);
+    add_slopes(s, gerstner_derivatives, gerstner_moments, frame.sea.gerstner, 5, 0.0, place, over, 1.0);
   if (particle_layings > 0)
-    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, rest, along, across, blur,
-               1.0);
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[0], 5, 0.0, place, over, 1.0);
   if (particle_layings > 1)
-    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, rest, along, across, blur,
-               1.0);
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[1], 5, 0.0, place, over, 1.0);
   if (particle_layings > 2)
-    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, rest, along, across, blur,
-               1.0);
-  if (shore_waves) shore_read(place_read(rest, blur), rest);
-  if (shore_waves && sea_flow) shore_flow = flow_velocity;
-  if (shore_waves && sea_flow) flow_velocity = shore_vector(shore_flow);
-  if (shore_waves) add_shore_slopes(s, rest, along, across, blur);
-  if (shore_waves && sea_flow) flow_velocity = shore_flow;
-  if (dynamic_levels > 0) add_dynamic_slopes(s, rest, blur);
-  if (sea_level) s.gradient += place_gradient(sea_level_windows, rest, blur, frame.sea.place.outside);
+    add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, place, over, 1.0);
+  if (shore_waves) add_shore_slopes(s, place, over);
+  if (dynamic_levels > 0) add_dynamic_slopes(s, place.rest, over.blur);
+  if (sea_level) s.gradient += place_gradient(sea_level_windows, place.rest, over.blur, frame.sea.place.outside);
   return s;
 }
 

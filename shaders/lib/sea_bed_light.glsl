@@ -26,10 +26,10 @@ float bed_noise(vec2 place, float size, float footprint) {
 }
 
 // `above`: the drawn water over the still one, m.
-Bed bed_at(SurfacePoint p, float still, float above, float footprint) {
+Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   Bed bed;
   const LodRead read = place_read(p.place, footprint);
-  bed.still_depth = still - sea_bed_height(read, p.place).x;
+  bed.still_depth = here.level - sea_bed_height(read, p.place).x;
   bed.slope = place_gradient(sea_bed_windows, p.place, footprint, frame.sea.place.outside_bed);
   // Near the shore the water is where the long waves have run up to; what is drawn there may be the bed itself.
   const float shore = 2.0 * frame.sea.place.shift_along[0].z + 0.05;
@@ -37,9 +37,9 @@ Bed bed_at(SurfacePoint p, float still, float above, float footprint) {
   if (abs(bed.still_depth) < 2.0 * shore) {
     vec4 run = vec4(0.0);
     if (cascade_count > 0)
-      add_displacement(run, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), p.rest, footprint);
+      add_displacement(run, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), here, footprint);
     if (cascade_count > 1)
-      add_displacement(run, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), p.rest, footprint);
+      add_displacement(run, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), here, footprint);
     bed.film = mix(bed.still_depth + run.y, bed.film, smoothstep(shore, 2.0 * shore, bed.still_depth));
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
@@ -81,7 +81,8 @@ vec3 bed_albedo(vec2 place, float height, vec2 slope, float footprint) {
 // Radiance that comes out of shallow water, where `deep` comes out of deep: what the column scatters back and what the
 // bed reflects (Lee, Carder, Mobley, Steward and Patch 1998, eqs. 1, 2, 5 and 6). `down`: irradiance that has entered;
 // `v`: to the eye; `normal`: of the water.
-vec3 bed_through_water(Bed bed, vec3 deep, vec3 down, vec2 place, vec3 v, vec3 normal, float above, float footprint) {
+vec3 bed_through_water(Bed bed, float still, vec3 deep, vec3 down, vec2 place, vec3 v, vec3 normal, float above,
+                       float footprint) {
   const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb,
              u = frame.water_backscatter.rgb / attenuation;
   const vec3 inside = refract(-v, normal, 1.0 / water_index);
@@ -90,8 +91,7 @@ vec3 bed_through_water(Bed bed, vec3 deep, vec3 down, vec2 place, vec3 v, vec3 n
   // Where the line of sight meets the bed, as if that were level on the way there.
   const vec2 seen = place + inside.xz / eye_cosine * clamp(bed.film, 0.0, 20.0);
   const LodRead read = place_read(seen, footprint);
-  const float depth =
-      max(sea_bed_still + max(above, -0.9 * max(bed.still_depth, 0.0)) - sea_bed_height(read, seen).x, 0.0);
+  const float depth = max(still + max(above, -0.9 * max(bed.still_depth, 0.0)) - sea_bed_height(read, seen).x, 0.0);
   const float way = bed.still_depth < 0.5 ? max(bed.film, 0.0)
                                           : mix(max(bed.film, 0.0), depth, clamp(bed.still_depth - 0.5, 0.0, 1.0));
   const vec3 of_column = 1.03 * sqrt(1.0 + 2.4 * u), of_bed = 1.04 * sqrt(1.0 + 5.4 * u);

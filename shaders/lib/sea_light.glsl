@@ -62,7 +62,9 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   const vec3 v = to_eye / range;
   const CarriedSlopes have =
       CarriedSlopes(p.derivatives, p.height_shear.y, vertex_footprint(p.rest), level_blur(to_eye, view.eye.w));
-  const SeaSlopes s = sea_slopes(p.rest, p.along, p.across, have);
+  const SeaFootprint over = sea_footprint(p.along, p.across);
+  SeaPlace here = sea_place(p.rest, over.blur);
+  const SeaSlopes s = sea_slopes(here, over, have);
   // Slopes are over the still sea, which itself leans away with the earth's curve.
   const vec2 slope = sea_slope(s) - p.relative.xz * frame.skirt.w;
   normal = normalize(vec3(-slope.x, 1.0, -slope.y));
@@ -96,14 +98,15 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   const vec3 absorption = frame.water_absorption.rgb, backscatter = frame.water_backscatter.rgb;
   vec3 below = frame.water_reflectance.rgb * down;
   const float sea_bed_footprint = max(length(p.along), length(p.across));
-  if (sea_bed && sea_level) sea_bed_still = sea_level_at(p.rest);
+  if (sea_bed && sea_level) here.level = sea_level_at(p.rest);
   Bed sea_bed_below;
-  if (sea_bed) sea_bed_below = bed_at(p, sea_bed_still, above, sea_bed_footprint);
+  if (sea_bed) sea_bed_below = bed_at(p, here, above, sea_bed_footprint);
   if (sea_bed && water_clip &&
-      water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? sea_bed_still : p.height_shear.x,
-                                 p.place.y)))
+      water_clipped(
+          p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? here.level : p.height_shear.x, p.place.y)))
     sea_bed_below.water = 0.0;
-  if (sea_bed) below = bed_through_water(sea_bed_below, below, down, p.place, v, normal, above, sea_bed_footprint);
+  if (sea_bed)
+    below = bed_through_water(sea_bed_below, here.level, below, down, p.place, v, normal, above, sea_bed_footprint);
 
   // Sunlight through a crest: it enters the far side and leaves towards the eye, dimmed by the water between. The
   // thickness shrinks towards the crest and on steep faces.
@@ -128,8 +131,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
 
   FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
   if (foam_kept && sea_flow)
-    foam_way =
-        FoamWay(flow_velocity * frame.sea.place.flow.x, flow_velocity * frame.sea.place.flow.y, frame.sea.place.flow.z);
+    foam_way = FoamWay(here.flow * frame.sea.place.flow.x, here.flow * frame.sea.place.flow.y, frame.sea.place.flow.z);
   if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, lit_white, foam_way);
 
   if (sea_bed) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, sea_bed_below.water);

@@ -8,12 +8,6 @@ layout(binding = slot_shore + 2) uniform texture2DArray shore_moments;
 layout(binding = slot_shore_lines) uniform texture2DArray shore_line_windows;  // ShoreTexel (ocean/drawn/drawn_shore.h)
 layout(binding = slot_shore_ways) uniform texture2DArray shore_way_windows;
 
-float shore_share;    // of the waves at the place that was read last; 0: nothing else is known
-float shore_stretch;  // what the pattern's x grows by in a metre along the curve
-vec2 shore_forward;   // along the curve
-vec2 shore_bent;      // the place in the pattern, m
-vec2 shore_flow;      // the water's velocity on the plane, m/s
-
 // The angle of a vector in turns, -1/2 to 1/2; off by less than 1e-8 (Abramowitz and Stegun 1964, 4.4.49). What drivers
 // have for it may be off by 1e-4.
 float shore_turns(vec2 v) {
@@ -30,33 +24,30 @@ float shore_turns(vec2 v) {
   return (v.y < 0.0 ? -angle : angle) / 6.2831853072;
 }
 
-void shore_read(LodRead read, vec2 place) {
+SeaShore shore_read(LodRead read, vec2 place) {
+  SeaShore shore = SeaShore(0.0, 0.0, vec2(0.0), vec2(0.0));
   vec4 line = place_value(shore_line_windows, read, place, vec4(0.0));
-  shore_share = line.w;
-  if (shore_share <= 0.0) return;
+  shore.share = line.w;
+  if (shore.share <= 0.0) return shore;
   line /= read.present;  // towards the edge of all windows the share fades, and nothing else
   const vec2 way = place_value(shore_way_windows, read, place, vec4(0.0)).xy / read.present;
   const float size = max(length(way), 1.0);
-  shore_stretch = size - 1.0;
-  shore_forward = way / size;
-  shore_bent = vec2(shore_turns(line.yz) / frame.sea.shore.tile_from_rest.x, line.x);
+  shore.stretch = size - 1.0;
+  shore.forward = way / size;
+  shore.bent = vec2(shore_turns(line.yz) / frame.sea.shore.tile_from_rest.x, line.x);
+  return shore;
 }
 
-vec2 shore_right() { return vec2(-shore_forward.y, shore_forward.x); }
+vec2 shore_right(SeaShore shore) { return vec2(-shore.forward.y, shore.forward.x); }
 
 // A way on the plane, in the pattern.
-vec2 shore_vector(vec2 way) { return vec2(shore_stretch * dot(shore_forward, way), dot(shore_right(), way)); }
-
-vec4 shore_pattern(float footprint) {
-  vec4 d = vec4(0.0);
-  add_displacement(d, shore_displacement, frame.sea.shore, 6, 0.0, vec4(1.0), shore_bent, footprint);
-  return d;
+vec2 shore_vector(SeaShore shore, vec2 way) {
+  return vec2(shore.stretch * dot(shore.forward, way), dot(shore_right(shore), way));
 }
 
-// Its shear is the pixels' (add_shore_slopes), for it takes more than vertices hand on.
-void add_shore_displacement(inout vec4 sum, float footprint) {
-  if (shore_share <= 0.0) return;
-  const vec4 d = shore_pattern(footprint);
-  const vec2 level = d.x * shore_forward + d.z * shore_right();
-  sum.xyz += shore_share * vec3(level.x, d.y, level.y);
+// The place in the pattern, where the water moves along the pattern's axes.
+SeaPlace shore_place(SeaPlace place) {
+  place.rest = place.shore.bent;
+  place.flow = shore_vector(place.shore, place.flow);
+  return place;
 }

@@ -1,5 +1,5 @@
-// Slots of the shaders that draw: where each binding and each specialisation constant is. Each has its number to itself,
-// so that shaders may be put together of any of the files that declare them.
+// Slots of the shaders that draw: where each binding and each specialisation constant is. Each has its number to
+// itself, so that shaders may be put together of any of the files that declare them.
 #ifndef SEASCAPE_SLOTS_H
 #define SEASCAPE_SLOTS_H
 #include "gpu_types.h"
@@ -22,8 +22,8 @@ SEASCAPE_CONST int slot_foam = 34, slot_foam_lace = 35;
 SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18;
 SEASCAPE_CONST int slot_sea_depths = 36;
 
-// Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left in
-// a shader then.
+// Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left
+// in a shader then.
 SEASCAPE_CONST int value_multiview = 0;
 SEASCAPE_CONST int value_tile_shape = 2, value_debug = 4, value_sky_ray = 6;
 SEASCAPE_CONST int value_deferred = 10, value_anisotropy = 5, value_probe = 1;
