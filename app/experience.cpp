@@ -29,7 +29,7 @@ bool needs_rebuild(const Settings& a, const Settings& b, bool sea_at_once) {
   Settings x = a;  // compare what the table marks: rows with `rebuild`
   Settings y = b;
   for (const Setting& row : settings_table())
-    if (row.rebuild && (sea_at_once || !row.grows) && value_of(x, row) != value_of(y, row)) return true;
+    if (!row.rebuild.empty() && (sea_at_once || !row.grows) && value_of(x, row) != value_of(y, row)) return true;
   return r.msaa != q.msaa || r.shape != q.shape || is_debug(a) != is_debug(b) ||
          (r.debug == DebugView::wireframe) != (q.debug == DebugView::wireframe) ||
          (r.debug == DebugView::holes) != (q.debug == DebugView::holes);
@@ -107,7 +107,7 @@ void Experience::build() {
   sea_key_ = std::move(key);
   ocean_ = std::make_unique<Ocean>(
       device_, shaders_, *sea_,
-      OceanSettings{s.wave_place, s.lod, s.water, foam_spec(scene_), s.baked.fade_m,
+      OceanSettings{s.wave_place, s.lod, s.water, s.place, foam_spec(scene_), s.baked.fade_m,
                     calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
   build_targets();
   const bool tile = in_tile();
@@ -214,8 +214,15 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
   const bool rebuild = needs_rebuild(scene_.settings, settings, at_once),
              change = needs_change(scene_.settings, settings);
   scene_.settings = settings;
-  if (rebuild) return build();
-  ocean_->apply(settings.lod, settings.water);
+  OceanSettings drawn = ocean_->settings();
+  drawn.lod = settings.lod;
+  drawn.water = settings.water;
+  drawn.place = settings.place;
+  drawn.baked_fade_m = settings.baked.fade_m;
+  if (drawn.foam) drawn.foam->settings = settings.foam;
+  if (drawn.spray) drawn.spray = settings.spray;
+  if (rebuild || !ocean_->takes(drawn)) return build();
+  ocean_->apply(drawn);
   if (!change) return;
   ocean_->change(settings.sea, settings.sea_change_s);
   sea_key_ = sea_key(scene_);

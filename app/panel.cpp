@@ -136,8 +136,8 @@ void tooltip(const Setting& row) {
   ImGui::TextDisabled("%s", (std::string(row.key) + ": " + range_text(row)).c_str());
   if (row.grows)
     ImGui::TextDisabled("A change comes over the sea within waves.change_s.");
-  else if (row.rebuild)
-    ImGui::TextDisabled("A change takes a moment: it makes things anew.");
+  else if (!row.rebuild.empty())
+    ImGui::TextDisabled("A change takes a moment: %s.", std::string(row.rebuild).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -267,7 +267,7 @@ bool Panel::draw_rows(const Settings& initial) {
     const Edit edit = edit_row(edited_, row);
     tooltip(row);
     if (!edit.settled) dragging_ = true;
-    if (edit.changed && (edit.settled || !row.rebuild)) take = true;
+    if (edit.changed && (edit.settled || row.rebuild.empty())) take = true;
     if (ImGui::BeginPopupContextItem(("back##" + std::string(row.key)).c_str())) {
       if (ImGui::Selectable(("Back to " + value_text(initial, row)).c_str())) {
         set_value(edited_, row, value_of(initial, row), "the panel");

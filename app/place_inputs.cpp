@@ -36,8 +36,6 @@ std::optional<FoamSpec> foam_spec(const Scene& scene) {
   if (!calls_for(scene.effects, "foam")) return std::nullopt;
   FoamSpec spec{scene.settings.foam, std::make_shared<const Inputs>(InputTarget::foam, scene.inputs), nullptr,
                 scene.settings.place};
-  spec.settings.windows.scale_height_m =
-      24.0;  // lace is broken up by pixels: from there the finest texels are still to be told apart
   for (const auto& kind : place_inputs(scene).kinds)
     if (kind->target() == InputTarget::flow) spec.flow = kind;
   return spec;

@@ -24,6 +24,7 @@ constexpr PresetRow rows[] = {
     {"spray.most", "2000", "4000", "6000", "8000"},
     {"place.resolution", "128", "128", "256", "256"},
     {"lod.patch_quads", "16", "32", "64", "64"},
+    {"lod.by", "pixel_error", "pixel_error", "pixel_error", "pixel_error"},
     {"lod.pixel_error", "5", "4", "2", "0.9"},
     {"lod.threshold", "2.0", "1.5", "1.2", "1.0"},
     {"lod.cull_scale", "1.2", "1.5", "1.8", "2.0"},

@@ -66,7 +66,7 @@ struct Setting {
   double least = 0.0, most = 0.0;           // range of a number, both allowed
   std::vector<std::string_view> choices{};  // names of an enum, or the only numbers allowed ("16", "32", "64")
   bool quality = false;                     // set by presets
-  bool rebuild = false;                     // a change makes GPU objects anew
+  std::string_view rebuild{};               // why a change makes objects anew; empty: it is taken as it runs
   bool grows = false;                       // unless waves.change_s lets it grow out of the sea that is there
 };
 

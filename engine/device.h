@@ -65,6 +65,7 @@ class Device {
 
   // Everything alive, in order of creation.
   std::vector<ObjectRecord> objects() const;
+  std::uint64_t objects_made() const { return created_; }  // of all kinds, since the start
   std::uint64_t pipelines_made() const { return pipelines_made_; }
 
   // What a pipeline is to be made with: called once for each. Counted are those that were given what an earlier start

@@ -11,6 +11,13 @@
 
 namespace seascape {
 
+namespace {
+double foam_life_s(const OceanSettings& settings) {
+  return settings.foam ? settings.foam->settings.life_s : FoamSettings{}.life_s;
+}
+bool wants_spray(const OceanSettings& settings) { return settings.spray && settings.spray->amount > 0.0; }
+}  // namespace
+
 template <class Piece>
 Piece* Ocean::add(std::unique_ptr<Piece> piece) {
   Piece* const added = piece.get();
@@ -36,14 +43,12 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
   }
   if (sea.dynamic_waves()) dynamic_waves_ = add(std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves));
   if (!spec.place.empty()) place_ = add(std::make_unique<DrawnPlace>(device, sea));
-  if (settings.foam && keeps_foam(*settings.foam, bool(sea.shallows()), dynamic_waves_ != nullptr, spec.actors_foam)) {
+  if (wants_foam(settings)) {
     // Waves along curves are not drawn by every device (DrawnShore).
     foam_ = add(std::make_unique<DrawnFoam>(device, *settings.foam, sea,
                                             device.facts().float32_linear ? spec.place.shore : nullptr));
   }
-  if (settings.spray && settings.spray->amount > 0.0)
-    spray_ = std::make_unique<Spray>(*settings.spray, sea,
-                                     settings.foam ? settings.foam->settings.life_s : FoamSettings{}.life_s);
+  if (wants_spray(settings)) spray_ = std::make_unique<Spray>(*settings.spray, sea, foam_life_s(settings));
 }
 
 void Ocean::make_waves(Frame& frame, double time_s) { waves_->make(frame, time_s); }
@@ -144,10 +149,21 @@ bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   });
 }
 
-void Ocean::apply(const LodSettings& lod, const WaterSettings& water) {
-  quadtree_.apply(lod);
-  settings_.lod = lod;
-  settings_.water = water;
+bool Ocean::wants_foam(const OceanSettings& settings) const {
+  return settings.foam &&
+         keeps_foam(*settings.foam, bool(sea_.shallows()), dynamic_waves_ != nullptr, sea_.spec().actors_foam);
+}
+
+bool Ocean::takes(const OceanSettings& settings) const {
+  return wants_foam(settings) == (foam_ != nullptr) && wants_spray(settings) == (spray_ != nullptr);
+}
+
+void Ocean::apply(const OceanSettings& settings) {
+  quadtree_.apply(settings.lod);
+  if (foam_) foam_->sea().apply(settings.foam->settings);
+  if (spray_) spray_->apply(*settings.spray, foam_life_s(settings));
+  if (place_) place_->apply(settings.place);
+  settings_ = settings;
 }
 
 void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const {

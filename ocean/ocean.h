@@ -24,6 +24,7 @@ struct OceanSettings {
   WavePlace wave_place = WavePlace::automatic;
   LodSettings lod;
   WaterSettings water;
+  PlaceSettings place;
   std::optional<FoamSpec> foam;        // none: the effect is not called for
   double baked_fade_m = 0.0;           // BakedSettings::fade_m
   std::optional<SpraySettings> spray;  // none: the effect is not called for
@@ -59,8 +60,12 @@ class Ocean {
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const { describe(data, viewpoint, *selection_); }
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint, const SurfaceSelection& selection) const;
 
-  // Takes settings that need no new GPU objects (levels of detail, water).
-  void apply(const LodSettings& lod, const WaterSettings& water);
+  // Whether apply() can take these, of the same waves.where, windows and most puffs: kept foam, and spray, are there
+  // or not as they were.
+  bool takes(const OceanSettings& settings) const;
+  // Takes other settings as it runs: it makes no object, and what foam and spray there is stays. Throws as validate()
+  // does, and stays as it was then.
+  void apply(const OceanSettings& settings);
   // Sea::change, with what this drawing needs of the bed made beside it.
   void change(const SeaState& sea, double over_s);
   Sea& sea() { return sea_; }
@@ -95,12 +100,13 @@ class Ocean {
   DrawnPlace* place_ = nullptr;
   DrawnFoam* foam_ = nullptr;
   std::unique_ptr<Spray> spray_;
-  SeaView water_;                   // that selection asks, as of the last update
-  WaterReach others_reach() const;  // of all but the waves, no more than that
-  bool waves_alone() const;         // nothing else moves the water
-  double land_m() const;            // how far it stands above the still sea at most
-  double most_share() const;        // by which a bed may raise waves, 1 without one
-  SourceStatistics of_sources_;     // all of them together
+  bool wants_foam(const OceanSettings& settings) const;  // kept
+  SeaView water_;                                        // that selection asks, as of the last update
+  WaterReach others_reach() const;                       // of all but the waves, no more than that
+  bool waves_alone() const;                              // nothing else moves the water
+  double land_m() const;                                 // how far it stands above the still sea at most
+  double most_share() const;                             // by which a bed may raise waves, 1 without one
+  SourceStatistics of_sources_;                          // all of them together
   SourceError source_error_;
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;

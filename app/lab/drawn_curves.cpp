@@ -43,12 +43,14 @@ std::vector<LabTask> mesh_tasks(Device& device, ShaderLibrary& shaders, double w
     double pixels = 0.0;
   };
   std::vector<LabTask> tasks;
-  for (const LodJoin join : {LodJoin::morphed, LodJoin::masked})
-    for (const double pixels : options.quick ? std::vector<double>{16.0, 8.0, 5.0, 4.0, 3.0}
-                                             : std::vector<double>{16.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.4, 1.0}) {
+  const auto add = [&](LodLaw law, LodJoin join, const std::vector<double>& values) {
+    const bool by_pixels = law == LodLaw::pixel_error;
+    const std::string key = by_pixels ? "lod.pixel_error" : "lod.threshold";
+    for (const double value : values) {
       Scene scene = lab_scene(wind_mps, options, "medium");
+      scene.settings.lod.by = law;
       scene.settings.lod.join = join;
-      scene.settings.lod.pixel_error = pixels;
+      (by_pixels ? scene.settings.lod.pixel_error : scene.settings.lod.threshold) = value;
       scene.settings.render.msaa = 1;
       scene.settings.render.vertical_fov_deg = headset_fov_deg;
       const auto meshed = std::make_shared<Meshed>(device, shaders, scene);
@@ -57,7 +59,7 @@ std::vector<LabTask> mesh_tasks(Device& device, ShaderLibrary& shaders, double w
         WaveTiles tiles;
         field.evaluate(ticks_from_seconds(17.0), tiles);
         ScreenError error;
-        error.enough = 0.3 * pixels;
+        error.enough = by_pixels ? 0.3 * value : 0.3;
         std::mt19937 poses(options.seed + 7), points(options.seed + 8);
         Quadtree tree(meshed->settings.lod);
         for (int n = 0; n < (options.quick ? 2 : 24); ++n) {
@@ -71,12 +73,23 @@ std::vector<LabTask> mesh_tasks(Device& device, ShaderLibrary& shaders, double w
                 {error.worst, "pixels of a headset, worst"},
                 {error.triangles / error.poses, "triangles"}};
       };
-      const std::string preset = join == LodJoin::masked ? "" : presets_with({{"lod.pixel_error", text_from(pixels)}});
+      // Presets morph, by pixels.
+      const std::string preset =
+          by_pixels && join == LodJoin::morphed ? presets_with({{"lod.pixel_error", text_from(value)}}) : "";
       // A small picture with the mesh of a headset's: its time is the mesh's more than its pixels'.
-      tasks.push_back({join == LodJoin::morphed ? "lod.pixel_error, morphed" : "lod.pixel_error, masked", pixels,
+      tasks.push_back({key + (join == LodJoin::morphed ? ", morphed" : ", masked"), value,
                        [=] { meshed->subject.draw_ms(meshed->at, 17.0, meshed->pixels); }, 1.0, errors, preset,
-                       fmt::format("lod.pixel_error={}", pixels)});
+                       fmt::format("{}={}{}", key, value, by_pixels ? "" : " lod.by=threshold")});
     }
+  };
+  const std::vector<double> pixels = options.quick ? std::vector<double>{16.0, 8.0, 5.0, 4.0, 3.0}
+                                                   : std::vector<double>{16.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.4, 1.0},
+                            thresholds = options.quick ? std::vector<double>{4.0, 2.0}
+                                                       : std::vector<double>{4.0, 3.0, 2.0, 1.5, 1.2, 1.0, 0.7, 0.5};
+  for (const LodJoin join : {LodJoin::morphed, LodJoin::masked}) {
+    add(LodLaw::pixel_error, join, pixels);
+    add(LodLaw::threshold, join, thresholds);
+  }
   return tasks;
 }
 
@@ -209,7 +222,7 @@ std::vector<LabCurve> drawn_curves(Device& device, ShaderLibrary& shaders) {
        {},
        "lod.pixel_error, morphed",
        "Presets morph and are compared with what does: masked joins jump where a level changes, which no error of one "
-       "picture counts."},
+       "picture counts. By lod.threshold the mesh does not ask how high the sea is."},
       {"compute",
        "Waves by the processor and by compute shaders",
        "one update of all tiles",

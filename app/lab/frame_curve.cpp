@@ -37,7 +37,6 @@ std::vector<Quality> qualities(const LabOptions& options, const DeviceFacts& fac
       {"waves.cascades", {"3", "4", "5"}},
       {"waves.half_storage", {"false", "true"}},
       {"lod.pixel_error", {"16", "8", "4", "2", "1"}},
-      {"lod.patch_quads", {"16", "32", "64"}},
       {"water.anisotropy", {"1", "2", "4", "8", "16"}},
       {"frame.shape", {"tile", "auto"}},
       {"msaa", samples}};

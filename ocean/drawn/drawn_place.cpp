@@ -90,6 +90,11 @@ DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
   }
 }
 
+void DrawnPlace::apply(const PlaceSettings& settings) {
+  settings_.sand = settings.sand;
+  settings_.growth_m = settings.growth_m;
+}
+
 void DrawnPlace::update(Frame& frame, const DrawnMoment& moment) {
   const auto& [sea, water, time_s, viewer] = moment;
   time_s_ = time_s;

@@ -28,6 +28,8 @@ class Breaking {
  public:
   // `sea` outlives it; `life_s`: in which foam goes.
   Breaking(Sea& sea, double life_s);
+  // As of the next moment that is asked for.
+  void set_life(double life_s) { life_s_ = life_s; }
 
   // Whether these waves ever break to speak of.
   bool ever() const;

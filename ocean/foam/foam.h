@@ -41,6 +41,9 @@ class Foam {
   // Where there is a flow that does not stand still.
   const LodField<glm::vec2>* flow_mps() const { return flows_ && speed_ ? &*speed_ : nullptr; }
 
+  // In which foam that nothing feeds falls to 1/e, s.
+  void set_life(double life_s) { settings_.life_s = life_s; }
+
   // All texels have this much.
   void fill(float covered);
   // Moves the windows. What comes into the coarsest gets `fresh`, into others what the next coarser one has. Gives the

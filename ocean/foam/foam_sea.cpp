@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -345,6 +346,19 @@ void FoamSea::follow(const LodPlacement& placement, std::int64_t tick) {
     }
     if (++anew_ == side * still_water_->slices()) anew_ = -1;
   }
+}
+
+void FoamSea::apply(const FoamSettings& settings) {
+  validate(settings);
+  FoamSettings& now = spec_.settings;
+  assert(settings.windows == now.windows);
+  if (settings.rate_hz != now.rate_hz) {
+    tick_ = due_ = std::int64_t(std::floor(double(tick_) / now.rate_hz * settings.rate_hz));
+    stepped_ = slices();
+  }
+  now = settings;
+  foam_.set_life(settings.life_s);
+  breaking_.set_life(settings.life_s);
 }
 
 std::int64_t FoamSea::next_ticks() const {

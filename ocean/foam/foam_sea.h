@@ -69,6 +69,9 @@ class FoamSea {
   std::uint32_t changed() const { return changed_; }
   // Makes crests of the next step ahead, as many as the time since the last one asks for.
   void prepare(double time_s);
+  // Takes other settings of the same windows; the foam that there is stays. After another rate the steps fall on its
+  // multiples. Throws as validate() does.
+  void apply(const FoamSettings& settings);
   const Foam& foam() const { return foam_; }
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }

@@ -8,7 +8,8 @@ namespace seascape {
 struct FoamSettings {
   bool simulated =
       false;  // foam outlives the crest that made it; inputs of foam and shores have it simulated in any case
-  LodWindowSettings windows{.resolution = 256, .slices = 4, .texel_m = 0.5};
+  // Lace is broken up by pixels: from 24 m the finest texels are still to be told apart.
+  LodWindowSettings windows{.resolution = 256, .slices = 4, .texel_m = 0.5, .scale_height_m = 24.0};
   double rate_hz = 12.0;  // steps a second, 1 to 240; any gives the same decay
   double life_s = 3.85;  // in which foam that nothing feeds falls to 1/e, 0.1 to 1000 (whitecaps of salt water: Monahan
                          // and Zietlow 1969)

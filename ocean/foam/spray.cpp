@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -100,8 +101,22 @@ Spray::Spray(const SpraySettings& settings, Sea& sea, double foam_life_s)
   answers_.resize(most);
   aloft_.resize(most);
   seen_.resize(most);
-  cells_ = 2 * int(std::ceil(settings.range_m / cell_m)) + 2;
+  lay_cells();
+}
+
+void Spray::lay_cells() {
+  cells_ = 2 * int(std::ceil(settings_.range_m / cell_m)) + 2;
   breakers_.resize(std::size_t(cells_) * std::size_t(cells_));
+}
+
+void Spray::apply(const SpraySettings& settings, double foam_life_s) {
+  validate(settings);
+  assert(settings.most == settings_.most);
+  if (settings.rate_hz != settings_.rate_hz)
+    tick_ = due_ = std::int64_t(std::floor(double(tick_) / settings_.rate_hz * settings.rate_hz));
+  settings_ = settings;
+  breaking_.set_life(foam_life_s);
+  lay_cells();
 }
 
 void Spray::feel_wind() {

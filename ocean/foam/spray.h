@@ -49,6 +49,10 @@ class Spray {
   Spray(const Spray&) = delete;
   Spray& operator=(const Spray&) = delete;
 
+  // Takes other settings of the same `most`; what is aloft flies on. After another rate the steps fall on its
+  // multiples. Throws as validate() does.
+  void apply(const SpraySettings& settings, double foam_life_s);
+
   // Has the puffs of a time of the sea, in s, around a viewer (m). A time or a place that is no number changes nothing.
   void update(double time_s, const glm::dvec3& viewer_m) {
     begin(time_s, viewer_m);
@@ -105,6 +109,7 @@ class Spray {
   WindProfile profile_;
   glm::dvec3 wind_to_{0.0};
   void feel_wind();
+  void lay_cells();
   std::vector<Puff> puffs_;
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;

@@ -9,12 +9,19 @@ enum class LodJoin {
   morphed,  // every other vertex slides to its coarser neighbour before the level changes
 };
 
+// What decides how fine the mesh is at a distance.
+enum class LodLaw {
+  pixel_error,  // how many pixels it may miss the sea by
+  threshold,    // how large a square may be over its distance, in a fixed measure
+};
+
 struct LodSettings {
   double ocean_size_m = 4096.0;  // side of the quadtree's root square, 256 to 8192, doubled until it holds what is seen
                                  // to move, within skirt_multiplier; the skirt goes on to the horizon
   int patch_quads = 64;          // quads along the side of a square that the threshold speaks of: 16, 32 or 64; squares
                                  // are split and drawn in patches of gpu::patch_quads
-  double pixel_error = 0.0;  // the most pixels by which the mesh may miss the sea, 0.25 to 64; 0: the threshold decides
+  LodLaw by = LodLaw::threshold;
+  double pixel_error = 2.0;  // the most pixels by which the mesh may miss the sea, 0.25 to 64
   double threshold = 1.2;    // a LOWER threshold gives MORE detail: a square splits when size / distance exceeds
                              // Quadtree::split_ratio times it; 0.5 to 4
   LodJoin join = LodJoin::morphed;

@@ -43,8 +43,7 @@ void check(const LodSettings& s) {
   require(s.ocean_size_m >= 256.0 && s.ocean_size_m <= 8192.0, "ocean_size_m", s.ocean_size_m, "256 to 8192");
   require(s.patch_quads == 16 || s.patch_quads == 32 || s.patch_quads == 64, "patch_quads", s.patch_quads,
           "16, 32 or 64");
-  require(s.pixel_error == 0.0 || (s.pixel_error >= 0.25 && s.pixel_error <= 64.0), "pixel_error", s.pixel_error,
-          "0, or 0.25 to 64");
+  require(s.pixel_error >= 0.25 && s.pixel_error <= 64.0, "pixel_error", s.pixel_error, "0.25 to 64");
   require(s.threshold >= 0.5 && s.threshold <= 4.0, "threshold", s.threshold, "0.5 to 4");
   require(s.cull_scale >= 1.0 && s.cull_scale <= 4.0, "cull_scale", s.cull_scale, "1 to 4");
   require(s.levels >= 0 && s.levels <= Quadtree::max_square_levels, "levels", s.levels, "0 to 12");
@@ -52,10 +51,12 @@ void check(const LodSettings& s) {
   require(s.skirt_multiplier >= 1.0 && s.skirt_multiplier <= 20.0, "skirt_multiplier", s.skirt_multiplier, "1 to 20");
 }
 
+bool by_pixels(const LodSettings& s) { return s.by == LodLaw::pixel_error; }
+
 // As many levels as bring vertices to what is needed a quarter of a metre from the eye, 4 mm a pixel of error in a
 // rough sea; levels that neither eye nor sea needs cost nothing.
 int automatic_levels(const LodSettings& s) {
-  const double needed_m = s.pixel_error > 0.0 ? 0.004 * s.pixel_error : 0.25 * Quadtree::spacing_over_distance(s);
+  const double needed_m = by_pixels(s) ? 0.004 * s.pixel_error : 0.25 * Quadtree::spacing_over_distance(s);
   const int most = Quadtree::max_levels - std::countr_zero(static_cast<unsigned>(s.patch_quads / gpu::patch_quads));
   int levels = 0;
   for (double size = s.ocean_size_m; levels < most && size > needed_m * s.patch_quads; size *= 0.5) ++levels;
@@ -226,7 +227,8 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   frusta_.set(viewpoint.eyes, {selection_.grid_origin_m.x, 0.0, selection_.grid_origin_m.y});
   splits_.find(frame);
   find_leaves(frame, bounds);
-  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty())
+  // By the threshold settings.cull_scale alone says what is left out.
+  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty() && by_pixels(settings_))
     cull_by_water_(*field, *tiles, frusta_, frame, selection_.grid_origin_m, runs_, leaves_);
   list_leaves(frame);
   skirt_.select(frame, splits_, frusta_, selection_);
@@ -263,12 +265,12 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
   // has fewer of them, as the inverse square: of some million at one pixel, which is what mesh_error speaks of, a
   // seventh of the logarithm. Taken is a tenth: with a seventh one of 32 draws of 200 poses passed its pixels by 2 %,
   // and the largest of a draw scatters by 8 %.
-  const double fewer = settings_.pixel_error > 0.0 ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 10.0) : 1.0;
+  const double fewer = by_pixels(settings_) ? std::sqrt(1.0 - std::log(settings_.pixel_error) / 10.0) : 1.0;
   const bool morphed = settings_.join == LodJoin::morphed;
   const double early = morphed ? 1.0 : masked_early;
   // The reach of vertices `coarser_m` apart, of which a mesh misses `error_m`.
   const auto reach_of = [&](double coarser_m, double error_m) {
-    if (settings_.pixel_error > 0.0) return early * fewer * error_m * pixels / settings_.pixel_error;
+    if (by_pixels(settings_)) return early * fewer * error_m * pixels / settings_.pixel_error;
     return std::min(coarser_m / ratio, vertical_m / (error_over_spacing * ratio));
   };
   const double needed_m = std::min(reach_of(1e9, mesh_error.known() ? mesh_error.octave_m.back() : vertical_m),

@@ -51,8 +51,8 @@ class Quadtree {
   int levels() const { return levels_; }  // of patches in the ocean's square: 0 is that alone
   const LodSettings& settings() const { return settings_; }
 
-  // How far vertices may be apart at a distance. With settings.pixel_error: as far as a mesh of the sea misses it by no
-  // more than that many pixels there (DisplacementBounds::mesh_error, Viewpoint::pixels_per_radian). With
+  // How far vertices may be apart at a distance. By settings.pixel_error: as far as a mesh of the sea misses it by no
+  // more than that many pixels there (DisplacementBounds::mesh_error, Viewpoint::pixels_per_radian). By
   // settings.threshold: split_ratio * threshold / patch_quads of the distance, which is a square of patch_quads quads
   // that splits while size / distance exceeds split_ratio * threshold. Distance in three dimensions, from the viewer to
   // the square raised to the water's upper bound. Where a mesh that coarse misses more than the water moves at all,

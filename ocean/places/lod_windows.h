@@ -16,6 +16,7 @@ struct LodWindowSettings {
   double scale_height_m = 8.0;  // up to this height; twice as high doubles all texels
   int most_octaves = 10;        // doublings at most, 0 to 40
   double follow_s = 0.5;        // in which 63 % of a change of height is followed
+  bool operator==(const LodWindowSettings&) const = default;
 };
 
 // Throws Error naming the setting.

@@ -17,10 +17,10 @@ struct SeaShore {
 };
 
 struct SeaPlace {
-  vec2 rest;    // rest position, metres from the grid origin
+  vec2 rest;     // rest position, metres from the grid origin
   LodRead read;  // where the windows of places are read
-  float level;  // the still water's height, m
-  vec2 flow;    // the water's velocity, m/s
+  float level;   // the still water's height, m
+  vec2 flow;     // the water's velocity, m/s
   SeaBed bed;
   SeaShore shore;
 };

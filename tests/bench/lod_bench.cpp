@@ -128,7 +128,7 @@ BENCHMARK(select_by_water)->ArgsProduct({{0, 1, 2, 3}, {2, 200}})->Unit(benchmar
 // By the threshold instead of pixels.
 void select_by_threshold(benchmark::State& state) {
   LodSettings settings = of_preset(state.range(0));
-  settings.pixel_error = 0.0;
+  settings.by = LodLaw::threshold;
   select_along(state, settings, name_of(state), double(state.range(1)), 2);
   state.SetLabel(std::string(name_of(state)));
 }

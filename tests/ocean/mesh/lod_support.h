@@ -27,6 +27,7 @@ inline LodSettings settings_of(const Preset& preset, double ocean_size_m, LodJoi
   LodSettings s;
   s.join = join;
   s.patch_quads = preset.patch_quads;
+  s.by = LodLaw::pixel_error;
   s.pixel_error = preset.pixel_error;
   s.threshold = preset.threshold;
   s.cull_scale = preset.cull_scale;
@@ -35,13 +36,13 @@ inline LodSettings settings_of(const Preset& preset, double ocean_size_m, LodJoi
 }
 
 inline LodSettings by_threshold(LodSettings s) {
-  s.pixel_error = 0.0;
+  s.by = LodLaw::threshold;
   return s;
 }
 // The spacing of vertices over their distance, at most, of a sea of which the tree knows no mesh_error.
 inline double spacing_over_distance(const LodSettings& s) {
-  return s.pixel_error > 0.0 ? s.pixel_error / (Quadtree::error_over_spacing * reference_pixels_per_radian)
-                             : Quadtree::spacing_over_distance(s);
+  return s.by == LodLaw::pixel_error ? s.pixel_error / (Quadtree::error_over_spacing * reference_pixels_per_radian)
+                                     : Quadtree::spacing_over_distance(s);
 }
 
 // A viewer without eyes: the whole selection, nothing culled.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -26,14 +27,15 @@ glm::dvec3 anywhere(std::mt19937& random, const Quadtree& tree, int n) {
 // once. Calm and storm, and an error larger than any preset's. Controls seen, each fails here: vertices that arrive 10
 // % beyond the reach, distance by the vertex itself instead of the one it slides to, the skirt's strips not sliding, a
 // twelfth of the room between levels beyond the visible reach.
-TEST(MorphHard, TheWholeMeshIsWatertight) {
+void expect_watertight(LodLaw law, LodJoin join, int poses) {
   std::mt19937 random(3);
   for (std::size_t k = 0; k < 5; ++k)
     for (const double size : {256.0, 777.7, 1024.0, 4096.0, 8192.0}) {
-      LodSettings settings = settings_of(presets[std::min<std::size_t>(k, 3)], size, LodJoin::morphed);
-      if (k == 4) settings.pixel_error = 64.0, settings.patch_quads = 16;
+      LodSettings settings = settings_of(presets[std::min<std::size_t>(k, 3)], size, join);
+      settings.by = law;
+      if (k == 4) settings.pixel_error = 64.0, settings.threshold = 4.0, settings.patch_quads = 16;
       Quadtree tree(settings);
-      for (int n = 0; n < (test::sanitized ? 6 : 24); ++n) {
+      for (int n = 0; n < poses; ++n) {
         const glm::dvec3 eye = anywhere(random, tree, n);
         const double vertical = std::array{0.0, 0.05, 0.8, 3.0, 12.0}[static_cast<std::size_t>(n) % 5];
         const SurfaceSelection& s = tree.select(everything_from(eye), {vertical, vertical});
@@ -46,6 +48,38 @@ TEST(MorphHard, TheWholeMeshIsWatertight) {
         ASSERT_EQ(t.crowded_edges, 0) << what;
         ASSERT_EQ(t.folded, 0) << what;
         ASSERT_NEAR(t.twice_area, area, 1e-9 * area) << what;
+      }
+    }
+}
+
+TEST(MorphHard, TheWholeMeshIsWatertight) {
+  expect_watertight(LodLaw::pixel_error, LodJoin::morphed, test::sanitized ? 6 : 24);
+}
+
+// Both laws, stitched and morphed: 500 poses each with SEASCAPE_LONG=1. Control seen: coarser_edges() of masked joins
+// returning 0.
+TEST(MorphHard, TheWholeMeshIsWatertightByBothLawsAndJoins) {
+  const int poses = std::getenv("SEASCAPE_LONG") != nullptr ? 20 : 2;
+  for (const LodLaw law : {LodLaw::pixel_error, LodLaw::threshold})
+    for (const LodJoin join : {LodJoin::masked, LodJoin::morphed}) {
+      SCOPED_TRACE(std::string(law == LodLaw::threshold ? "threshold" : "pixel_error") +
+                   (join == LodJoin::masked ? ", masked" : ", morphed"));
+      expect_watertight(law, join, poses);
+    }
+}
+
+// Control seen: spacing_over_distance without the threshold.
+TEST(MorphHard, ALowerThresholdMakesMoreTriangles) {
+  for (const Preset& preset : presets)
+    for (const LodJoin join : {LodJoin::masked, LodJoin::morphed}) {
+      LodSettings settings = by_threshold(settings_of(preset, 4096.0, join));
+      std::size_t fewer = 0;
+      for (const double threshold : {4.0, 2.0, 1.0, 0.5}) {
+        settings.threshold = threshold;
+        const std::size_t patches =
+            Quadtree(settings).select(everything_from({12.0, 3.0, -7.0}), {1.5, 1.5}).patches.size();
+        EXPECT_GT(patches, fewer + fewer / 2) << preset.name << ' ' << threshold;
+        fewer = patches;
       }
     }
 }

@@ -54,7 +54,7 @@ ScreenError screen_error(const std::string& scene, const char* preset, LodJoin j
   std::mt19937 poses_drawn(draw.poses), points(draw.poses + 1);  // a pose depends on no mesh
   DisplacementBounds none;
   faults(settings.lod, none);
-  if (settings.lod.pixel_error > 0.0) error.enough = std::min(error.enough, 0.3 * settings.lod.pixel_error);
+  if (settings.lod.by == LodLaw::pixel_error) error.enough = std::min(error.enough, 0.3 * settings.lod.pixel_error);
   Quadtree tree(settings.lod);
   for (int n = 0; n < poses; ++n) {
     if (n % 25 == 0) field.evaluate(ticks_from_seconds(draw.from_s + 17.0 * n), tiles);
@@ -126,7 +126,7 @@ TEST(ScreenErrorHard, IsWithinTheFigureByTheThresholdToo) {
       for (const Draw& draw : draws) {
         const std::string row = std::string(presets[p].name) + ' ' + scene + " by the threshold " + draw.name;
         if (!chosen(row) || (test::sanitized && p > 1)) continue;
-        const auto by_threshold = [](LodSettings& lod, DisplacementBounds&) { lod.pixel_error = 0.0; };
+        const auto by_threshold = [](LodSettings& lod, DisplacementBounds&) { lod.by = LodLaw::threshold; };
         ScreenError e = screen_error(scene, presets[p].name, LodJoin::morphed, draw, long_run() ? 200 : 2,
                                      long_run() ? 8 : 4, by_threshold);
         print(row, e);
