@@ -100,6 +100,7 @@ void Experience::build() {
   SeaSpec spec = sea_spec(scene_);  // what it cannot make leaves the old ocean
   std::shared_ptr<Sea> sea = sea_;
   if (sea == nullptr || key != sea_key_) sea = std::make_shared<Sea>(spec);
+  OceanState before = ocean_ != nullptr && sea == sea_ ? ocean_->give_up() : OceanState{};
   ocean_.reset();
   sea->draw_in(spec.drawn, spec.place.settings);
   sea->know_velocity(SeaDetail::crests, spec.crests_velocity);
@@ -108,7 +109,8 @@ void Experience::build() {
   ocean_ = std::make_unique<Ocean>(
       device_, shaders_, *sea_,
       OceanSettings{s.wave_place, s.lod, s.water, s.place, foam_spec(scene_), s.baked.fade_m,
-                    calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt});
+                    calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt},
+      std::move(before));
   build_targets();
   const bool tile = in_tile();
   const RenderTarget& drawn = tile ? picture_ : lit_;

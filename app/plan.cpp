@@ -116,7 +116,7 @@ void add_code(Plan& plan, ShaderLibrary& library, const Surface& surface) {
   if (&surface.lighting() != &surface.pipeline())
     shaders.insert(shaders.end(), surface.lighting().shaders().begin(), surface.lighting().shaders().end());
   for (const auto& shader : shaders) {
-    for (const auto& [effect, code] : Surface::effect_code) {
+    for (const auto& [effect, code] : surface.effect_values()) {
       std::vector<SpecValue> without = shader->values;
       for (SpecValue& value : without)
         if (value.id == code) value.value = 0;

@@ -25,7 +25,7 @@ Piece* Ocean::add(std::unique_ptr<Piece> piece) {
   return added;
 }
 
-Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings)
+Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings, OceanState before)
     : sea_(sea), settings_(settings), quadtree_(settings.lod) {
   const SeaSpec& spec = sea.spec();
   waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy));
@@ -44,11 +44,27 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
   if (sea.dynamic_waves()) dynamic_waves_ = add(std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves));
   if (!spec.place.empty()) place_ = add(std::make_unique<DrawnPlace>(device, sea));
   if (wants_foam(settings)) {
-    // Waves along curves are not drawn by every device (DrawnShore).
-    foam_ = add(std::make_unique<DrawnFoam>(device, *settings.foam, sea,
-                                            device.facts().float32_linear ? spec.place.shore : nullptr));
+    if (before.foam != nullptr && &before.foam->sea() == &sea &&
+        before.foam->settings().windows == settings.foam->settings.windows)
+      before.foam->apply(settings.foam->settings);
+    else  // waves along curves are not drawn by every device (DrawnShore)
+      before.foam =
+          std::make_unique<FoamSea>(*settings.foam, sea, device.facts().float32_linear ? spec.place.shore : nullptr);
+    foam_ = add(std::make_unique<DrawnFoam>(device, std::move(before.foam)));
   }
-  if (wants_spray(settings)) spray_ = std::make_unique<Spray>(*settings.spray, sea, foam_life_s(settings));
+  if (!wants_spray(settings)) return;
+  spray_ = std::move(before.spray);
+  if (spray_ != nullptr && &spray_->sea() == &sea && spray_->settings().most == settings.spray->most)
+    spray_->apply(*settings.spray, foam_life_s(settings));
+  else
+    spray_ = std::make_unique<Spray>(*settings.spray, sea, foam_life_s(settings));
+}
+
+OceanState Ocean::give_up() {
+  OceanState state{foam_ != nullptr ? foam_->give_up() : nullptr, std::move(spray_)};
+  if (state.foam) state.foam->forget_views();
+  if (state.spray) state.spray->forget_views();
+  return state;
 }
 
 void Ocean::make_waves(Frame& frame, double time_s) { waves_->make(frame, time_s); }

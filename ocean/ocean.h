@@ -30,10 +30,19 @@ struct OceanSettings {
   std::optional<SpraySettings> spray;  // none: the effect is not called for
 };
 
+// What an ocean has simulated of its own, for another one that draws the same sea.
+struct OceanState {
+  std::unique_ptr<FoamSea> foam;
+  std::unique_ptr<Spray> spray;
+};
+
 class Ocean {
  public:
-  // Draws this sea, in its quality of the picture; the sea outlives it.
-  Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings);
+  // Draws this sea, in its quality of the picture; the sea outlives it. Goes on with what of `before` is of this sea
+  // and fits the settings.
+  Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings, OceanState before = {});
+  // Nothing is drawn with this one any more.
+  OceanState give_up();
 
   // What a frame takes of the sea, which has been advanced to this time, in order: each only if the scene asked for it.
   // What belongs to a place follows the viewer.

@@ -97,7 +97,7 @@ void DrawnDynamicWaves::find_mesh_errors() {
 }
 
 void DrawnDynamicWaves::declare(SurfaceSlots& slots, std::size_t) const {
-  slots.set(gpu::value_dynamic_levels, images_[0].spec().layers);
+  slots.set("dynamic_waves", gpu::value_dynamic_levels, images_[0].spec().layers);
   slots.bind(gpu::slot_dynamic_shift, images_[0]);
   slots.bind(gpu::slot_dynamic_slope, images_[1]);
 }

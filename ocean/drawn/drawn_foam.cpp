@@ -26,8 +26,8 @@ ImageSpec sampled(std::uint32_t side, std::uint32_t layers, std::uint32_t levels
 }
 }  // namespace
 
-DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore)
-    : sea_(spec, sea, std::move(shore)), settings_(spec.settings.windows) {
+DrawnFoam::DrawnFoam(Device& device, std::unique_ptr<FoamSea> foam)
+    : sea_(std::move(foam)), settings_(sea_->settings().windows) {
   const EffectScope scope(device, "foam");
   const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
   windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));
@@ -37,7 +37,7 @@ DrawnFoam::DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared
     staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                      HostAccess::write);
   fill_lace(device);
-  follow_wind(sea);
+  follow_wind(sea_->sea());
 }
 
 void DrawnFoam::follow_wind(const Sea& sea) {
@@ -72,9 +72,9 @@ void DrawnFoam::fill_lace(Device& device) {
 
 void DrawnFoam::update(Frame& frame, const DrawnMoment& moment) {
   if (!moment.sea.changing()) follow_wind(moment.sea);
-  const std::uint32_t changed = sea_.changed();
-  if (const auto fault = sea_.take_fault()) spdlog::warn("{}", *fault);
-  const Foam& foam = sea_.foam();
+  const std::uint32_t changed = sea_->changed();
+  if (const auto fault = sea_->take_fault()) spdlog::warn("{}", *fault);
+  const Foam& foam = sea_->foam();
   const LodField<float>& field = foam.field();
   const std::uint32_t all = (1u << settings_.slices) - 1u, copied = begun_ ? changed & (foam.foamy() | drawn_) : all;
   begun_ = true;
@@ -112,7 +112,7 @@ void DrawnFoam::declare(SurfaceSlots& slots, std::size_t) const {
 
 void DrawnFoam::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const {
   gpu::FoamData& data = frame.foam;
-  const LodField<float>& field = sea_.foam().field();
+  const LodField<float>& field = sea_->foam().field();
   data.windows = lod_windows(settings_, field.placement(), grid_origin_m);
   const glm::dvec2 along(wind_);
   const auto drawn_out = [&](double taken) { return grid_origin_m - taken * glm::dot(grid_origin_m, along) * along; };
@@ -122,7 +122,7 @@ void DrawnFoam::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const 
       glm::dvec2(c * lace.x + s * lace.y, c * lace.y - s * lace.x) / double(gpu::foam_fine_side_m);
   const glm::dvec2 third = glm::dvec2(c * wide.x - s * wide.y, c * wide.y + s * wide.x) / double(gpu::foam_wide_side_m);
   data.origin = glm::vec4(glm::vec2(glm::fract(first)), glm::vec2(glm::fract(second)));
-  data.look = glm::vec4(glm::vec2(glm::fract(third)), sea_.fresh(), 0.0f);
+  data.look = glm::vec4(glm::vec2(glm::fract(third)), sea_->fresh(), 0.0f);
   data.wind = wind_;
 }
 

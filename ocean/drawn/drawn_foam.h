@@ -11,8 +11,7 @@ namespace seascape {
 
 class DrawnFoam final : public DrawnPiece {
  public:
-  // As FoamSea is made.
-  DrawnFoam(Device& device, const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore);
+  DrawnFoam(Device& device, std::unique_ptr<FoamSea> foam);
 
   const char* stage() const override { return "foam"; }
   // Of the foam as it has been stepped; records nothing where there is and was none.
@@ -21,8 +20,10 @@ class DrawnFoam final : public DrawnPiece {
   void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const override;
   void add_uses(Uses& uses) const override;
 
-  FoamSea& sea() { return sea_; }
-  const FoamSea& sea() const { return sea_; }
+  FoamSea& sea() { return *sea_; }
+  const FoamSea& sea() const { return *sea_; }
+  // For another drawing of the same sea; nothing is drawn with this one any more.
+  std::unique_ptr<FoamSea> give_up() { return std::move(sea_); }
   const Image& windows() const { return windows_; }
   const Image& lace() const { return lace_; }
 
@@ -31,7 +32,7 @@ class DrawnFoam final : public DrawnPiece {
   // 6 times).
   void follow_wind(const Sea& sea);
   void fill_lace(Device& device);
-  FoamSea sea_;
+  std::unique_ptr<FoamSea> sea_;
   LodWindowSettings settings_;
   Image windows_, lace_;
   std::array<Buffer, Frame::slots> staging_;

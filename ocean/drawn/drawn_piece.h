@@ -16,6 +16,11 @@ class SurfaceSlots {
  public:
   // A specialisation constant; 0 where no piece sets it.
   void set(int constant, std::uint32_t value) { values_.push_back({std::uint32_t(constant), value}); }
+  // The same of one that says how much there is of an effect (a literal): at 0 shaders have none of its code.
+  void set(const char* effect, int constant, std::uint32_t value) {
+    set(constant, value);
+    effects_.push_back({effect, std::uint32_t(constant)});
+  }
   std::uint32_t value(int constant) const {
     const auto found = std::find_if(values_.begin(), values_.end(),
                                     [&](const SpecValue& v) { return v.id == std::uint32_t(constant); });
@@ -28,10 +33,16 @@ class SurfaceSlots {
   void bind(int slot, VkSampler sampler) { bound_.push_back({.binding = std::uint32_t(slot), .sampler = sampler}); }
 
   const std::vector<SpecValue>& values() const { return values_; }
+  struct EffectValue {
+    const char* effect;
+    std::uint32_t constant;
+  };
+  const std::vector<EffectValue>& effects() const { return effects_; }
   const std::vector<Bound>& bound() const { return bound_; }
 
  private:
   std::vector<SpecValue> values_;
+  std::vector<EffectValue> effects_;
   std::vector<Bound> bound_;
 };
 

@@ -198,11 +198,11 @@ void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
 void DrawnPlace::declare(SurfaceSlots& slots, std::size_t) const {
   for (const Drawn& drawn : drawn_) {
     const auto [value, slot] = slots_of(drawn.kind);
-    if (drawn.kind != InputTarget::clip) slots.set(value, std::uint32_t(drawn.laid));
+    if (drawn.kind != InputTarget::clip) slots.set(traits(drawn.kind).name.data(), value, std::uint32_t(drawn.laid));
     slots.bind(slot, drawn.windows.image());
   }
   if (bed_) {
-    slots.set(gpu::value_bed, 1);
+    slots.set("sea_depth", gpu::value_bed, 1);
     slots.bind(gpu::slot_bed, bed_->heights.image());
     slots.bind(gpu::slot_bed_waves, bed_->waves.image());
   }
@@ -213,7 +213,7 @@ void DrawnPlace::declare(SurfaceSlots& slots, std::size_t) const {
   const bool flat = drawn(InputTarget::clip) != nullptr, volumes = clip_ != nullptr,
              hulls = volumes && clip_->hulls() != nullptr;
   if (!flat && !volumes) return;
-  slots.set(gpu::value_clip, 1);
+  slots.set("clip", gpu::value_clip, 1);
   slots.set(gpu::value_clip_kinds, (flat ? 1u : 0u) | (volumes ? 2u : 0u) | (hulls ? 4u : 0u));
   if (!volumes) return;
   slots.bind(gpu::slot_clip_nodes, clip_->node_buffer());

@@ -17,7 +17,7 @@ namespace {
 
 // Where a source's layings are counted, where its three images are bound and where its layings are told.
 struct SourceSlot {
-  std::string_view name;
+  const char* name;
   bool along_curves;
   int value, slot;
   std::span<gpu::CascadeData> (*layings)(gpu::SeaData&);
@@ -34,7 +34,7 @@ constexpr SourceSlot source_slots[] = {
 
 const SourceSlot& slot_of(const TileSource& source) {
   const auto found = std::find_if(std::begin(source_slots), std::end(source_slots), [&](const SourceSlot& slot) {
-    return slot.name == source.name() && slot.along_curves == source.along_curves();
+    return source.name() == slot.name && slot.along_curves == source.along_curves();
   });
   assert(found != std::end(source_slots) && "shaders know nothing of this source");
   return *found;
@@ -109,7 +109,7 @@ void DrawnSource::add_uses(Uses& uses, Access access, bool whole) const {
 
 void DrawnSource::declare(SurfaceSlots& slots, std::size_t) const {
   const SourceSlot& own = slot_of(*source_);
-  slots.set(own.value, std::uint32_t(source_->layings().size()));
+  slots.set(own.name, own.value, std::uint32_t(source_->layings().size()));
   for (int plane = 0; plane < planes; ++plane) slots.bind(own.slot + plane, images_[std::size_t(plane)]);
 }
 

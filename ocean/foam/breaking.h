@@ -28,6 +28,8 @@ class Breaking {
  public:
   // `sea` outlives it; `life_s`: in which foam goes.
   Breaking(Sea& sea, double life_s);
+  // Lets go of the sea's views: the next moment asks for new ones.
+  void forget() { view_ = ahead_ = {}; }
   // As of the next moment that is asked for.
   void set_life(double life_s) { life_s_ = life_s; }
 

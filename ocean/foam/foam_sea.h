@@ -72,6 +72,10 @@ class FoamSea {
   // Takes other settings of the same windows; the foam that there is stays. After another rate the steps fall on its
   // multiples. Throws as validate() does.
   void apply(const FoamSettings& settings);
+  // Lets go of the sea's views, which are made anew when the next step asks for them.
+  void forget_views() { breaking_.forget(); }
+  const Sea& sea() const { return sea_; }
+  const FoamSettings& settings() const { return spec_.settings; }
   const Foam& foam() const { return foam_; }
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }

@@ -52,6 +52,9 @@ class Spray {
   // Takes other settings of the same `most`; what is aloft flies on. After another rate the steps fall on its
   // multiples. Throws as validate() does.
   void apply(const SpraySettings& settings, double foam_life_s);
+  // Lets go of the sea's views, which are made anew when the next step asks for them.
+  void forget_views() { breaking_.forget(); }
+  const Sea& sea() const { return sea_; }
 
   // Has the puffs of a time of the sea, in s, around a viewer (m). A time or a place that is no number changes nothing.
   void update(double time_s, const glm::dvec3& viewer_m) {

@@ -53,12 +53,13 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   std::vector<SurfaceSlots> slots(copies);
   for (std::size_t copy = 0; copy < copies; ++copy)
     for (const auto& piece : pieces) piece->declare(slots[copy], piece.get() == copied_ ? copy : 0);
+  if (look.foam) slots[0].set("foam", gpu::value_foam, 1);
   spec.values = slots[0].values();
+  effect_values_ = slots[0].effects();
   const auto set = [&](int constant, std::uint32_t value) { spec.values.push_back({std::uint32_t(constant), value}); };
   set(gpu::value_multiview, !picture.spec().per_eye);
   set(gpu::value_probe, look.probe);
   set(gpu::value_tile_shape, look.tile_shape);
-  set(gpu::value_foam, look.foam);
   set(gpu::value_debug, look.debug);
   set(gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look.anisotropy));
   set(gpu::value_deferred, look.deferred);

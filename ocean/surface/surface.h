@@ -51,24 +51,8 @@ class Surface {
   const Pipeline& pipeline() const { return pipeline_; }
   // What its pixels are lit by.
   const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }
-  // Effects that are code in its shaders: what they are where the effect's value is 0 lacks it.
-  struct EffectCode {
-    const char* effect;
-    std::uint32_t value;
-  };
-  static constexpr EffectCode effect_code[] = {{"waves", gpu::value_cascades},
-                                               {"foam", gpu::value_foam},
-                                               {"baked", gpu::value_baked},
-                                               {"gerstner", gpu::value_gerstner},
-                                               {"gerstner", gpu::value_shore_waves},
-                                               {"wave_particles", gpu::value_particles},
-                                               {"dynamic_waves", gpu::value_dynamic_levels},
-                                               {"level", gpu::value_level},
-                                               {"sea_depth", gpu::value_bed},
-                                               {"flow", gpu::value_flow},
-                                               {"clip", gpu::value_clip},
-                                               {"albedo", gpu::value_albedo},
-                                               {"shadow", gpu::value_shadow}};
+  // The specialisation constants of effects that are code in its shaders.
+  const std::vector<SurfaceSlots::EffectValue>& effect_values() const { return effect_values_; }
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
@@ -80,6 +64,7 @@ class Surface {
   const DrawnPiece* copied_ = nullptr;  // whose images are there several times; null: nobody's
   std::size_t shown() const { return copied_ != nullptr ? copied_->shown() : 0; }
   SurfaceLook look_;
+  std::vector<SurfaceSlots::EffectValue> effect_values_;
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images

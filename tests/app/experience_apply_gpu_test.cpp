@@ -52,7 +52,8 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   const Image8 plain = live.picture(head, time_s);
   // What there was before the change stays: a jump of the time has foam and spray begin with the new settings.
   const auto begin_anew = [&](std::string_view key) {
-    if (key.starts_with("foam.") || key.starts_with("spray.")) live.draw(head, time_s + 60.0);
+    if (key.starts_with("foam.") || key.starts_with("spray.") || key == "waves.resolution" || key == "waves.cascades")
+      live.draw(head, time_s + 60.0);
   };
   int changed_pictures = 0;
   for (const Setting& row : settings_table()) {
@@ -167,6 +168,57 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     }
   }
   EXPECT_GE(live, 30u);
+}
+
+// What builds objects anew, and an effect that comes and goes, leaves the foam and the spray that there are. Control
+// seen: an Experience::build that hands nothing on.
+TEST_F(ExperienceApply, ARebuildAndAToggleLeaveFoamAndSpray) {
+  test::SeaShot shot({.scene = "storm",
+                      .preset = "low",
+                      .width = 64,
+                      .height = 48,
+                      .set = {{"waves.resolution", "32"},
+                              {"waves.cascades", "3"},
+                              {"msaa", "1"},
+                              {"foam.simulated", "true"},
+                              {"foam.resolution", "64"},
+                              {"foam.settle_s", "1"}}});
+  Experience& experience = shot.experience();
+  const Pose head = test::pose({0.0, 6.0, 0.0}, 20.0, -18.0);
+  const std::vector<std::string> with = shot.scene().effects;
+  double time_s = 4.0;
+  const auto go_on = [&] {
+    for (int n = 0; n < 6; ++n) shot.draw(head, time_s += 1.0 / 24.0);
+  };
+  go_on();
+  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"msaa", "4"}, {"frame.lighting", "forward"}, {"water.anisotropy", "1"}, {"waves.resolution", "64"}}) {
+    const std::uint64_t before = hash_of(experience), builds = experience.builds();
+    shot.set(key, value);
+    ASSERT_GT(experience.builds(), builds) << key;
+    EXPECT_EQ(hash_of(experience), before) << key;
+    shot.draw(head, time_s);  // what is asked of it again is what it was
+    EXPECT_EQ(hash_of(experience), before) << key;
+    go_on();
+    EXPECT_NE(hash_of(experience), before) << key << ": it stands still";
+  }
+  const auto without = [&](const char* effect) {
+    std::vector<std::string> rest = with;
+    std::erase(rest, effect);
+    return rest;
+  };
+  const auto foam = [&] { return experience.ocean().foam()->sea().foam().covered({3.0, -40.0}, 0.0); };
+  const float covered = foam();
+  ASSERT_GT(covered, 0.0f);
+  experience.apply_effects(without("spray"));
+  EXPECT_EQ(foam(), covered);
+  experience.apply_effects(with);
+  EXPECT_EQ(foam(), covered);
+  go_on();
+  const std::size_t puffs = experience.ocean().spray()->puffs().size();
+  ASSERT_GT(puffs, 0u);
+  experience.apply_effects(without("foam"));
+  EXPECT_EQ(experience.ocean().spray()->puffs().size(), puffs);
 }
 
 }  // namespace
