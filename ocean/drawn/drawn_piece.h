@@ -1,4 +1,5 @@
-// What takes one part of the sea to the GPU, as the ocean and its surface see it: waves, places, foam, each a piece.
+// The interface of what takes one part of the sea to the GPU: waves, places, foam. The ocean and its surface know
+// nothing else of it.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -10,13 +11,13 @@
 
 namespace seascape {
 
-// What the surface's shaders are built for and what they are bound to; each piece adds its own
-// (shaders/shared/slots.h).
+// Specialisation constants and bindings of the surface's shaders, collected from all pieces. Their numbers have names
+// in shaders/shared/slots.h.
 class SurfaceSlots {
  public:
   // A specialisation constant; 0 where no piece sets it.
   void set(int constant, std::uint32_t value) { values_.push_back({std::uint32_t(constant), value}); }
-  // The same of one that says how much there is of an effect (a literal): at 0 shaders have none of its code.
+  // A constant that switches an effect (a literal): at 0 the shaders contain none of its code.
   void set(const char* effect, int constant, std::uint32_t value) {
     set(constant, value);
     effects_.push_back({effect, std::uint32_t(constant)});
@@ -46,7 +47,7 @@ class SurfaceSlots {
   std::vector<Bound> bound_;
 };
 
-// A frame's moment of the sea.
+// What a frame draws.
 struct DrawnMoment {
   Sea& sea;              // as of time_s
   const SeaView& water;  // of a detail that has the sources' tiles
@@ -54,7 +55,7 @@ struct DrawnMoment {
   glm::dvec3 viewer_m;   // in the world
 };
 
-// How far water is moved at most, m.
+// Upper bounds on how far water is displaced, m.
 struct WaterReach {
   double height_m = 0.0, shift_m = 0.0;
 };
@@ -66,9 +67,9 @@ class DrawnPiece {
   DrawnPiece& operator=(const DrawnPiece&) = delete;
   virtual ~DrawnPiece() = default;
 
-  // The CPU stage that its updates count for: a literal.
+  // Name of the CPU stage that its updates are timed under: a literal.
   virtual const char* stage() const = 0;
-  // Has the moment in its images and buffers; records nothing where they hold it.
+  // Brings its images and buffers to this moment. Records nothing if they already hold it.
   virtual void update(Frame& frame, const DrawnMoment& moment) = 0;
   // Adds its values and bindings; these never change while it lives, but for the copy that is bound.
   virtual void declare(SurfaceSlots& slots, std::size_t copy) const = 0;
