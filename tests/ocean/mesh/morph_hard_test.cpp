@@ -56,7 +56,7 @@ TEST(MorphHard, TheWholeMeshIsWatertight) {
   expect_watertight(LodLaw::pixel_error, LodJoin::morphed, test::sanitized ? 6 : 24);
 }
 
-// Both laws, stitched and morphed: 500 poses each with SEASCAPE_LONG=1. Control seen: coarser_edges() of masked joins
+// Both laws, stitched and morphed: 500 poses each with SEASCAPE_LONG=1. Control seen: coarser_sides() of masked joins
 // returning 0.
 TEST(MorphHard, TheWholeMeshIsWatertightByBothLawsAndJoins) {
   const int poses = std::getenv("SEASCAPE_LONG") != nullptr ? 20 : 2;
