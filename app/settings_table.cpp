@@ -902,9 +902,8 @@ const std::vector<Setting>& table() {
        lod<&LodSettings::ocean_size_m>, 256.0, 8192.0},
       {"lod.by",
        "",
-       "What makes the mesh as fine as it is: the pixels by which it may miss the sea, or lod.threshold, "
-       "lod.patch_quads "
-       "and lod.cull_scale by themselves.",
+       "What decides how fine the mesh is: the pixels by which it may miss the sea, or lod.threshold, "
+       "lod.patch_quads and lod.cull_scale alone.",
        lod_choice<&LodSettings::by>,
        0.0,
        0.0,
@@ -928,7 +927,7 @@ const std::vector<Setting>& table() {
        quality},
       {"lod.threshold",
        "",
-       "By the threshold, a square splits when its size over its distance exceeds half of this: lower gives more "
+       "By the threshold, a square splits when its size over its distance exceeds half of this; lower gives more "
        "detail.",
        lod<&LodSettings::threshold>,
        0.5,
@@ -945,9 +944,8 @@ const std::vector<Setting>& table() {
        {"masked", "morphed"}},
       {"lod.cull_scale",
        "",
-       "By the threshold, how much a patch's bounds grow before it is culled; by pixels what is out of sight as the "
-       "water "
-       "stands is left out besides.",
+       "How much a patch's bounds grow before it is culled. By pixels, what the water hides at the moment is left out "
+       "too.",
        lod<&LodSettings::cull_scale>,
        1.0,
        4.0,

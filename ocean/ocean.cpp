@@ -175,6 +175,8 @@ bool Ocean::takes(const OceanSettings& settings) const {
 }
 
 void Ocean::apply(const OceanSettings& settings) {
+  if (foam_) validate(settings.foam->settings);  // before anything changes
+  if (spray_) validate(*settings.spray);
   quadtree_.apply(settings.lod);
   if (foam_) foam_->sea().apply(settings.foam->settings);
   if (spray_) spray_->apply(*settings.spray, foam_life_s(settings));

@@ -81,7 +81,7 @@ class DrawnPiece {
   // How many copies of its images there are, for frames in flight, and which the surface is to read from now.
   virtual std::size_t copies() const { return 1; }
   virtual std::size_t shown() const { return 0; }
-  // What it does to the water's place as of the last update, where a bed makes no more of it.
+  // How far it displaces water, as of the last update. What a bed may amplify is not in it (Ocean adds the sources).
   virtual WaterReach reach() const { return {}; }
 };
 
