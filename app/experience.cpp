@@ -215,7 +215,7 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
   const bool at_once = sea_at_once || settings.sea_change_s <= 0.0;
   const bool rebuild = needs_rebuild(scene_.settings, settings, at_once),
              change = needs_change(scene_.settings, settings);
-  scene_.settings = settings;
+  const Settings before = std::exchange(scene_.settings, settings);
   OceanSettings drawn = ocean_->settings();
   drawn.lod = settings.lod;
   drawn.water = settings.water;
@@ -223,11 +223,25 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
   drawn.baked_fade_m = settings.baked.fade_m;
   if (drawn.foam) drawn.foam->settings = settings.foam;
   if (drawn.spray) drawn.spray = settings.spray;
-  if (rebuild || !ocean_->takes(drawn)) return build();
+  std::string key = sea_key(scene_);
+  bool same_sea = key == sea_key_;
+  if (!same_sea && !(change && at_once)) {
+    const MadeBefore made{before, sea_->spec()};
+    SeaSpec spec;
+    try {
+      spec = sea_spec(scene_, &made);
+    } catch (...) {
+      scene_.settings = before;
+      throw;
+    }
+    if ((same_sea = sea_->takes(spec))) {
+      ocean_->take(std::move(spec));
+      if (change) ocean_->change(settings.sea, settings.sea_change_s);
+      sea_key_ = std::move(key);
+    }
+  }
+  if (rebuild || !same_sea || !ocean_->takes(drawn)) return build();
   ocean_->apply(drawn);
-  if (!change) return;
-  ocean_->change(settings.sea, settings.sea_change_s);
-  sea_key_ = sea_key(scene_);
 }
 
 }  // namespace seascape

@@ -5,30 +5,44 @@
 #include "app/tile_sources.h"
 #include "ocean/effects.h"
 #include "ocean/places/shore_lines.h"
+#include "ocean/sea/sea_spec.h"
 
 namespace seascape {
 
-PlaceInputs place_inputs(const Scene& scene) {
+PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
   PlaceInputs result{scene.settings.place, {}, {}, nullptr};
+  if (before != nullptr) result.following = before->sea.place.following;
   for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip,
                                  InputTarget::albedo, InputTarget::shadow}) {
     if (!calls_for(scene.effects, traits(kind).name)) continue;
     const bool on_water = kind == InputTarget::albedo || kind == InputTarget::shadow;
     auto follow = [](const InputSpec& spec) { return spec.follow_waves; };
     auto stay = [](const InputSpec& spec) { return !spec.follow_waves; };
+    if (auto same = before != nullptr ? before->sea.place.of(kind) : nullptr) {
+      result.kinds.push_back(std::move(same));  // even if it gives nothing now: it may again
+      continue;
+    }
     auto inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay)
                            : std::make_shared<const Inputs>(kind, scene.inputs);
-    if (auto following = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr;
+    if (auto following =
+            on_water && before == nullptr ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr;
         following && !following->empty())
       result.following.push_back(std::move(following));
     if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
       result.kinds.push_back(std::move(inputs));
   }
   const bool bodies = scene.clip_room.most_bodies > 0;
-  if (calls_for(scene.effects, "clip") && (bodies || std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)))
+  if (before != nullptr)
+    result.volumes = before->sea.place.volumes;
+  else if (calls_for(scene.effects, "clip") &&
+           (bodies || std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)))
     result.volumes = std::make_shared<const ClipVolumes>(scene.inputs, scene.clip_room);
-  if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene))
-    result.shore = std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
+  if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene, before)) {
+    const auto same = before != nullptr ? before->sea.place.shore : nullptr;
+    result.shore = same != nullptr && same->period_m() == tile->side_m()
+                       ? same
+                       : std::make_shared<const ShoreLines>(scene.inputs, tile->side_m());
+  }
   return result;
 }
 

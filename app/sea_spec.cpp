@@ -21,19 +21,23 @@ constexpr std::array<std::string_view, 11> effects{"waves",         "gerstner", 
                                                    "sea_depth",     "albedo",   "shadow"};
 }  // namespace
 
-SeaSpec sea_spec(const Scene& scene) {
+SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
   const Settings& s = scene.settings;
   SeaSpec spec;
   spec.state = s.sea;
   spec.has_waves = calls_for(scene.effects, "waves");
-  spec.sources = tile_sources(scene);
-  spec.place = place_inputs(scene);
+  spec.sources = tile_sources(scene, before);
+  spec.place = place_inputs(scene, before);
   if (calls_for(scene.effects, "dynamic_waves")) {
-    spec.pressure = std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene.inputs);
+    spec.pressure = before != nullptr ? before->sea.pressure : nullptr;
+    if (spec.pressure == nullptr)
+      spec.pressure = std::make_shared<const Inputs>(InputTarget::dynamic_waves, scene.inputs);
     spec.dynamic_waves = s.dynamic_waves;
     spec.dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
     spec.dynamic_waves->waves.depth_m = s.sea.depth_m;
-    if (still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
+    // Those that are there stay: they may be raised again.
+    const bool there = before != nullptr && before->sea.dynamic_waves;
+    if (!there && still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
   }
   spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;

@@ -53,6 +53,13 @@ const Setting* find_setting(std::string_view key) {
   return nullptr;
 }
 
+bool same_group(const Settings& a, const Settings& b, std::string_view group) {
+  const auto rows = settings_table();
+  return std::all_of(rows.begin(), rows.end(), [&](const Setting& row) {
+    return row.key.substr(0, row.key.find('.')) != group || value_of(a, row) == value_of(b, row);
+  });
+}
+
 SettingValue value_of(const Settings& constant, const Setting& setting) {
   Settings& settings = mutable_settings(constant);
   return std::visit(

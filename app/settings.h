@@ -73,6 +73,9 @@ struct Setting {
 std::span<const Setting> settings_table();
 const Setting* find_setting(std::string_view key);
 
+// Whether all rows of a group ("gerstner") have the same values in both.
+bool same_group(const Settings& a, const Settings& b, std::string_view group);
+
 using SettingValue = std::variant<bool, double, std::string>;
 
 // The value as it is now: bool of a flag, double of a number, name of a choice or a text.

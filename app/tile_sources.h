@@ -6,11 +6,19 @@
 
 namespace seascape {
 
+struct SeaSpec;  // ocean/sea/sea_spec.h
+
+// What was made of the same effects and inputs under other settings: what these did not change is shared with it.
+struct MadeBefore {
+  const Settings& settings;
+  const SeaSpec& sea;
+};
+
 // One source for each effect of the scene's closure that is one, in the order of their names in the design; made for
 // its settings. Throws Error where they do not go together.
-TileSources tile_sources(const Scene& scene);
+TileSources tile_sources(const Scene& scene, const MadeBefore* before = nullptr);
 
 // The tile of the sets that run along the scene's splines; null where there are no such sets or no splines.
-std::shared_ptr<const Gerstner> shore_gerstner(const Scene& scene);
+std::shared_ptr<const Gerstner> shore_gerstner(const Scene& scene, const MadeBefore* before = nullptr);
 
 }  // namespace seascape

@@ -29,18 +29,9 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
     : sea_(sea), settings_(settings), quadtree_(settings.lod) {
   const SeaSpec& spec = sea.spec();
   waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy));
-  for (const auto& source : spec.sources) {
+  for (const auto& source : spec.sources)
     sources_.push_back(add(std::make_unique<DrawnSource>(device, source, waves().half_storage())));
-    const SourceStatistics s = source->along_curves() && spec.place.shore ? spec.place.shore->bent(source->statistics())
-                                                                          : source->statistics();
-    of_sources_.height_variance += s.height_variance;
-    of_sources_.largest_height_m += s.largest_height_m;
-    of_sources_.largest_shift_m += s.largest_shift_m;
-    if (source->along_curves())
-      source_error_.add_along_curves(s);
-    else
-      source_error_.add(*source);
-  }
+  measure_sources();
   if (sea.dynamic_waves()) dynamic_waves_ = add(std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves));
   if (!spec.place.empty()) place_ = add(std::make_unique<DrawnPlace>(device, sea));
   if (wants_foam(settings)) {
@@ -58,6 +49,23 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
     spray_->apply(*settings.spray, foam_life_s(settings));
   else
     spray_ = std::make_unique<Spray>(*settings.spray, sea, foam_life_s(settings));
+}
+
+void Ocean::measure_sources() {
+  const SeaSpec& spec = sea_.spec();
+  of_sources_ = {};
+  source_error_ = {};
+  for (const auto& source : spec.sources) {
+    const SourceStatistics s = source->along_curves() && spec.place.shore ? spec.place.shore->bent(source->statistics())
+                                                                          : source->statistics();
+    of_sources_.height_variance += s.height_variance;
+    of_sources_.largest_height_m += s.largest_height_m;
+    of_sources_.largest_shift_m += s.largest_shift_m;
+    if (source->along_curves())
+      source_error_.add_along_curves(s);
+    else
+      source_error_.add(*source);
+  }
 }
 
 OceanState Ocean::give_up() {
@@ -80,6 +88,15 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   step_together(foam_ != nullptr ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
   const DrawnMoment moment{sea_, water_, time_s, viewer_m};
   for (const auto& piece : pieces_) stages.time(piece->stage(), [&] { piece->update(frame, moment); });
+}
+
+void Ocean::take(SeaSpec spec) {
+  const TileSources before = sea_.spec().sources;
+  MakePlace place = place_ ? place_->remake(spec.place, spec.sources) : nullptr;
+  sea_.apply(std::move(spec), std::move(place));
+  if (sea_.spec().sources != before) measure_sources();
+  for (const auto& piece : pieces_) piece->take(sea_);
+  if (foam_) foam_->sea().take_sea();
 }
 
 void Ocean::change(const SeaState& state, double over_s) {

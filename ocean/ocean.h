@@ -75,6 +75,8 @@ class Ocean {
   // Takes other settings as it runs: it makes no object, and what foam and spray there is stays. Throws as validate()
   // does, and stays as it was then.
   void apply(const OceanSettings& settings);
+  // Sea::apply, with what this drawing needs of it.
+  void take(SeaSpec spec);
   // Sea::change, with what this drawing needs of the bed made beside it.
   void change(const SeaState& sea, double over_s);
   Sea& sea() { return sea_; }
@@ -115,7 +117,8 @@ class Ocean {
   bool waves_alone() const;                              // nothing else moves the water
   double land_m() const;                                 // how far it stands above the still sea at most
   double most_share() const;                             // by which a bed may raise waves, 1 without one
-  SourceStatistics of_sources_;                          // all of them together
+  void measure_sources();
+  SourceStatistics of_sources_;  // all of them together
   SourceError source_error_;
   Quadtree quadtree_;
   const SurfaceSelection* selection_ = nullptr;

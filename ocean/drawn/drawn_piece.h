@@ -69,6 +69,8 @@ class DrawnPiece {
 
   // Name of the CPU stage that its updates are timed under: a literal.
   virtual const char* stage() const = 0;
+  // Takes what Sea::apply has changed, from the next update on.
+  virtual void take(const Sea&) {}
   // Brings its images and buffers to this moment. Records nothing if they already hold it.
   virtual void update(Frame& frame, const DrawnMoment& moment) = 0;
   // Adds its values and bindings; these never change while it lives, but for the copy that is bound.

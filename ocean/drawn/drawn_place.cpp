@@ -95,6 +95,19 @@ void DrawnPlace::apply(const PlaceSettings& settings) {
   settings_.growth_m = settings.growth_m;
 }
 
+void DrawnPlace::take(const Sea& sea) {
+  const PlaceSettings before = settings_;
+  const PlaceInputs& inputs = sea.spec().place;
+  settings_ = inputs.settings;
+  settings_.sand = before.sand;
+  settings_.growth_m = before.growth_m;
+  for (Drawn& drawn : drawn_)
+    if (place_outside(before, drawn.kind) != place_outside(settings_, drawn.kind))
+      for (Drawn::Part& part : drawn.parts)
+        if (part.field) part.field->take(place_values(part.inputs, settings_), settings_);
+  if (shore_) shore_->take(inputs.shore, sea.shallows().from);
+}
+
 void DrawnPlace::update(Frame& frame, const DrawnMoment& moment) {
   const auto& [sea, water, time_s, viewer] = moment;
   time_s_ = time_s;
@@ -148,7 +161,9 @@ void DrawnPlace::follow(const Sea& sea) {
   const ShallowsMix& now = sea.shallows();
   if (now.to != nullptr && now.to != shallows_.to) {
     const std::shared_ptr<MadePlace>& made = sea.made_place();
-    if (made != nullptr && made->shallows == now.to) bed_->next = std::move(made->field);
+    if (made != nullptr && made->shallows == now.to && made->field &&
+        made->field->settings().windows == settings_.windows)
+      bed_->next = std::move(made->field);
     if (bed_->next == nullptr)
       bed_->next = std::make_unique<PlaceField<BedTexel>>(bed_values({now.to, nullptr}, depth_m_), settings_,
                                                           placement_, time_s_);
@@ -159,6 +174,7 @@ void DrawnPlace::follow(const Sea& sea) {
     bed_->next = nullptr;
   }
   if (other) bed_->turns.stale();
+  if (shore_ && now.from != shallows_.from) shore_->take(sea.spec().place.shore, now.from);
   shallows_ = now;
 }
 

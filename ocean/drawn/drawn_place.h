@@ -21,6 +21,7 @@ class DrawnPlace final : public DrawnPiece {
   const char* stage() const override { return "places"; }
   // Takes the look of the ground.
   void apply(const PlaceSettings& settings);
+  void take(const Sea& sea) override;
   // The data around the viewer, with what the bed makes of the sea's waves and what clips now.
   void update(Frame& frame, const DrawnMoment& moment) override;
   void declare(SurfaceSlots& slots, std::size_t copy) const override;

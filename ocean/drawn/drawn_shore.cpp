@@ -11,6 +11,13 @@ DrawnShore::DrawnShore(Device& device, std::shared_ptr<const ShoreLines> lines,
                 device.facts().float32_linear ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
       of_ways_(device, "gerstner along curves, ways", settings.windows, VK_FORMAT_R16G16_SFLOAT) {}
 
+void DrawnShore::take(std::shared_ptr<const ShoreLines> lines, std::shared_ptr<const Shallows> shallows) {
+  if (lines == lines_ && shallows == shallows_) return;
+  lines_ = std::move(lines);
+  shallows_ = std::move(shallows);
+  if (field_) field_->take(shore_values(lines_, shallows_), settings_);
+}
+
 void DrawnShore::update(Frame& frame, const LodPlacement& placement, double time_s) {
   std::uint32_t changed = (1u << settings_.windows.slices) - 1u;
   if (field_) {

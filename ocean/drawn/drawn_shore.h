@@ -14,6 +14,8 @@ class DrawnShore {
   // much for it, and there are no such waves. `shallows`: what a bed leaves of them; null where none is known.
   DrawnShore(Device& device, std::shared_ptr<const ShoreLines> lines, std::shared_ptr<const Shallows> shallows,
              const PlaceSettings& settings);
+  // Takes other curves, or another sea's shallows, from the next update on.
+  void take(std::shared_ptr<const ShoreLines> lines, std::shared_ptr<const Shallows> shallows);
   void update(Frame& frame, const LodPlacement& placement, double time_s);
   void add_uses(Uses& uses, Access access) const;
   const Image& lines() const { return of_lines_.image(); }

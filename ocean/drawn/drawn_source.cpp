@@ -72,6 +72,16 @@ DrawnSource::DrawnSource(Device& device, std::shared_ptr<const TileSource> sourc
     }
 }
 
+void DrawnSource::take(const Sea& sea) {
+  const TileSources& sources = sea.spec().sources;
+  const auto found =
+      std::find_if(sources.begin(), sources.end(), [&](const auto& other) { return alike(*other, *source_); });
+  assert(found != sources.end());
+  if (*found == source_) return;
+  source_ = *found;
+  uploaded_ = false;
+}
+
 void DrawnSource::update(Frame& frame, const DrawnMoment& moment) {
   const SeaView& view = moment.water;
   if (uploaded_ && view.ticks() == ticks_) return;

@@ -17,6 +17,7 @@ class DrawnSource final : public DrawnPiece {
   DrawnSource(Device& device, std::shared_ptr<const TileSource> source, bool half);
 
   const char* stage() const override { return "sources"; }
+  void take(const Sea& sea) override;
   void update(Frame& frame, const DrawnMoment& moment) override;
   void declare(SurfaceSlots& slots, std::size_t copy) const override;
   void describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const override;

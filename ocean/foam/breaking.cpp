@@ -33,8 +33,11 @@ double quantile(double share) {
 
 }  // namespace
 
-Breaking::Breaking(Sea& sea, double life_s) : sea_(sea), life_s_(life_s) {
-  for (const auto& source : sea.spec().sources) {
+Breaking::Breaking(Sea& sea, double life_s) : sea_(sea), life_s_(life_s) { take_sources(); }
+
+void Breaking::take_sources() {
+  others_variance_ = others_height_variance_ = 0.0;
+  for (const auto& source : sea_.spec().sources) {
     const SourceStatistics s = source->statistics();
     others_variance_ += double(source->layings().size()) * (s.slope_moments.x + s.slope_moments.y);
     if (!source->along_curves()) others_height_variance_ += s.height_variance;

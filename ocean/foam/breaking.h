@@ -32,6 +32,8 @@ class Breaking {
   void forget() { view_ = ahead_ = {}; }
   // As of the next moment that is asked for.
   void set_life(double life_s) { life_s_ = life_s; }
+  // The sea has other sources than before.
+  void take_sources();
 
   // Whether these waves ever break to speak of.
   bool ever() const;

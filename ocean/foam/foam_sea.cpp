@@ -42,15 +42,26 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors) {
 FoamSea::FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLines> shore)
     : spec_(spec), sea_(sea), breaking_(sea, spec.settings.life_s), foam_(spec.settings) {
   flows_ = spec.flow != nullptr;
-  if (flows_)
-    foam_.set_flow(
-        [this](glm::dvec2 place, double texel) {
-          return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz);
-        },
-        spec.flow->still());
+  if (flows_) take_flow();
   const SeaView view = sea.view(0, SeaDetail::crests);
   if (shore && !shore->empty() && view.field().has_curved())
     shore_.emplace(std::move(shore), spec.settings.windows, view.field());
+}
+
+void FoamSea::take_flow() {
+  foam_.set_flow([this](glm::dvec2 place,
+                        double texel) { return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz); },
+                 spec_.flow->still());
+}
+
+void FoamSea::take_sea() {
+  const PlaceSettings before = std::exchange(spec_.place, sea_.spec().place.settings);
+  if (flows_ && place_outside(before, InputTarget::flow) != place_outside(spec_.place, InputTarget::flow)) take_flow();
+  breaking_.take_sources();
+  if (!shore_) return;
+  const SeaView view = sea_.view(ticks_from_seconds(step_time_s()), SeaDetail::crests);
+  if (!shore_->is_of(sea_.spec().place.shore, view.field()))
+    shore_.emplace(sea_.spec().place.shore, spec_.settings.windows, view.field());
 }
 
 // What a sea's whitecaps cover on average where they come and go alike, and with them the windows' new edges.

@@ -72,6 +72,8 @@ class FoamSea {
   // Takes other settings of the same windows; the foam that there is stays. After another rate the steps fall on its
   // multiples. Throws as validate() does.
   void apply(const FoamSettings& settings);
+  // Takes what Sea::apply has changed; the foam that there is stays.
+  void take_sea();
   // Lets go of the sea's views, which are made anew when the next step asks for them.
   void forget_views() { breaking_.forget(); }
   const Sea& sea() const { return sea_; }
@@ -94,6 +96,7 @@ class FoamSea {
   void add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const;
   void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const;
   void add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const;
+  void take_flow();
   std::span<const glm::dvec2> standing(const FoamRow& row, std::span<const int> texels, Moved along) const;
   double largest_shift_m() const;
   bool any_source(bool wakes) const;

@@ -14,15 +14,24 @@ namespace seascape {
 namespace {
 // Slower than this, water stands (breaking.cpp).
 constexpr float least_flow_mps = 0.02f;
+
+std::shared_ptr<const TileSource> curved_source(const WaveField& field) {
+  for (const auto& source : field.others())
+    if (source->along_curves()) return source;
+  return nullptr;
+}
 }  // namespace
 
 FoamShore::FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSettings& windows, const WaveField& field)
     : lines_(std::move(lines)), windows_(windows) {
-  for (const auto& source : field.others()) {
-    if (!source->along_curves()) continue;
-    height_variance_ = source->statistics().height_variance;
-    largest_shift_m_ = source->statistics().largest_shift_m;
-  }
+  source_ = curved_source(field);
+  if (source_ == nullptr) return;
+  height_variance_ = source_->statistics().height_variance;
+  largest_shift_m_ = source_->statistics().largest_shift_m;
+}
+
+bool FoamShore::is_of(const std::shared_ptr<const ShoreLines>& lines, const WaveField& field) const {
+  return lines == lines_ && curved_source(field) == source_;
 }
 
 FoamShore::Texel FoamShore::texel(glm::dvec2 middle, double texel_m, const PlaceSea* water) const {

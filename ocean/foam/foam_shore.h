@@ -21,6 +21,9 @@ class FoamShore {
   // `field`: has the waves (WaveField::has_curved).
   FoamShore(std::shared_ptr<const ShoreLines> lines, const LodWindowSettings& windows, const WaveField& field);
 
+  // Whether it was made of these.
+  bool is_of(const std::shared_ptr<const ShoreLines>& lines, const WaveField& field) const;
+
   // Moves the windows. `water`: what a bed makes of the waves; null: the open sea.
   void follow(const LodPlacement& placement, const PlaceSea* water);
   // Other water than before at one texel.
@@ -50,6 +53,7 @@ class FoamShore {
   };
   Texel texel(glm::dvec2 middle_m, double texel_m, const PlaceSea* water) const;
   std::shared_ptr<const ShoreLines> lines_;
+  std::shared_ptr<const TileSource> source_;
   LodWindowSettings windows_;
   std::optional<LodField<Texel>> field_;  // from the first follow() on
   double height_variance_ = 0.0, largest_shift_m_ = 0.0;

@@ -37,6 +37,17 @@ DynamicSea::DynamicSea(const DynamicSeaSettings& settings, std::shared_ptr<const
   validate(settings);
 }
 
+void DynamicSea::apply(const DynamicSeaSettings& settings) {
+  validate(settings);
+  waves_.apply(one_step(settings.waves));
+  const double rate_hz = settings_.waves.rate_hz;
+  if (settings.waves.rate_hz != rate_hz)
+    tick_ = std::int64_t(std::floor(double(tick_) / rate_hz * settings.waves.rate_hz + 1e-6));
+  settings_ = settings;
+  stale_ = stale_ || waves_.active();  // its waves may be sharper
+  if (waves_.active()) ++version_;
+}
+
 void DynamicSea::step(const Push& push) {
   const DynamicWavesSettings& waves = settings_.waves;
   const LodPlacement& placement = viewer_.placement();

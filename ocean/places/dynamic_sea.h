@@ -37,6 +37,9 @@ class DynamicSea {
   const DynamicSurface& surface() { return *shared_surface(); }
   // The same to keep: it stays as it is, whatever steps follow.
   std::shared_ptr<const DynamicSurface> shared_surface();
+  // Takes other settings of the same windows, gravity and depth; the waves that there are go on. After another rate the
+  // steps fall on its multiples. Throws as validate() does, and stays as it was then.
+  void apply(const DynamicSeaSettings& settings);
   // Whether surfaces, from the next on, know how fast they move.
   void know_velocity(bool known) { velocity_ = known; }
   // Counts up whenever surface() changes.

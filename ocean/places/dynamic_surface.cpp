@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -26,8 +27,11 @@ DynamicSurface::DynamicSurface(const DynamicWavesSettings& settings) : settings_
 }
 
 void DynamicSurface::make_table(const WaveLevel& waves, Level& level) const {
-  if (level.table_texel_m == level.texel_m && level.table_depth_m == waves.depth_m()) return;
+  if (level.table_texel_m == level.texel_m && level.table_depth_m == waves.depth_m() &&
+      level.table_sharpening == settings_.sharpening)
+    return;
   level.table_texel_m = level.texel_m, level.table_depth_m = waves.depth_m();
+  level.table_sharpening = settings_.sharpening;
   const int band = plan_.band;
   const double step = 2.0 * std::numbers::pi / (plan_.n * level.texel_m);
   LevelTable& table = level.table;
@@ -56,6 +60,8 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
 }
 
 void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s, bool velocity) {
+  assert(waves.settings().windows == settings_.windows);
+  settings_ = waves.settings();
   velocity_ = velocity;
   placement_ = waves.placement();
   windows_ = lod_windows(settings_.windows, placement_, placement_.viewer);

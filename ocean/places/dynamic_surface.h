@@ -70,7 +70,7 @@ class DynamicSurface {
   struct Level {
     bool still = true;
     Extent extent;  // its shift before `share`
-    double texel_m = 1.0, squeeze = 0.0, table_texel_m = 0.0, table_depth_m = 0.0;
+    double texel_m = 1.0, squeeze = 0.0, table_texel_m = 0.0, table_depth_m = 0.0, table_sharpening = 0.0;
     LevelTable table;
     Plane shift, slope, velocity;
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,13 @@ DynamicWaves::DynamicWaves(const DynamicWavesSettings& settings) : settings_(set
   depth_m_.assign(std::size_t(count), settings.depth_m);
   axes_.assign(std::size_t(count), {std::vector<float>(std::size_t(n)), std::vector<float>(std::size_t(n))});
   for (int i = 0; i < count; ++i) shape(i);
+}
+
+void DynamicWaves::apply(const DynamicWavesSettings& settings) {
+  validate(settings);
+  assert(settings.windows == settings_.windows && settings.gravity_mps2 == settings_.gravity_mps2 &&
+         settings.depth_m == settings_.depth_m);
+  settings_ = settings;
 }
 
 void DynamicWaves::shape(int i) {

@@ -58,6 +58,9 @@ class DynamicWaves {
   int advance(double seconds, const LodPlacement& placement, std::span<const WaveSource> sources,
               const Pressure& pressure, const InputBounds& where);
 
+  // Takes other settings of the same windows, gravity and depth; the waves stay. Throws as validate() does, and stays
+  // as it was then.
+  void apply(const DynamicWavesSettings& settings);
   // All waves gone, as at first; depths, obstacles and the place stay.
   void calm();
 

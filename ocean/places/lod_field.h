@@ -42,6 +42,9 @@ class LodField {
     windows_ = lod_windows(settings_, placement_, placement_.viewer);
   }
 
+  // What is read beyond all windows from now on.
+  void set_outside(T outside) { outside_ = outside; }
+
   // Moves the windows. What leaves one is lost, and so is, if all texels double, what only the finest had. A texel that
   // comes in gets fill(middle, texel, inherited): its middle (dvec2, m), its side (m) and what the next coarser slice
   // has there, or `outside` where none does; of a slice that was not there before, inherited is the mean of the finer

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -80,6 +81,16 @@ class PlaceField {
     find_most((1u << settings.windows.slices) - 1u);
   }
 
+  // Takes other values: what comes into a window has them at once, and each follow() fills one slice anew, the finest
+  // first.
+  void take(PlaceValues<T> values, const PlaceSettings& settings) {
+    values_ = std::move(values);
+    settings_ = settings;
+    field_.set_outside(values_.outside);
+    widen(double(first_channel(values_.outside)));
+    stale_ = (1u << settings_.windows.slices) - 1u;
+  }
+
   // Moves the windows to the placement, and takes what changes with time as it is at `time_s` (place_time_s). Gives the
   // slices that have changed: bit i for slice i, all of them after a change of the octave.
   std::uint32_t follow(const LodPlacement& placement, double time_s) {
@@ -91,29 +102,48 @@ class PlaceField {
     time_s_ = now;
     field_.follow(placement, [&](glm::dvec2 middle, double texel, const T&) {
       const T value = values_.value(middle, texel, time_s_);
-      least_ = std::min(least_, double(first_channel(value)));
-      most_ = std::max(most_, double(first_channel(value)));
+      widen(double(first_channel(value)));
       return value;
     });
     std::uint32_t changed = placement.scale.octave != before.scale.octave ? all : 0u;
+    if (changed != 0 && stale_ != 0) stale_ = all;  // slices have changed places
     for (int i = 0; i < slices; ++i)
       if (placement.first[std::size_t(i)] != before.first[std::size_t(i)]) changed |= 1u << i;
     for (int i = 0; later && i < slices; ++i) {
       const double texel = field_.texel_m(i);
       if (fill(i, [&](glm::dvec2 middle) { return values_.moving.holds(middle, texel); })) changed |= 1u << i;
     }
+    if (stale_ != 0) {
+      const int i = std::countr_zero(stale_);
+      fill(i, [](glm::dvec2) { return true; });
+      changed |= 1u << i;
+      stale_ &= ~(1u << i);
+      if (stale_ == 0) measure();
+    }
     find_most(changed);
     return changed;
   }
 
   const LodField<T>& field() const { return field_; }
-  // Of all that has ever been in it, the outside included; of the first channel.
+  const PlaceSettings& settings() const { return settings_; }
+  // Of all that has been in it since its values were taken, the outside included; of the first channel.
   double least() const { return least_; }
   double most() const { return most_; }
   // The most that a slice has now.
   double most(int slice) const { return slice_most_[std::size_t(slice)]; }
 
  private:
+  void widen(double value) {
+    least_ = std::min(least_, value);
+    most_ = std::max(most_, value);
+  }
+  // Nothing is left of values before.
+  void measure() {
+    least_ = most_ = double(first_channel(values_.outside));
+    const std::size_t texels = std::size_t(settings_.windows.resolution) * std::size_t(settings_.windows.resolution);
+    for (int i = 0; i < settings_.windows.slices; ++i)
+      for (std::size_t n = 0; n < texels; ++n) widen(double(first_channel(field_.texels(i)[n])));
+  }
   void find_most(std::uint32_t slices) {
     const std::size_t texels = std::size_t(settings_.windows.resolution) * std::size_t(settings_.windows.resolution);
     for (int i = 0; i < settings_.windows.slices; ++i) {
@@ -145,8 +175,8 @@ class PlaceField {
       }
       if (!some) return;
       const std::scoped_lock lock(together);
-      least_ = std::min(least_, least);
-      most_ = std::max(most_, most);
+      widen(least);
+      widen(most);
       any = true;
     });
     return any;
@@ -158,6 +188,7 @@ class PlaceField {
   double least_, most_;
   LodField<T> field_;
   std::array<double, gpu::max_lod_slices> slice_most_{};
+  std::uint32_t stale_ = 0;  // bit i: slice i has other values than values_
 };
 
 // Of one kind's inputs alone.

@@ -27,6 +27,8 @@ class ActorBodies {
   // An actor's bodies stay until forget().
   void take_away(const SeaActor& by);
   void forget();
+  // How far bodies are carried on at most, s.
+  void set_step(double step_s) { step_s_ = step_s; }
 
   // The scene's volumes with the bodies as they are at a time (s), at or after the last step's end; null as above. The
   // same object as before where nothing has changed. Allocates only while more are held than ever before.

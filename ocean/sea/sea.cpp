@@ -49,7 +49,7 @@ Sea::Sea(SeaSpec spec)
   }
   shallows_.from = make_shallows(spec_.state, bins_, spec_.sources, spec_.place);
   make_field(SeaDetail::drawn);
-  places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+  take_places();
   know_dynamic_velocity();
 }
 
@@ -218,6 +218,72 @@ void Sea::take_waves(std::int64_t ticks) {
   blend_.reset();
 }
 
+bool Sea::takes(const SeaSpec& spec) const {
+  TileSources sources = spec.sources;
+  std::erase_if(sources, [](const auto& source) { return source->still(); });
+  const auto same_targets = [](const auto& a, const auto& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& x, const auto& y) { return x->target() == y->target(); });
+  };
+  const auto fit = [](const DynamicWavesSettings& a, const DynamicWavesSettings& b) {
+    return a.windows == b.windows && a.gravity_mps2 == b.gravity_mps2 && a.depth_m == b.depth_m;
+  };
+  return spec.has_waves == spec_.has_waves && grows_out_of(spec_.state, spec.state) &&
+         std::equal(sources.begin(), sources.end(), spec_.sources.begin(), spec_.sources.end(),
+                    [](const auto& a, const auto& b) { return alike(*a, *b); }) &&
+         same_targets(spec.place.kinds, spec_.place.kinds) &&
+         same_targets(spec.place.following, spec_.place.following) && spec.place.volumes == spec_.place.volumes &&
+         (spec.place.shore == nullptr) == (spec_.place.shore == nullptr) &&
+         spec.dynamic_waves.has_value() == spec_.dynamic_waves.has_value() &&
+         (!spec.dynamic_waves || fit(spec.dynamic_waves->waves, spec_.dynamic_waves->waves)) &&
+         spec.actors_foam == spec_.actors_foam;
+}
+
+void Sea::apply(SeaSpec spec, MakePlace place) {
+  assert(takes(spec));
+  validate(spec.place.settings);
+  if (dynamic_) {
+    dynamic_->apply(*spec.dynamic_waves);
+    spec_.dynamic_waves = spec.dynamic_waves;
+    step_ = dynamic_->tick();
+    bodies_.set_step(1.0 / dynamic_->rate_hz());
+  }
+  std::erase_if(spec.sources, [](const auto& source) { return source->still(); });
+  const PlaceSettings &now = spec.place.settings, &was = spec_.place.settings;
+  const bool other_sources = spec.sources != spec_.sources, other_level = now.level_m != was.level_m,
+             other_places = other_level || now.clip_by_default != was.clip_by_default ||
+                            now.flow_to_deg != was.flow_to_deg || now.flow_mps != was.flow_mps ||
+                            now.flow_period_s != was.flow_period_s || spec.place.shore != spec_.place.shore;
+  if (!other_sources && !other_places) return;
+  const LodWindowSettings windows = was.windows;  // the picture's (draw_in)
+  spec_.place = std::move(spec.place);
+  spec_.place.settings.windows = windows;
+  ++waves_version_;
+  if (other_sources) take_sources(std::move(spec.sources));
+  if (shallows_ && (other_sources || other_level)) {
+    constexpr double over_s = 1.0;
+    if (spec_.has_waves)
+      change(spec_.state, changing() ? std::max(change_s_, over_s) : over_s, std::move(place));
+    else
+      shallows_ = {make_shallows(spec_.state, bins_, spec_.sources, spec_.place), nullptr};
+  }
+  take_places();
+}
+
+// Who holds a view keeps the sources that it has.
+void Sea::take_sources(TileSources sources) {
+  spec_.sources = std::move(sources);
+  for (std::shared_ptr<WaveField>& field : fields_) {
+    if (field == nullptr) continue;
+    if (field.use_count() > 1) field = std::make_shared<WaveField>(*field);
+    field->feed(spec_.sources);
+  }
+}
+
+void Sea::take_places() {
+  places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+}
+
 void Sea::draw_in(const WaveQuality& drawn, const PlaceSettings& place) {
   PlaceSettings& placed = spec_.place.settings;
   placed.windows = place.windows;
@@ -230,7 +296,7 @@ void Sea::draw_in(const WaveQuality& drawn, const PlaceSettings& place) {
     fields_[std::size_t(SeaDetail::drawn)].reset();
     make_field(SeaDetail::drawn);
   }
-  places_ = std::make_shared<PlaceSea>(spec_.place, *fields_[std::size_t(SeaDetail::drawn)], shallows_);
+  take_places();
 }
 
 void Sea::draw_other_waves() {

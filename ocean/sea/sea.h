@@ -52,6 +52,13 @@ class Sea {
   // What was made beside the sea that comes, for who asked for it; null but in a change over a bed.
   const std::shared_ptr<MadePlace>& made_place() const { return made_place_; }
 
+  // Whether apply() can take a spec: of the same effects, inputs and shapes.
+  bool takes(const SeaSpec& spec) const;
+  // Takes the sources, the settings of places and those of dynamic waves from a spec that it takes(), from the next
+  // view on. What dynamic waves and actors have done stays. Over a bed what it makes of the waves follows in a change
+  // of a second to the same state; `place` as in change(). Throws Error as validate() does, and stays as it was then.
+  void apply(SeaSpec spec, MakePlace place = nullptr);
+
   // Another quality of the picture: `drawn` views have it from now on, and nothing else changes. Of `place` the windows
   // and the look of the ground count.
   void draw_in(const WaveQuality& drawn, const PlaceSettings& place);
@@ -96,6 +103,8 @@ class Sea {
   friend class SeaStep;
   void follow_change(std::int64_t ticks);
   void take_waves(std::int64_t ticks);
+  void take_sources(TileSources sources);
+  void take_places();
   void make_field(SeaDetail detail);
   void draw_other_waves();
   void know_dynamic_velocity();

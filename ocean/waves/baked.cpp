@@ -125,36 +125,23 @@ double kept_between_frames(double w) {
   return kept;
 }
 
-Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(loop)) {
-  validate(settings);
-  const int n = loop_.samples;
+// All but what the settings make of it.
+std::shared_ptr<const Baked::Raised> Baked::raised(BakedLoop recorded) {
+  const auto result = std::make_shared<Raised>(Raised{std::move(recorded), {}});
+  Raised& loop = *result;
+  const int n = loop.samples;
   assert(n >= BakedLoop::least_samples && n <= BakedLoop::most_samples && std::has_single_bit(unsigned(n)));
-  assert(loop_.frames >= BakedLoop::least_frames &&
-         loop_.texels.size() == std::size_t(loop_.frames) * loop_.frame_floats());
-  const float by = float(settings.weight * settings.scale);
-  for (float& value : loop_.texels) value *= by;
-  loop_.side_m *= settings.scale;
-  const double rate = std::abs(settings.speed) / std::sqrt(settings.scale);
-  if (rate > 0.0) {
-    // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody
-    // waits for.
-    loop_ticks_ =
-        std::llround(std::clamp(loop_.frames / loop_.fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
-    turns_ = loop_turns(1, loop_ticks_);
-    frames_a_second_ = double(loop_.frames) * gpu::ticks_per_second / double(loop_ticks_);
-    if (settings.speed < 0.0) turns_ = std::uint64_t(0) - turns_, frames_a_second_ = -frames_a_second_;
-  }
-  const double texel = loop_.side_m / n;
-  laying_ = {1.0, loop_.side_m, 0.0, loop_.side_m, 4.0 * texel};
-
+  assert(loop.frames >= BakedLoop::least_frames &&
+         loop.texels.size() == std::size_t(loop.frames) * loop.frame_floats());
+  const double texel = loop.side_m / n;
   struct Sums {
     double height = 0.0, raised_slope = 0.0, highest = 0.0, furthest = 0.0;
     glm::dvec3 slope{0.0};
   };
-  std::vector<Sums> of_frame(std::size_t(loop_.frames));
-  tbb::parallel_for(0, loop_.frames, [&](int f) {
+  std::vector<Sums> of_frame(std::size_t(loop.frames));
+  tbb::parallel_for(0, loop.frames, [&](int f) {
     Sums& sums = of_frame[std::size_t(f)];
-    float* const first = loop_.texels.data() + std::size_t(f) * loop_.frame_floats();
+    float* const first = loop.texels.data() + std::size_t(f) * loop.frame_floats();
     const std::ptrdiff_t plane = std::ptrdiff_t(n) * n;
     const Torus height{first + plane, n};
     const auto slope = [&](int x, int z) {
@@ -186,37 +173,63 @@ Baked::Baked(BakedLoop loop, const BakedSettings& settings) : loop_(std::move(lo
     all.highest = std::max(all.highest, sums.highest);
     all.furthest = std::max(all.furthest, sums.furthest);
   }
-  const double count = double(loop_.frames) * n * n;
-  statistics_.height_variance = all.height / count;
-  statistics_.slope_moments = all.slope / count;
+  const double count = double(loop.frames) * n * n;
+  loop.statistics.height_variance = all.height / count;
+  loop.statistics.slope_moments = all.slope / count;
   constexpr double between = 1.05;  // frames and texels
-  statistics_.largest_height_m = between * all.highest;
-  statistics_.largest_shift_m = between * all.furthest;
-  if (all.raised_slope > 0.0) moment_share_ = float((all.slope.x + all.slope.y) / all.raised_slope);
-  still_ = all.highest == 0.0 && all.furthest == 0.0;
+  loop.statistics.largest_height_m = between * all.highest;
+  loop.statistics.largest_shift_m = between * all.furthest;
+  if (all.raised_slope > 0.0) loop.moment_share = float((all.slope.x + all.slope.y) / all.raised_slope);
+  return result;
+}
+
+Baked::Baked(BakedLoop loop, const BakedSettings& settings) : Baked(raised(std::move(loop)), settings) {}
+
+Baked::Baked(const Baked& same, const BakedSettings& settings) : Baked(same.loop_, settings) {}
+
+Baked::Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings)
+    : loop_(std::move(loop)), by_(float(settings.weight * settings.scale)), statistics_(loop_->statistics) {
+  validate(settings);
+  const double rate = std::abs(settings.speed) / std::sqrt(settings.scale);
+  if (rate > 0.0) {
+    // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody
+    // waits for.
+    loop_ticks_ =
+        std::llround(std::clamp(loop_->frames / loop_->fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
+    turns_ = loop_turns(1, loop_ticks_);
+    frames_a_second_ = double(loop_->frames) * gpu::ticks_per_second / double(loop_ticks_);
+    if (settings.speed < 0.0) turns_ = std::uint64_t(0) - turns_, frames_a_second_ = -frames_a_second_;
+  }
+  const double side = loop_->side_m * settings.scale;
+  laying_ = {1.0, side, 0.0, side, 4.0 * side / loop_->samples};
+  statistics_.height_variance *= double(by_) * double(by_);
+  statistics_.slope_moments *= settings.weight * settings.weight;
+  statistics_.largest_height_m *= double(by_);
+  statistics_.largest_shift_m *= double(by_);
+  still_ = statistics_.largest_height_m == 0.0 && statistics_.largest_shift_m == 0.0;
 }
 
 double Baked::period_s() const { return double(loop_ticks_) / gpu::ticks_per_second; }
 
 std::size_t Baked::workspace_floats(bool) const {
-  return 3 * std::size_t(loop_.samples) * std::size_t(loop_.samples + 2 * margin);
+  return 3 * std::size_t(loop_->samples) * std::size_t(loop_->samples + 2 * margin);
 }
 
 void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
                      std::span<float> workspace) const {
-  const int n = loop_.samples;
+  const int n = loop_->samples;
   assert(workspace.size() >= workspace_floats(velocity) && levels.size() == std::size_t(std::bit_width(unsigned(n))));
   // Where in the loop, in frames: exact at any time, since a turn is 2^64.
-  const std::uint64_t phase = turns_ * std::uint64_t(ticks), low = (phase & 0xffffffffu) * unsigned(loop_.frames);
+  const std::uint64_t phase = turns_ * std::uint64_t(ticks), low = (phase & 0xffffffffu) * unsigned(loop_->frames);
   const std::uint64_t place =
-      (phase >> 32) * unsigned(loop_.frames) + (low >> 32);  // frames times 2^32; 32 bits more are in low
+      (phase >> 32) * unsigned(loop_->frames) + (low >> 32);  // frames times 2^32; 32 bits more are in low
   const int frame = int(place >> 32);
-  const FrameWeights weights =
-      frame_weights((double(place & 0xffffffffu) + double(low & 0xffffffffu) * 0x1p-32) * 0x1p-32);
+  FrameWeights weights = frame_weights((double(place & 0xffffffffu) + double(low & 0xffffffffu) * 0x1p-32) * 0x1p-32);
+  for (std::size_t i = 0; i < std::size_t(nodes); ++i) weights.at[i] *= by_, weights.rate[i] *= by_;
   std::array<const float*, nodes> frames;
   for (int i = 0; i < nodes; ++i)
     frames[std::size_t(i)] =
-        loop_.texels.data() + std::size_t((frame + i - 2 + loop_.frames) % loop_.frames) * loop_.frame_floats();
+        loop_->texels.data() + std::size_t((frame + i - 2 + loop_->frames) % loop_->frames) * loop_->frame_floats();
   const std::ptrdiff_t stride = n + 2 * margin, plane = stride * n;
   float* const first = workspace.data() + margin;
   const Four d;
@@ -245,7 +258,7 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
     }
   });
   const int planes = velocity ? 4 : 3;
-  const float texels_a_metre = float(n / loop_.side_m);
+  const float texels_a_metre = float(n / laying_.side_m);
   tbb::parallel_for(0, n / strip, [&](int part) {
     for (int z = part * strip; z < (part + 1) * strip; ++z) {
       const auto row = [&](int c, int by) { return first + c * plane + std::ptrdiff_t((z + by) & (n - 1)) * stride; };
@@ -253,7 +266,7 @@ void Baked::evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLev
       for (int c = 0; c < 3; ++c)
         for (int by = -reach; by <= reach; ++by) rows[std::size_t(c)][std::size_t(by + reach)] = row(c, by);
       const std::ptrdiff_t to = std::ptrdiff_t(z) * levels[0].stride;
-      const auto scale = hn::Set(d, texels_a_metre), share = hn::Set(d, moment_share_);
+      const auto scale = hn::Set(d, texels_a_metre), share = hn::Set(d, loop_->moment_share);
       for (int x = 0; x < n; x += 4) {
         const auto along = [&](std::size_t c) {
           return hn::Mul(scale, differences([&](int i) { return hn::LoadU(d, rows[c][reach] + x + i); }));

@@ -1,5 +1,7 @@
 // A recorded loop of waves, played at any time: the source of the effect baked.
 #pragma once
+#include <memory>
+
 #include "ocean/waves/baked_loop.h"
 #include "ocean/waves/baked_settings.h"
 #include "ocean/waves/tile_source.h"
@@ -15,28 +17,37 @@ class Baked final : public TileSource {
  public:
   // Throws Error as validate() does; the loop's sizes are checked by whoever read it.
   Baked(BakedLoop loop, const BakedSettings& settings);
+  // The same loop in other settings, shared with `same`.
+  Baked(const Baked& same, const BakedSettings& settings);
 
   std::string_view name() const override { return "baked"; }
-  int samples() const override { return loop_.samples; }
+  int samples() const override { return loop_->samples; }
   bool still() const override { return still_; }
   std::span<const Laying> layings() const override { return {&laying_, 1}; }
   SourceStatistics statistics() const override { return statistics_; }
   std::size_t workspace_floats(bool velocity) const override;
   void evaluate(std::int64_t ticks, bool velocity, std::span<const PlaneLevel> levels,
                 std::span<float> workspace) const override;
-  std::size_t bytes() const override { return loop_.texels.size() * sizeof(float); }
+  std::size_t bytes() const override { return loop_->texels.size() * sizeof(float); }
 
   // Seconds of the sea's time until it repeats; 0 where it stands still.
   double period_s() const;
 
  private:
-  BakedLoop loop_;  // as it is played: scaled, weighed, and its waves raised by what sampling between texels takes
+  // As recorded, but that its waves are raised by what sampling between texels takes.
+  struct Raised : BakedLoop {
+    SourceStatistics statistics;  // as recorded
+    float moment_share = 1.0f;    // of the slopes' variance over that of the texels'
+  };
+  static std::shared_ptr<const Raised> raised(BakedLoop loop);
+  Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings);
+  std::shared_ptr<const Raised> loop_;
+  float by_;  // what is played is so many times as far displaced as recorded
   Laying laying_;
   SourceStatistics statistics_;
   std::int64_t loop_ticks_ = 0;
   std::uint64_t turns_ = 0;  // of the loop a tick, times 2^64
   double frames_a_second_ = 0.0;
-  float moment_share_ = 1.0f;  // of the slopes' variance over that of the texels'
   bool still_ = false;
 };
 

@@ -60,4 +60,10 @@ class TileSource {
 };
 using TileSources = std::vector<std::shared_ptr<const TileSource>>;
 
+// Whether one can take the place of the other in all that is made for its tile: memory, images and shaders.
+inline bool alike(const TileSource& a, const TileSource& b) {
+  return a.name() == b.name() && a.along_curves() == b.along_curves() && a.samples() == b.samples() &&
+         a.layings().size() == b.layings().size();
+}
+
 }  // namespace seascape

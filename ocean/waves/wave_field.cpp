@@ -68,11 +68,7 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     : sea_(sea),
       quality_(quality),
       bins_(std::move(bins)),
-      statistics_(statistics ? *statistics : sea_statistics(sea, bins_)),
-      others_(std::move(others)) {
-  std::erase_if(others_, [](const auto& source) { return source->still(); });
-  assert(others_.size() <= std::size_t(most_sources));
-  laid_ = std::size_t(quality.cascades);
+      statistics_(statistics ? *statistics : sea_statistics(sea, bins_)) {
   for (int i = 0; i < quality.cascades; ++i) {
     const Cascade& cascade = bins_.ladder[i];
     const int samples = tile_samples(quality, i);
@@ -81,13 +77,22 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
                        cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade), shortest_wave(cascade)});
   }
+  feed(std::move(others));
+}
+
+void WaveField::feed(TileSources others) {
+  others_ = std::move(others);
+  std::erase_if(others_, [](const auto& source) { return source->still(); });
+  assert(others_.size() <= std::size_t(most_sources));
+  laid_ = std::size_t(quality_.cascades);
+  places_.resize(laid_);
   // What is laid along curves comes last.
   std::stable_partition(others_.begin(), others_.end(), [](const auto& source) { return !source->along_curves(); });
   for (std::size_t s = 0; s < others_.size(); ++s) {
     if (!others_[s]->along_curves()) laid_ = places_.size() + others_[s]->layings().size();
     for (const Laying& laying : others_[s]->layings())
       places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m,
-                         laying.side_m / others_[s]->samples(), quality.cascades + int(s), laying.offset, laying.size,
+                         laying.side_m / others_[s]->samples(), quality_.cascades + int(s), laying.offset, laying.size,
                          laying.longest_m, laying.shortest_m});
   }
   assert(places_.size() <= std::size_t(most_places));

@@ -142,6 +142,9 @@ class WaveField {
   // quality. Not while another thread uses the field.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
 
+  // Other sources, of the same shape one by one (alike). Not while another thread uses the field.
+  void feed(TileSources others);
+
   // Fills the tiles for a time in ticks (ticks_from_seconds), on all cores. The result depends on nothing but the sea,
   // the quality and the ticks: not on the number of threads, nor on what the tiles held. No allocation but in tiles of
   // another shape.

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <map>
+#include <memory>
+#include <thread>
 
 #include "engine/text.h"
 #include "ocean/effects.h"
@@ -84,20 +88,24 @@ bool of_the_next_frame(std::string_view key) {
 }
 
 // Rows whose sentences promise no other picture of a sea that goes on: they act at a jump of the time, or save time.
-bool leaves_the_picture(std::string_view key) { return key == "foam.settle_s" || key == "frame.facing_only"; }
+bool leaves_the_picture(std::string_view key) {
+  return key == "foam.settle_s" || key == "dynamic_waves.settle_s" || key == "frame.facing_only";
+}
 
 // What a running sea draws a second after a setting has changed, and what it then has of foam and spray; or, with no
 // key, what it draws then anyway.
 struct Went {
   Image8 picture;
-  std::uint64_t before, after;  // hashes of foam and spray before the change and after it
+  std::uint64_t before, after;  // hashes of foam, spray and dynamic waves before the change and after it
   std::uint64_t builds;
   std::uint64_t objects;  // made by the change and the frames after it
   std::size_t patches;
 };
 
+constexpr std::uint64_t no_hash = 1469598103934665603ull;
+
 std::uint64_t hash_of(Experience& experience) {
-  std::uint64_t hash = 1469598103934665603ull;
+  std::uint64_t hash = no_hash;
   const auto take = [&](const void* data, std::size_t bytes) {
     for (std::size_t i = 0; i < bytes; ++i)
       hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
@@ -109,6 +117,9 @@ std::uint64_t hash_of(Experience& experience) {
   }
   if (Spray* const spray = experience.ocean().spray())
     for (const Spray::Puff& puff : spray->puffs()) take(&puff.place_m, sizeof puff.place_m);
+  if (const DynamicSea* const dynamic = experience.sea()->dynamic_waves())
+    for (int i = 0; i < dynamic->waves().levels(); ++i)
+      take(dynamic->waves().level(i).modes().data(), dynamic->waves().level(i).modes().size_bytes());
   return hash;
 }
 
@@ -130,47 +141,173 @@ Went run_on(const test::ShotOptions& options, const std::string& key, const std:
   return went;
 }
 
-// In a storm with foam and spray, or in a lagoon for what is of the ground. Controls seen: an Ocean::apply that forgets
+// A scene in which a row acts, made small, and what of it shows.
+test::ShotOptions where_it_acts(std::string_view key) {
+  const auto begins = [&](const char* with) { return key.starts_with(with); };
+  test::ShotOptions options{.scene = "storm",
+                            .preset = "low",
+                            .width = 64,
+                            .height = 48,
+                            .set = {{"waves.resolution", "32"},
+                                    {"waves.cascades", "3"},
+                                    {"msaa", "1"},
+                                    {"foam.simulated", "true"},
+                                    {"foam.resolution", "64"},
+                                    {"foam.settle_s", "1"},
+                                    {"foam.texel_m", "1"}}};
+  if (begins("sea_depth.") || begins("foam.shore_")) options.scene = "lagoon";
+  if (begins("gerstner.")) {
+    options.scene = "gerstner";
+    for (const std::string set : {"gerstner.set1_", "gerstner.set2_"})
+      for (const auto& [name, value] : {std::pair("octaves", "1"), {"waves", "4"}, {"spread_deg", "40"}})
+        options.set.emplace_back(set + name, value);
+  }
+  if (begins("wave_particles.") || begins("dynamic_waves.")) options.scene = "rain_pool";
+  if (key == "dynamic_waves.idle_m") options.set.emplace_back("dynamic_waves.rain_per_m2_s", "0.02");  // steps rest
+  if (begins("level.") || begins("flow.")) {
+    options.scene = "whirlpool";
+    options.set.emplace_back("flow.speed_mps", "1");
+  }
+  if (begins("clip.")) options.scene = "harbour_clip";
+  if (begins("baked.")) {
+    options.scene = "baked";
+    options.set = {{"baked.fade_m", "100"}};
+  }
+  if (begins("lod.") && key != "lod.pixel_error" && key != "lod.by") {
+    options.set.emplace_back("lod.by", "threshold");
+    options.set.emplace_back("lod.ocean_size_m", "256");  // doubled as far as the skirt's multiplier says
+  }
+  return options;
+}
+
+// What it goes to there.
+std::string value_in(const Settings& settings, const Setting& row) {
+  const std::map<std::string_view, const char*> chosen{{"lod.ocean_size_m", "300"},
+                                                       {"lod.skirt_multiplier", "1"},
+                                                       {"dynamic_waves.idle_m", "0.1"},
+                                                       {"gerstner.set2_wavelength_m", "60"},
+                                                       {"wave_particles.radius_m", "0.3"}};
+  const auto found = chosen.find(row.key);
+  return found == chosen.end() ? another(settings, row) : found->second;
+}
+
+// In a storm with foam and spray, or where else a row acts. Controls seen: an Ocean::apply that forgets
 // foam_->sea().apply, one that forgets settings_, one that makes its spray anew, and an Ocean::takes that is always
 // false.
 TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
-  const std::vector<std::pair<std::string, std::string>> small{
-      {"waves.resolution", "32"}, {"waves.cascades", "3"}, {"msaa", "1"},        {"foam.simulated", "true"},
-      {"foam.resolution", "64"},  {"foam.settle_s", "1"},  {"foam.texel_m", "1"}};
-  const test::ShotOptions storm{.scene = "storm", .preset = "low", .width = 64, .height = 48, .set = small},
-      lagoon{.scene = "lagoon", .preset = "low", .width = 64, .height = 48, .set = small},
-      loop{.scene = "baked", .preset = "low", .width = 64, .height = 48, .set = {{"baked.fade_m", "100"}}};
-  test::ShotOptions threshold = storm;
-  threshold.set.emplace_back("lod.by", "threshold");
-  threshold.set.emplace_back("lod.ocean_size_m", "256");  // doubled as far as the skirt's multiplier says
-  const Went plain_storm = run_on(storm, "", ""), plain_lagoon = run_on(lagoon, "", ""),
-             plain_threshold = run_on(threshold, "", ""), plain_loop = run_on(loop, "", "");
-  ASSERT_EQ(plain_storm.objects, 0u);
-  ASSERT_NE(plain_storm.after, std::uint64_t(1469598103934665603ull)) << "no foam, no spray";
+  std::map<std::string, Went> plain;  // by the scene
   std::size_t live = 0;
   for (const Setting& row : settings_table()) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
-    const bool ground = row.key.starts_with("sea_depth.") || row.key.starts_with("foam.shore_");
-    const bool mesh = row.key.starts_with("lod.") && row.key != "lod.pixel_error" && row.key != "lod.by";
-    const bool baked = row.key.starts_with("baked.");
-    const test::ShotOptions& options = ground ? lagoon : mesh ? threshold : baked ? loop : storm;
-    const Went& plain = ground ? plain_lagoon : mesh ? plain_threshold : baked ? plain_loop : plain_storm;
+    const test::ShotOptions options = where_it_acts(row.key);
+    const std::string shown = options.scene + std::to_string(options.set.size());
+    if (!plain.contains(shown)) {
+      plain[shown] = run_on(options, "", "");
+      ASSERT_EQ(plain[shown].objects, 0u);
+      if (options.scene == "storm" || options.scene == "rain_pool") {
+        ASSERT_NE(plain[shown].after, no_hash) << "no foam, no spray, no dynamic waves";
+      }
+    }
     Scene scene = test::SeaShot(options).scene();
-    const std::string value = row.key == "lod.ocean_size_m"       ? "300"
-                              : row.key == "lod.skirt_multiplier" ? "1"
-                                                                  : another(scene.settings, row);
+    const std::string value = value_in(scene.settings, row);
     const Went went = run_on(options, std::string(row.key), value);
     EXPECT_EQ(went.builds, 0u);
     EXPECT_EQ(went.objects, 0u);
-    EXPECT_EQ(went.before, went.after) << "foam and spray did not stay as they were";
+    EXPECT_EQ(went.before, went.after) << "foam, spray and dynamic waves did not stay as they were";
     ASSERT_FALSE(of_an_absent_effect(scene, row.key)) << "no scene here has it";
     if (!leaves_the_picture(row.key)) {
-      EXPECT_TRUE(test::differing_pixels(went.picture, plain.picture) > 0 || went.patches != plain.patches);
+      EXPECT_TRUE(test::differing_pixels(went.picture, plain[shown].picture) > 0 ||
+                  went.patches != plain[shown].patches);
     }
   }
-  EXPECT_GE(live, 30u);
+  EXPECT_GE(live, 70u);
+}
+
+// Settings of what feeds the sea and of its places, taken as it runs, over a bed too: once what the bed makes of them
+// is there, and a jump of the time has had foam and dynamic waves begin anew.
+TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
+  std::map<std::string, std::unique_ptr<test::SeaShot>> running;
+  std::map<std::string, int> compared;
+  double time_s = 2.0;
+  const auto compare = [&](const Setting& row, const test::ShotOptions& options) {
+    SCOPED_TRACE(std::string(row.key) + " in " + options.scene);
+    const auto key = options.scene + std::to_string(options.set.size());
+    std::unique_ptr<test::SeaShot>& live = running[key];
+    if (live == nullptr) live = std::make_unique<test::SeaShot>(options);
+    const Pose head = live->scene().start;
+    live->draw(head, time_s);
+    const std::string before = value_text(live->scene().settings, row), value = value_in(live->scene().settings, row);
+    const std::uint64_t builds = live->experience().builds();
+    const std::shared_ptr<Sea> sea = live->experience().sea();
+    const auto settle = [&] {
+      for (int n = 0, last = 12; n < last; ++n) {  // a window of places after another
+        if (sea->changing()) {
+          last = n + 30;  // rows of foam's texels after others
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+        live->draw(head, time_s += 0.3);
+        ASSERT_LT(n, 500);
+      }
+      time_s += 60.0;
+    };
+    live->set(std::string(row.key), value);
+    settle();
+    test::ShotOptions other = options;
+    other.set.emplace_back(std::string(row.key), value);
+    test::SeaShot fresh(other);
+    const Image8 picture = live->picture(head, time_s);
+    EXPECT_EQ(test::differing_pixels(picture, fresh.picture(head, time_s)), 0) << value;
+    live->set(std::string(row.key), before);
+    settle();
+    EXPECT_GT(test::differing_pixels(live->picture(head, time_s), picture), 0) << "and back";
+    EXPECT_EQ(live->experience().builds(), builds);
+    EXPECT_EQ(live->experience().sea(), sea);
+    ++compared[options.scene];
+  };
+  for (const Setting& row : settings_table()) {
+    const std::string_view group = row.key.substr(0, row.key.find('.'));
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+      return std::find(names.begin(), names.end(), group) != names.end();
+    };
+    if (!row.rebuild.empty() || row.key == "baked.fade_m" || leaves_the_picture(row.key) ||
+        !is({"gerstner", "wave_particles", "dynamic_waves", "level", "flow", "clip", "baked"}))
+      continue;
+    test::ShotOptions options = where_it_acts(row.key);
+    compare(row, options);
+    if (is({"level", "flow"})) {
+      options.scene = "rivers";
+      compare(row, options);
+    }
+    if (row.key == "gerstner.set1_height_m" || row.key == "gerstner.set2_wavelength_m" || row.key == "level.height_m") {
+      options = where_it_acts("storm");
+      options.scene = "lagoon";
+      compare(row, options);
+    }
+  }
+  for (const char* scene : {"gerstner", "rain_pool", "whirlpool", "rivers", "lagoon", "harbour_clip", "baked"})
+    EXPECT_GT(compared[scene], 0) << scene;
+}
+
+// While the sea's time stands still too. Control seen: a DrawnSource::take that leaves uploaded_.
+TEST_F(ExperienceApply, SettingsOfTheSeaActWhileTimeStandsStill) {
+  for (const char* key : {"gerstner.set1_height_m", "baked.weight", "wave_particles.height_m"}) {
+    const test::ShotOptions options = where_it_acts(key);
+    test::SeaShot shot(options);
+    const Pose head = shot.scene().start;
+    for (int n = 0; n < 3; ++n) shot.draw(head, 2.0);
+    const Image8 before = shot.picture(head, 2.0);
+    const std::string now = value_text(shot.scene().settings, *find_setting(key));
+    shot.set(key, value_in(shot.scene().settings, *find_setting(key)));
+    test::ShotOptions other = options;
+    other.set.emplace_back(key, value_text(shot.scene().settings, *find_setting(key)));
+    const Image8 picture = shot.picture(head, 2.0);
+    EXPECT_GT(test::differing_pixels(picture, before), 0) << key;
+    EXPECT_EQ(test::differing_pixels(picture, test::SeaShot(other).picture(head, 2.0)), 0) << key;
+    shot.set(key, now);
+    EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), before), 0) << key;
+  }
 }
 
 // What builds objects anew, and an effect that comes and goes, leaves the foam and the spray that there are. Control
