@@ -18,12 +18,10 @@ PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
     const bool on_water = kind == InputTarget::albedo || kind == InputTarget::shadow;
     auto follow = [](const InputSpec& spec) { return spec.follow_waves; };
     auto stay = [](const InputSpec& spec) { return !spec.follow_waves; };
-    if (auto same = before != nullptr ? before->sea.place.of(kind) : nullptr) {
-      result.kinds.push_back(std::move(same));  // even if it gives nothing now: it may again
-      continue;
-    }
-    auto inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay)
-                           : std::make_shared<const Inputs>(kind, scene.inputs);
+    auto inputs = before != nullptr ? before->sea.place.of(kind) : nullptr;
+    if (inputs == nullptr)
+      inputs = on_water ? std::make_shared<const Inputs>(kind, scene.inputs, stay)
+                        : std::make_shared<const Inputs>(kind, scene.inputs);
     if (auto following =
             on_water && before == nullptr ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr;
         following && !following->empty())
