@@ -29,7 +29,7 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
   data.sun = glm::vec4(glm::vec3(sun_direction(settings.sky)), float(std::cos(glm::radians(0.267))));
   data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev),
                        float(settings.render.near_m), 0.0f);
-  data.grid.w = int(settings.render.debug);
+  data.shown.x = int(settings.render.debug);
   return data;
 }
 

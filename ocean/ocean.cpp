@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ocean/foam/crest_steps.h"
+#include "ocean/mesh/quadtree.h"
 #include "ocean/mesh/water_below.h"
 #include "ocean/surface/water_optics.h"
 #include "shaders/shared/skirt.h"
@@ -26,7 +27,7 @@ Piece* Ocean::add(std::unique_ptr<Piece> piece) {
 }
 
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings, OceanState before)
-    : sea_(sea), settings_(settings), quadtree_(settings.lod) {
+    : sea_(sea), settings_(settings), mesher_(std::make_unique<Quadtree>(settings.lod)) {
   const SeaSpec& spec = sea.spec();
   waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy));
   for (const auto& source : spec.sources)
@@ -152,21 +153,23 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
-  selection_ = &select(viewpoint, quadtree_);
+  selection_ = &select(viewpoint, *mesher_);
   return *selection_;
 }
 
-const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Quadtree& patches) const {
-  patches.apply(settings_.lod);
+const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher) const {
+  mesher.apply(settings_.lod);
+  MeshWater water(bounds(viewpoint));
   const SeaView& drawn = waves_->view();
-  const bool all_here = drawn && waves_alone();
-  const DisplacementBounds bounds = this->bounds(viewpoint);
-  const SurfaceSelection& selection =
-      patches.select(viewpoint, bounds, all_here ? &drawn.field() : nullptr, all_here ? &drawn.tiles() : nullptr);
+  if (drawn && waves_alone()) {
+    water.field = &drawn.field();
+    water.tiles = &drawn.tiles();
+  }
   if (place_ && place_->clips())
-    patches.leave_out(
-        bounds, [&](glm::dvec2 least, glm::dvec2 most) { return place_->clipped(least, most, bounds.vertical_m); });
-  return selection;
+    water.gone = [&](glm::dvec2 least, glm::dvec2 most) {
+      return place_->clipped(least, most, water.bounds.vertical_m);
+    };
+  return mesher.select(viewpoint, water);
 }
 
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
@@ -194,7 +197,7 @@ bool Ocean::takes(const OceanSettings& settings) const {
 void Ocean::apply(const OceanSettings& settings) {
   if (foam_) validate(settings.foam->settings);  // before anything changes
   if (spray_) validate(*settings.spray);
-  quadtree_.apply(settings.lod);
+  mesher_->apply(settings.lod);
   if (foam_) foam_->sea().apply(settings.foam->settings);
   if (spray_) spray_->apply(*settings.spray, foam_life_s(settings));
   if (place_) place_->apply(settings.place);
@@ -211,12 +214,9 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
   // Twice the bound, which is of a normal sea, and one in ten thousand may pass it.
   data.sea.footprint.x =
       float(std::max(2.0 * (most_share() * sea_.statistics().largest_shift_m + others.shift_m), 0.01));
-  data.viewer =
-      glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y), 0.0f);
-  data.morph = s.morph;
-  data.grid = glm::ivec4(s.tree_centre, s.skirt_rows, data.grid.w);
-  data.skirt = glm::vec4(s.skirt_to_multiplier, s.skirt_to_horizon, float(s.unit_m),
-                         settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
+  data.viewer = glm::vec4(float(viewer.x - s.grid_origin_m.x), float(viewer.z - s.grid_origin_m.y), float(viewer.y),
+                          settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
+  data.mesh = s.mesh;
   data.sea.footprint.w = float(4.0 * std::sqrt(sea_.statistics().height_variance + of_sources_.height_variance));
   const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));

@@ -10,7 +10,7 @@
 #include "ocean/drawn/drawn_source.h"
 #include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
-#include "ocean/mesh/quadtree.h"
+#include "ocean/mesh/mesher.h"
 #include "ocean/sea/sea.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
@@ -53,9 +53,9 @@ class Ocean {
 
   // The patches for a viewpoint. The result stays until the next call.
   const SurfaceSelection& select(const Viewpoint& viewpoint);
-  // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with patches of its own, which
-  // stay until they are selected again. They take this sea's settings.
-  const SurfaceSelection& select(const Viewpoint& viewpoint, Quadtree& patches) const;
+  // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with a mesher of its own,
+  // whose patches stay until it selects again. It takes this sea's settings.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher) const;
   // What selecting is told of the water for a viewpoint, as it is since the last update.
   DisplacementBounds bounds(const Viewpoint& viewpoint) const;
   // The patches selected last, null before the first.
@@ -120,7 +120,7 @@ class Ocean {
   void measure_sources();
   SourceStatistics of_sources_;  // all of them together
   SourceError source_error_;
-  Quadtree quadtree_;
+  std::unique_ptr<Mesher> mesher_;
   const SurfaceSelection* selection_ = nullptr;
 };
 

@@ -19,5 +19,5 @@ void main() {
   vec3 lit = sky * light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.grid.w == debug_holes && is_hole(ray, frame.view[eye_index()])) colour = hole_colour(tile_shape);
+  if (debug && frame.shown.x == debug_holes && is_hole(ray, frame.view[eye_index()])) colour = hole_colour(tile_shape);
 }

@@ -22,7 +22,7 @@ layout(location = 1) flat out vec3 colour;
 layout(location = 2) flat out vec4 shape;  // half of its way in radii; how much it hides; SprayPuff::look
 
 void main() {
-  vec3 relative = curved(puff_place.xz, puff_place.y, frame.skirt.w);
+  vec3 relative = curved(puff_place.xz, puff_place.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
   const vec3 ahead = relative / max(length(relative), 1e-6);
   const vec3 drawn_out = puff_streak.xyz - ahead * dot(ahead, puff_streak.xyz);

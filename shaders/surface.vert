@@ -4,10 +4,10 @@
 #include "shared/earth_curve.h"
 #include "shared/frame_data.h"
 #include "shared/phase.h"
-#include "shared/patch_vertex.h"
 #include "lib/view.glsl"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
+#include "lib/mesh.glsl"
 #include "lib/sea.glsl"
 
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
@@ -39,14 +39,13 @@ void main() {
     gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // before the near plane
     return;
   }
-  const vec2 stands = patch_vertex(p, i, j, frame.grid.z, frame.grid.xy, frame.skirt.x, frame.skirt.y, frame.morph);
-  rest = stands * frame.skirt.z;
+  const MeshVertex stands = mesh_vertex(p, i, j);
+  rest = stands.rest;
   const vec2 from_viewer = rest - frame.viewer.xy;
-  const float footprint = vertex_footprint(rest);
-  const float displaced = displacement_footprint(frame.morph, stands) * frame.skirt.z;
+  const float spacing = mesh_spacing(rest), displaced = stands.footprint;
   const SeaPlace here = sea_place(rest, displaced);
   const vec4 d = sea_displacement(here, displaced);
-  vec3 relative = curved(from_viewer + d.xz, d.y, frame.skirt.w);
+  vec3 relative = curved(from_viewer + d.xz, d.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
   if (deferred && water_clip && !sea_bed && (water_clip_kinds & 6) != 0) height_shear = vec2(d.y, 0.0);
@@ -55,7 +54,7 @@ void main() {
   else
     height_shear = d.yw;
   const ViewData view = frame.view[eye_index()];
-  derivatives = sea_carried(here, footprint, level_blur(view.eye.xyz - relative, view.eye.w));
+  derivatives = sea_carried(here, spacing, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;
   if (probe) {
     const int at = 2 * ((gl_InstanceIndex * patches_an_instance + number) * side * side + vertex);

@@ -33,7 +33,7 @@ void main() {
     // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own
     // measure.
     p.relative = view.eye.xyz + pixel_ray * (frame.air.z / depth);
-    const vec3 flat_place = flattened(p.relative + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w);
+    const vec3 flat_place = flattened(p.relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w);
     p.place = frame.viewer.xy + flat_place.xz;
     p.rest = p.place - frame.sea.footprint.x * unpackSnorm2x16(kept.x);
     p.derivatives = vec4(unpackHalf2x16(kept.y), unpackHalf2x16(kept.z));
@@ -53,6 +53,6 @@ void main() {
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.grid.w == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view))
+  if (debug && frame.shown.x == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view))
     colour = hole_colour(tile_shape);
 }

@@ -13,8 +13,8 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   const vec4 lit = texelFetch(lit_picture, ivec3(gl_FragCoord.xy, eye_index()), 0);
-  const bool raw = debug && frame.grid.w > debug_lod;
+  const bool raw = debug && frame.shown.x > debug_lod;
   colour = vec4(raw ? lit.rgb : tone_map(lit.rgb), 1.0);
   // A hole has no alpha; one sample of it is enough.
-  if (debug && frame.grid.w == debug_holes && lit.a < 0.999) colour = vec4(1.0, 0.0, 1.0, 1.0);
+  if (debug && frame.shown.x == debug_holes && lit.a < 0.999) colour = vec4(1.0, 0.0, 1.0, 1.0);
 }

@@ -64,9 +64,9 @@ std::vector<LabTask> mesh_tasks(Device& device, ShaderLibrary& shaders, double w
         Quadtree tree(meshed->settings.lod);
         for (int n = 0; n < (options.quick ? 2 : 24); ++n) {
           const Viewpoint view = pose_over(field, tiles, poses, n);
-          add_picture(
-              {field, tiles, tree.select(view, bounds_of(field, tiles, view.viewer.position_m), &field, &tiles)}, view,
-              4, points, error);
+          add_picture({field, tiles,
+                       tree.select(view, MeshWater(bounds_of(field, tiles, view.viewer.position_m), &field, &tiles))},
+                      view, 4, points, error);
         }
         // The worst of eight poses scattered by a fifth: it is told, and no front is drawn by it.
         return {{error.share(0.999), "pixels of a headset, 99.9 % of points"},

@@ -34,9 +34,8 @@ struct DrawnMesh {
   Vertex vertex(const gpu::PatchInstance& p, int index) const {
     const SurfaceSelection& s = selection;
     constexpr int side = gpu::patch_quads + 1;
-    const glm::vec2 place = gpu::patch_vertex(p, index % side, index / side, s.skirt_rows, s.tree_centre,
-                                              s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
-    const double footprint = static_cast<double>(gpu::displacement_footprint(s.morph, place)) * s.unit_m;
+    const glm::vec2 place = gpu::patch_vertex(p, index % side, index / side, s.mesh);
+    const double footprint = static_cast<double>(gpu::displacement_footprint(s.mesh.morph, place)) * s.unit_m;
     const glm::dvec2 rest = s.grid_origin_m + glm::dvec2(place) * s.unit_m;
     const glm::dvec3 d = field.displacement(tiles, rest, footprint);
     return {rest, footprint, glm::dvec3(rest.x, 0.0, rest.y) + d};
@@ -177,7 +176,7 @@ inline void add_picture(const DrawnMesh& drawn, const Viewpoint& view, int per_p
             std::to_string(glm::length(rest - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z))) +
             " m off, by the levels' law " +
             std::to_string(static_cast<double>(gpu::morph_distance(
-                               drawn.selection.morph,
+                               drawn.selection.mesh.morph,
                                glm::vec2((rest - drawn.selection.grid_origin_m) / drawn.selection.unit_m))) *
                            drawn.selection.unit_m) +
             " m, eye " + std::to_string(view.viewer.position_m.y) + " m high, pose " + std::to_string(to.poses - 1);

@@ -144,8 +144,8 @@ void Quadtree::apply(const LodSettings& settings) {
   selection_.patches.reserve(static_cast<std::size_t>(256 * (levels_ + 1)));  // more than is usual; no cap
 }
 
-const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const DisplacementBounds& bounds,
-                                         const WaveField* field, const WaveTiles* tiles) {
+const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const MeshWater& water) {
+  const DisplacementBounds& bounds = water.bounds;
   const glm::dvec3 eye = viewpoint.viewer.position_m;
   expect_usable(eye, bounds, unit_m_);
   const std::int64_t grid_x = std::llround(eye.x / unit_m_), grid_z = std::llround(eye.z / unit_m_);
@@ -156,6 +156,7 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   grid_x_ = grid_x;
   grid_z_ = grid_z;
   selection_.unit_m = unit_m_;
+  selection_.mesh.unit_m = static_cast<float>(unit_m_);
   selection_.grid_origin_m = glm::dvec2(static_cast<double>(grid_x), static_cast<double>(grid_z)) * unit_m_;
 
   TreeFrame frame;
@@ -201,19 +202,20 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
     return into * 2 < spacing ? -into : spacing - into;
   };
   selection_.half_size = frame.root_size / 2;
-  selection_.tree_centre = to_viewer + glm::ivec2(to_centre(centre.x), to_centre(centre.y));
-  frame.least = selection_.tree_centre - selection_.half_size;
+  selection_.mesh.tree_centre = to_viewer + glm::ivec2(to_centre(centre.x), to_centre(centre.y));
+  frame.least = selection_.mesh.tree_centre - selection_.half_size;
   frame.viewer_x = to_viewer.x - frame.least.x;
   frame.viewer_z = to_viewer.y - frame.least.y;
   frame.viewer_m = glm::dvec2(eye.x, eye.z) - selection_.grid_origin_m;
 
-  selection_.morph = {glm::vec2((centre_m - selection_.grid_origin_m) / unit_m_),
-                      static_cast<float>(frame.gap_y),
-                      last_stride,
-                      {},
-                      spacing_of(frame)};
+  selection_.mesh.morph = {glm::vec2((centre_m - selection_.grid_origin_m) / unit_m_),
+                           static_cast<float>(frame.gap_y),
+                           last_stride,
+                           {},
+                           spacing_of(frame)};
   for (int n = 0; n < frame.levels; ++n)
-    selection_.morph.reach[n / 4][n % 4] = static_cast<float>(std::min(frame.reach[static_cast<std::size_t>(n)], 1e9));
+    selection_.mesh.morph.reach[n / 4][n % 4] =
+        static_cast<float>(std::min(frame.reach[static_cast<std::size_t>(n)], 1e9));
 
   selection_.horizon_m =
       std::max(horizon_distance(eye.y, vertical_m, settings_.earth_curvature), 0.75 * frame.root_size * unit_m_);
@@ -228,8 +230,8 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
   splits_.find(frame);
   find_leaves(frame, bounds);
   // By the threshold settings.cull_scale alone says what is left out.
-  if (field != nullptr && tiles != nullptr && !viewpoint.eyes.empty() && by_pixels(settings_))
-    cull_by_water_(*field, *tiles, frusta_, frame, selection_.grid_origin_m, runs_, leaves_);
+  if (water.field != nullptr && water.tiles != nullptr && !viewpoint.eyes.empty() && by_pixels(settings_))
+    cull_by_water_(*water.field, *water.tiles, frusta_, frame, selection_.grid_origin_m, runs_, leaves_);
   list_leaves(frame);
   skirt_.select(frame, splits_, frusta_, selection_);
   const int drop = settings_.drop_patch;
@@ -237,17 +239,17 @@ const SurfaceSelection& Quadtree::select(const Viewpoint& viewpoint, const Displ
     if ((selection_.patches[static_cast<std::size_t>(drop)].flags & gpu::patch_skirt) != 0u) --selection_.skirt_strips;
     selection_.patches.erase(selection_.patches.begin() + drop);
   }
+  if (water.gone && !settings_.freeze) leave_out(water);
   selected_ = true;
   return selection_;
 }
 
-void Quadtree::leave_out(const DisplacementBounds& bounds, const std::function<bool(glm::dvec2, glm::dvec2)>& gone) {
-  if (settings_.freeze) return;
-  const double about_m = bounds.horizontal_m * settings_.cull_scale + 0.01;
+void Quadtree::leave_out(const MeshWater& water) {
+  const double about_m = water.bounds.horizontal_m * settings_.cull_scale + 0.01;
   const auto none = [&](const gpu::PatchInstance& patch) {
     if ((patch.flags & gpu::patch_skirt) != 0u) return false;
     const glm::dvec2 corner = selection_.grid_origin_m + glm::dvec2(patch.corner) * unit_m_;
-    return gone(corner - about_m, corner + double(patch.stride * gpu::patch_quads) * unit_m_ + about_m);
+    return water.gone(corner - about_m, corner + double(patch.stride * gpu::patch_quads) * unit_m_ + about_m);
   };
   selection_.culled_nodes += int(std::erase_if(selection_.patches, none));
 }
@@ -432,14 +434,14 @@ unsigned Quadtree::coarser_sides(int level, int x, int z, int end) const {
 void Quadtree::move_frozen(std::int64_t grid_x, std::int64_t grid_z) {
   const std::int64_t dx = grid_x_ - grid_x, dz = grid_z_ - grid_z;
   constexpr std::int64_t most = std::int64_t{1} << 30;
-  const std::int64_t x = selection_.tree_centre.x + dx, z = selection_.tree_centre.y + dz;
+  const std::int64_t x = selection_.mesh.tree_centre.x + dx, z = selection_.mesh.tree_centre.y + dz;
   if (x < -most || x > most || z < -most || z > most)
     throw Error("lod.freeze", "the viewer is more than 2^30 units away from where the patches were frozen",
                 "set lod.freeze to false");
   const glm::ivec2 move(static_cast<int>(dx), static_cast<int>(dz));
   for (gpu::PatchInstance& patch : selection_.patches) patch.corner += move;
-  selection_.tree_centre += move;
-  selection_.morph.viewer += glm::vec2(move);
+  selection_.mesh.tree_centre += move;
+  selection_.mesh.morph.viewer += glm::vec2(move);
   grid_x_ = grid_x;
   grid_z_ = grid_z;
   selection_.grid_origin_m = glm::dvec2(static_cast<double>(grid_x), static_cast<double>(grid_z)) * unit_m_;

@@ -4,7 +4,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,22 +11,22 @@
 #include "ocean/mesh/culling.h"
 #include "ocean/mesh/leaf_runs.h"
 #include "ocean/mesh/lod_settings.h"
+#include "ocean/mesh/mesher.h"
 #include "ocean/mesh/skirt_strips.h"
 #include "ocean/mesh/split_map.h"
-#include "ocean/mesh/surface_selection.h"
 #include "ocean/mesh/tree_frame.h"
 #include "ocean/mesh/water_below.h"
 
 namespace seascape {
 
-class Quadtree {
+class Quadtree final : public Mesher {
  public:
   // Throws Error naming the key when a setting is out of range.
   explicit Quadtree(const LodSettings& settings);
 
   // Takes other settings. Those that only change `freeze` keep the last selection. Throws as the constructor does, and
   // then nothing has changed.
-  void apply(const LodSettings& settings);
+  void apply(const LodSettings& settings) override;
 
   // Selects for the viewpoint: levels follow the viewer, culling the eyes (none: nothing is culled, for a map or a
   // test). Neighbouring patches differ by at most one level. The result depends on nothing but the arguments: no
@@ -39,14 +38,12 @@ class Quadtree {
   // first is made as usual. drop_patch counts in the list as it is after culling; beyond its end it drops nothing. No
   // allocation once the list has reached its size. Throws Error when the viewpoint or the bounds are not finite, the
   // viewer is more than 2^50 units from the world's origin, or more than 2^30 from where the selection was frozen.
-  // `field` and `tiles`, where the processor has the picture's waves: patches that no eye sees as the water stands are
-  // left out.
-  const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds,
-                                 const WaveField* field = nullptr, const WaveTiles* tiles = nullptr);
-  // Takes the tree's patches off the last selection whose water, within the bounds that it was selected with, there is
-  // none of: `gone` is asked with the least and the most x and z in the world, m. Nothing that is frozen changes.
-  void leave_out(const DisplacementBounds& bounds,
-                 const std::function<bool(glm::dvec2 least_m, glm::dvec2 most_m)>& gone);
+  // Of water.field and water.tiles patches are left out that no eye sees as the water stands; and patches of the tree,
+  // but no frozen ones, all of whose water within the bounds is gone.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, const MeshWater& water) override;
+  const SurfaceSelection& select(const Viewpoint& viewpoint, const DisplacementBounds& bounds) {
+    return select(viewpoint, MeshWater(bounds));
+  }
 
   int levels() const { return levels_; }  // of patches in the ocean's square: 0 is that alone
   const LodSettings& settings() const { return settings_; }
@@ -97,6 +94,7 @@ class Quadtree {
     double border_spacing = 1.0, visible = 0.0;
   };
   void find_reaches(const Reaches::Asked& asked);
+  void leave_out(const MeshWater& water);
   void find_leaves(const TreeFrame& frame, const DisplacementBounds& bounds);
   void list_leaves(const TreeFrame& frame);
   unsigned coarser_sides(int level, int x, int z, int end) const;

@@ -62,19 +62,19 @@ void lay_skirt(const TreeFrame& frame, double multiplier, double reach_m, Surfac
       static_cast<int>(std::ceil(std::max(std::log(reach_m / half_m / dense) / std::log(growth), 0.0)));
   const int bands = std::clamp((near_rows + far_rows + gpu::patch_quads - 1) / gpu::patch_quads, 1,
                                static_cast<int>(SkirtStrips::most_bands));
-  selection.skirt_rows = bands * gpu::patch_quads;
-  selection.skirt_to_multiplier = static_cast<float>(dense);
-  selection.skirt_to_horizon =
-      static_cast<float>(dense * std::pow(growth, std::max(selection.skirt_rows - near_rows, 0)));
+  selection.mesh.skirt_rows = bands * gpu::patch_quads;
+  selection.mesh.skirt_to_multiplier = static_cast<float>(dense);
+  selection.mesh.skirt_to_horizon =
+      static_cast<float>(dense * std::pow(growth, std::max(selection.mesh.skirt_rows - near_rows, 0)));
 }
 
 void SkirtStrips::find_rows(const SurfaceSelection& selection) {
-  if (rows_ == selection.skirt_rows && to_multiplier_ == selection.skirt_to_multiplier &&
-      to_horizon_ == selection.skirt_to_horizon)
+  if (rows_ == selection.mesh.skirt_rows && to_multiplier_ == selection.mesh.skirt_to_multiplier &&
+      to_horizon_ == selection.mesh.skirt_to_horizon)
     return;
-  rows_ = selection.skirt_rows;
-  to_multiplier_ = selection.skirt_to_multiplier;
-  to_horizon_ = selection.skirt_to_horizon;
+  rows_ = selection.mesh.skirt_rows;
+  to_multiplier_ = selection.mesh.skirt_to_multiplier;
+  to_horizon_ = selection.mesh.skirt_to_horizon;
   const auto scale = [this](std::size_t band) {
     return static_cast<double>(
         gpu::skirt_scale(static_cast<int>(band) * gpu::patch_quads, rows_, to_multiplier_, to_horizon_));
@@ -100,7 +100,7 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
   bands_.resize(bands);
   for (unsigned side = 0; side < 4; ++side) {
     leaves_[side].clear();
-    const Border border = border_of(frame, selection.tree_centre, side);
+    const Border border = border_of(frame, selection.mesh.tree_centre, side);
     const std::span<BorderRange> of_side = std::span(seen_).subspan(side * bands * lists, bands * lists);
     const BorderBand whole = band_of(frame, border, of_band_[0].inner, of_band_[bands - 1].outer);
     const auto each = [&]() -> std::span<const BorderBand> {
@@ -132,9 +132,10 @@ void SkirtStrips::select(const TreeFrame& frame, const SplitMap& splits, const E
       const int size = frame.size(level);
       const unsigned flags = gpu::patch_skirt | (side << gpu::patch_skirt_side_shift) |
                              (static_cast<unsigned>(level) << gpu::patch_level_shift);
-      leaves_[side].push_back({static_cast<double>(along),
-                               static_cast<double>(along + size),
-                               {selection.tree_centre + on_side(half, side, along), size / gpu::patch_quads, flags}});
+      leaves_[side].push_back(
+          {static_cast<double>(along),
+           static_cast<double>(along + size),
+           {selection.mesh.tree_centre + on_side(half, side, along), size / gpu::patch_quads, flags}});
     }
   }
   const std::size_t before = selection.patches.size();

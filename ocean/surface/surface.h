@@ -2,7 +2,7 @@
 #pragma once
 #include "engine/frame.h"
 #include "ocean/drawn/drawn_piece.h"
-#include "ocean/mesh/quadtree.h"
+#include "ocean/mesh/surface_selection.h"
 
 namespace seascape {
 

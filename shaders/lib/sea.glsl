@@ -154,10 +154,6 @@ float carried(CascadeData c, float footprint, float blur) {
   return clamp(0.5 * c.origin.w / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
 }
 
-// The spacing of vertices in metres: it follows distance from the viewer alone, never the patch, so that shared
-// vertices agree to the bit.
-float vertex_footprint(vec2 rest) { return vertex_spacing(frame.morph, rest / frame.skirt.z) * frame.skirt.z; }
-
 // What a pixel averages at least where `to_eye` leads to the eye, on a level sea; `pixel`: radians a pixel.
 float level_blur(vec3 to_eye, float pixel) {
   const float across = length(to_eye) * pixel;

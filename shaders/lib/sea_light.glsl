@@ -2,6 +2,7 @@
 #ifndef SEASCAPE_SEA_LIGHT_GLSL
 #define SEASCAPE_SEA_LIGHT_GLSL
 #include "shared/facets.h"
+#include "lib/mesh.glsl"
 #include "lib/sea.glsl"
 #include "lib/sky_light.glsl"
 #include "lib/water_light.glsl"
@@ -61,12 +62,12 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
   const CarriedSlopes have =
-      CarriedSlopes(p.derivatives, p.height_shear.y, vertex_footprint(p.rest), level_blur(to_eye, view.eye.w));
+      CarriedSlopes(p.derivatives, p.height_shear.y, mesh_spacing(p.rest), level_blur(to_eye, view.eye.w));
   const SeaFootprint over = sea_footprint(p.along, p.across);
   SeaPlace here = sea_place(p.rest, over.blur);
   const SeaSlopes s = sea_slopes(here, over, have);
   // Slopes are over the still sea, which itself leans away with the earth's curve.
-  const vec2 slope = sea_slope(s) - p.relative.xz * frame.skirt.w;
+  const vec2 slope = sea_slope(s) - p.relative.xz * frame.viewer.w;
   normal = normalize(vec3(-slope.x, 1.0, -slope.y));
 
   // The facets that the eye sees, by two of them in the plane of sight: this lifts the horizon as the sea does.

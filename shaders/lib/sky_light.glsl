@@ -36,7 +36,7 @@ vec3 through_air(vec3 lit, vec3 v, float range) {
 // Whether sky along `ray` is a hole in the sea: beneath the lowest line where any water must be seen, nothing but the
 // sea may lie.
 bool is_hole(vec3 ray, ViewData view) {
-  const float h = max(frame.viewer.z + view.eye.y + frame.sea.footprint.z, 0.0), c = frame.skirt.w;
+  const float h = max(frame.viewer.z + view.eye.y + frame.sea.footprint.z, 0.0), c = frame.viewer.w;
   const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c);  // sine of the dip (0 when flat)
   return ray.y < -dip - 2.0 * view.eye.w;
 }

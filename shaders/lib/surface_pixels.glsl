@@ -24,16 +24,16 @@ layout(location = 4) flat in uint flags;
 layout(location = 0) out vec4 colour;
 
 vec3 debug_colour(vec3 lit, vec3 normal) {
-  if (frame.grid.w == debug_lod) {
+  if (frame.shown.x == debug_lod) {
     const uint level = patch_level(flags);
     const vec3 tint =
         (flags & patch_skirt) != 0u ? vec3(0.5) : 0.5 + 0.5 * cos(vec3(0.0, 2.1, 4.2) + float(level) * 1.7);
     return mix(vec3(luminance(lit)), tint, 0.6);
   }
-  if (frame.grid.w == debug_normals) return 0.5 + 0.5 * normal;
-  if (frame.grid.w == debug_wireframe) return vec3(0.9);
+  if (frame.shown.x == debug_normals) return 0.5 + 0.5 * normal;
+  if (frame.shown.x == debug_wireframe) return vec3(0.9);
   if (cascade_count > 0 &&
-      frame.grid.w == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
+      frame.shown.x == debug_slices) {  // the displacement of each cascade's tile, side by side on the water
     const int i = int(mod(floor(rest.x / 16.0), float(cascade_count)));
     vec3 d = texture(sampler2DArray(sea_longest_displacement, pixel_sampler), vec3(fract(rest / 16.0), 0.0)).xyz;
     if (cascade_count > 1 && i > 0)
@@ -49,12 +49,12 @@ vec3 ahead(vec3 found) {
   const mat4 clip = frame.view[eye_index()].clip_from_relative;
   if (dot(vec4(clip[0].w, clip[1].w, clip[2].w, clip[3].w), vec4(found, 1.0)) > 0.0) return found;
   const vec3 eye = frame.view[eye_index()].eye.xyz;
-  return eye + sqrt(2.0 * max(frame.viewer.z, 1.0) / max(frame.skirt.w, 1e-9)) * normalize(eye - found);
+  return eye + sqrt(2.0 * max(frame.viewer.z, 1.0) / max(frame.viewer.w, 1e-9)) * normalize(eye - found);
 }
 
 // Where the water seen stands: metres from the grid origin, y above the curved still sea.
 vec3 standing(vec3 seen) {
-  return flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.skirt.w) + vec3(frame.viewer.x, 0.0, frame.viewer.y);
+  return flattened(seen + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w) + vec3(frame.viewer.x, 0.0, frame.viewer.y);
 }
 
 void main() {
@@ -82,6 +82,6 @@ void main() {
   vec3 lit = sea_light(p, frame.view[eye_index()], normal);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);
-  if (tile_shape && !(debug && frame.grid.w > debug_lod)) lit = tone_map(lit);
+  if (tile_shape && !(debug && frame.shown.x > debug_lod)) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
 }

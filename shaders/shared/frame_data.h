@@ -3,9 +3,9 @@
 #define SEASCAPE_FRAME_DATA_H
 #include "foam_data.h"
 #include "gpu_types.h"
+#include "mesh_data.h"
 #include "sea_data.h"
 #include "slots.h"
-#include "vertex_morph.h"
 SEASCAPE_SHARED_BEGIN
 
 struct ViewData {
@@ -16,7 +16,8 @@ struct ViewData {
 
 struct FrameData {
   ViewData view[2];
-  vec4 viewer;  // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: time in s
+  vec4 viewer;  // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: the
+                // Earth's curvature, 1/m (0: flat)
   vec4 sun;     // xyz: towards the sun; w: cosine of its angular radius
   vec4 air;     // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: unused
   vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
@@ -24,14 +25,13 @@ struct FrameData {
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
                            // enters a level sea
   vec4 whitecap;           // x: strength; y: Jacobian below which foam forms; z, w: unused
-  ivec4 grid;              // x, y: the tree's centre in units; z: rows of the skirt; w: debug view
-  vec4 skirt;  // x: scale to the multiplier, y: scale to the horizon, z: metres a unit, w: curvature 1/m (0: flat)
-  VertexMorph morph;
+  ivec4 shown;             // x: a debug view; y, z, w: unused
+  MeshData mesh;
   SeaData sea;
   FoamData foam;  // where it is simulated
 };
 
-// Values of grid.w, in the order of app/render_settings.h's DebugView.
+// Values of shown.x, in the order of app/render_settings.h's DebugView.
 SEASCAPE_CONST int debug_none = 0;
 SEASCAPE_CONST int debug_holes = 1;
 SEASCAPE_CONST int debug_lod = 2;

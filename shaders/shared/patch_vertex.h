@@ -2,9 +2,9 @@
 #ifndef SEASCAPE_PATCH_VERTEX_H
 #define SEASCAPE_PATCH_VERTEX_H
 #include "gpu_types.h"
+#include "mesh_data.h"
 #include "patch_instance.h"
 #include "skirt.h"
-#include "vertex_morph.h"
 SEASCAPE_SHARED_BEGIN
 
 // The whole-number coordinate of vertex (i, j), 0 <= i, j <= patch_quads.
@@ -35,16 +35,16 @@ SEASCAPE_FUNCTION int patch_skirt_row(PatchInstance p, int j) {
   return int((p.flags >> patch_skirt_band_shift) & 63u) * patch_quads + j;
 }
 
-// Where the vertex stands, in units of unit_m relative to the grid origin: slid to its coarser neighbour as far as
-// `morph` says, and the skirt's `rows` rows moved outwards from `tree_centre`. Row 0 of a strip returns the very
-// numbers of the patch that it joins. Metres relative to the viewer are patch_vertex(...) * unit_m - viewer_fraction,
-// with viewer_fraction = viewer - grid_origin_m.
-SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, int rows, ivec2 tree_centre, float to_multiplier,
-                                    float to_horizon, VertexMorph morph) {
-  vec2 place = morphed(morph, patch_coordinate(p, i, j), tree_centre, p.stride);
+// Where the vertex stands, in units from the grid origin: slid to its coarser neighbour as far as mesh.morph says, and
+// the skirt's rows moved outwards from the tree's centre. Row 0 of a strip returns the very numbers of the patch that
+// it joins. Metres relative to the viewer are patch_vertex(...) * unit_m - viewer_fraction, with viewer_fraction =
+// viewer - grid_origin_m.
+SEASCAPE_FUNCTION vec2 patch_vertex(PatchInstance p, int i, int j, MeshData mesh) {
+  vec2 place = morphed(mesh.morph, patch_coordinate(p, i, j), mesh.tree_centre, p.stride);
   int row = patch_skirt_row(p, j);
   if (row == 0) return place;
-  return vec2(tree_centre) + (place - vec2(tree_centre)) * skirt_scale(row, rows, to_multiplier, to_horizon);
+  vec2 centre = vec2(mesh.tree_centre);
+  return centre + (place - centre) * skirt_scale(row, mesh.skirt_rows, mesh.skirt_to_multiplier, mesh.skirt_to_horizon);
 }
 
 SEASCAPE_SHARED_END

@@ -86,8 +86,9 @@ void select_along(benchmark::State& state, const LodSettings& settings, std::str
     for (std::size_t part = 0; part < parts; ++part) {
       const auto from = std::chrono::steady_clock::now();
       for (std::size_t at = part * way.size() / parts; at < (part + 1) * way.size() / parts; ++at) {
-        const SurfaceSelection& selection = tree.select(
-            way[at].viewpoint, way[at].bounds, by_water ? &sea.field : nullptr, by_water ? &sea.tiles : nullptr);
+        const SurfaceSelection& selection =
+            tree.select(way[at].viewpoint,
+                        MeshWater(way[at].bounds, by_water ? &sea.field : nullptr, by_water ? &sea.tiles : nullptr));
         benchmark::DoNotOptimize(selection.patches.data());
         visited += selection.visited_nodes;
         patches += std::int64_t(selection.patches.size());

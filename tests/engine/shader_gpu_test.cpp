@@ -45,7 +45,7 @@ struct Module {
     });
   }
   bool is_frame_data(std::uint32_t type) const {  // the one struct with members at all these offsets
-    return members.contains({type, std::uint32_t(offsetof(gpu::FrameData, grid))}) &&
+    return members.contains({type, std::uint32_t(offsetof(gpu::FrameData, shown))}) &&
            members.contains({type, std::uint32_t(offsetof(gpu::FrameData, water_backscatter))}) &&
            members.contains({type, std::uint32_t(offsetof(gpu::FrameData, whitecap))});
   }
@@ -87,8 +87,8 @@ TEST(Specialisation, LeavesNothingOfFoamWhereThereIsNone) {
 TEST(Specialisation, LeavesNothingOfDebugViewsWhereThereAreNone) {
   const Module with(words("surface.frag", surface_values(false, true, false, true)));
   const Module without(words("surface.frag", surface_values(false, true, false, false)));
-  EXPECT_FALSE(without.reads_frame_data(offsetof(gpu::FrameData, grid)));
-  EXPECT_TRUE(with.reads_frame_data(offsetof(gpu::FrameData, grid)));
+  EXPECT_FALSE(without.reads_frame_data(offsetof(gpu::FrameData, shown)));
+  EXPECT_TRUE(with.reads_frame_data(offsetof(gpu::FrameData, shown)));
 }
 
 TEST(Specialisation, TheProbeIsABindingOnlyWhereItIsAskedFor) {

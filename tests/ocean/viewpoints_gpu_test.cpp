@@ -2,6 +2,7 @@
 // the others.
 #include <cmath>
 
+#include "ocean/mesh/quadtree.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"

@@ -74,9 +74,7 @@ void look(const SurfaceSelection& all, const SurfaceSelection& kept, const Viewp
     for (int a = 0; a <= 6 && !seen; ++a)
       for (int b = 0; b <= 6 && !seen; ++b) {
         const glm::dvec2 rest =
-            glm::dvec2(gpu::patch_vertex(p, a * gpu::patch_quads / 6, b * gpu::patch_quads / 6, all.skirt_rows,
-                                         all.tree_centre, all.skirt_to_multiplier, all.skirt_to_horizon, all.morph)) *
-            all.unit_m;
+            glm::dvec2(gpu::patch_vertex(p, a * gpu::patch_quads / 6, b * gpu::patch_quads / 6, all.mesh)) * all.unit_m;
         const auto side = [&] { return (random() & 1u) != 0u ? 1.0 : -1.0; };
         const glm::dvec2 moved = rest + glm::dvec2(side(), side()) * bounds.horizontal_m;
         const glm::dvec2 away =
@@ -244,10 +242,8 @@ TEST(CullingHard, AKeyholeSeesTheCurvedSeaBehindIt) {
         constexpr int quads = gpu::patch_quads;
         const int i = static_cast<int>(random() % static_cast<unsigned>(quads));
         const int j = static_cast<int>(random() % static_cast<unsigned>(quads));
-        const glm::dvec2 at = glm::dvec2(gpu::patch_vertex(p, i, j, all.skirt_rows, all.tree_centre,
-                                                           all.skirt_to_multiplier, all.skirt_to_horizon, all.morph)) *
-                                  all.unit_m +
-                              all.grid_origin_m - glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z);
+        const glm::dvec2 at = glm::dvec2(gpu::patch_vertex(p, i, j, all.mesh)) * all.unit_m + all.grid_origin_m -
+                              glm::dvec2(view.viewer.position_m.x, view.viewer.position_m.z);
         const double drop = glm::dot(at, at) / (2.0 * static_cast<double>(gpu::earth_radius_m));
         const glm::dvec3 to = glm::normalize(glm::dvec3(at.x, -drop - view.viewer.position_m.y, at.y));
         view.viewer.orientation =

@@ -59,9 +59,7 @@ struct VertexKey {
   bool operator==(const VertexKey& o) const { return bits == o.bits; }
 };
 inline VertexKey key_of(const SurfaceSelection& s, const gpu::PatchInstance& p, int i, int j) {
-  const glm::vec2 place =
-      gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph) +
-      0.0f;  // no -0
+  const glm::vec2 place = gpu::patch_vertex(p, i, j, s.mesh) + 0.0f;  // no -0
   return {place, std::uint64_t{std::bit_cast<std::uint32_t>(place.x)} << 32 | std::bit_cast<std::uint32_t>(place.y)};
 }
 
@@ -105,7 +103,7 @@ inline Topology topology_of(const SurfaceSelection& selection) {
         const std::uint64_t na = v[e]->bits, nb = v[(e + 1) % 3]->bits;
         // The outer border of the skirt is open by design.
         const auto row = [&](std::size_t corner) { return gpu::patch_skirt_row(p, indices[t + corner] / (quads + 1)); };
-        if (row(e) == selection.skirt_rows && row((e + 1) % 3) == selection.skirt_rows) continue;
+        if (row(e) == selection.mesh.skirt_rows && row((e + 1) % 3) == selection.mesh.skirt_rows) continue;
         edges.push_back(na < nb ? Edge{na, nb, 1} : Edge{nb, na, -1});
       }
     }

@@ -61,8 +61,8 @@ struct Triangles {
 Triangles of_one_view(const SurfaceSelection& s, const Sight& sight, int levels, double ocean_m) {
   Triangles result;
   for (const auto& p : s.patches) result.tree += is_skirt(p) ? 0.0 : 2.0 * gpu::patch_quads * gpu::patch_quads;
-  const double gap = static_cast<double>(s.morph.height) * s.unit_m;
-  const auto reach = [&](int n) { return static_cast<double>(gpu::morph_reach(s.morph, n)) * s.unit_m; };
+  const double gap = static_cast<double>(s.mesh.morph.height) * s.unit_m;
+  const auto reach = [&](int n) { return static_cast<double>(gpu::morph_reach(s.mesh.morph, n)) * s.unit_m; };
   double scale = 0.0;  // half a ring's outer side over its spacing, the same for all rings
   int first = -1;
   for (int n = 0; n < levels; ++n)

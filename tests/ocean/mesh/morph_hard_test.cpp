@@ -111,7 +111,8 @@ TEST(MorphHard, VerticesStayInTheirPatch) {
           const glm::vec2 low(p.corner), high(p.corner + p.stride * gpu::patch_quads);
           for (int j = 0; j <= gpu::patch_quads; ++j)
             for (int i = 0; i <= gpu::patch_quads; ++i) {
-              const glm::vec2 at = gpu::morphed(s.morph, gpu::patch_coordinate(p, i, j), s.tree_centre, p.stride);
+              const glm::vec2 at =
+                  gpu::morphed(s.mesh.morph, gpu::patch_coordinate(p, i, j), s.mesh.tree_centre, p.stride);
               ASSERT_TRUE(glm::all(glm::greaterThanEqual(at, low)) && glm::all(glm::lessThanEqual(at, high)))
                   << preset.name << ", stride " << p.stride << ", " << at.x - low.x << ' ' << at.y - low.y;
               const glm::vec2 by = glm::vec2(gpu::patch_coordinate(p, i, j)) - at;

@@ -23,10 +23,10 @@ TEST(QuadtreeHard, hard_76_eyes_of_any_height) {
       viewpoint.viewer.position_m = {1e6, y, -1e6};
       const SurfaceSelection& selection = tree.select(viewpoint, {20.0, 10.0});
       EXPECT_FALSE(selection.patches.empty()) << y;
-      EXPECT_TRUE(std::isfinite(selection.horizon_m) && std::isfinite(selection.skirt_to_horizon) &&
-                  selection.skirt_to_horizon >= selection.skirt_to_multiplier)
+      EXPECT_TRUE(std::isfinite(selection.horizon_m) && std::isfinite(selection.mesh.skirt_to_horizon) &&
+                  selection.mesh.skirt_to_horizon >= selection.mesh.skirt_to_multiplier)
           << y;
-      EXPECT_GT(selection.skirt_rows, 0);
+      EXPECT_GT(selection.mesh.skirt_rows, 0);
     }
     for (const double y : {1e160, -1e160, 1e308}) {
       Viewpoint viewpoint;

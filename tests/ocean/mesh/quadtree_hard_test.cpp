@@ -31,7 +31,7 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
   constexpr int quads = gpu::patch_quads;
   TilingFaults faults;
   const int root = s.half_size * 2;
-  const glm::ivec2 least = s.tree_centre - s.half_size;
+  const glm::ivec2 least = s.mesh.tree_centre - s.half_size;
   std::unordered_set<std::uint64_t> leaves;
   // The square of `size` that holds a point, as a key: sizes are powers of two from 8 on, so that the lowest bit tells
   // them.
@@ -75,7 +75,7 @@ TilingFaults tiling_faults(const SurfaceSelection& s) {
         const int neighbour = outside ? size : leaf_at(c.x, c.y, std::max(half, quads), std::min(size * 2, root));
         if (neighbour == 0) ++faults.unbalanced;
         // Where vertices slide there are no edge bits.
-        if ((neighbour > size && s.morph.last_stride == 0) != ((p.flags & side.bit) != 0u)) ++faults.wrong_edges;
+        if ((neighbour > size && s.mesh.morph.last_stride == 0) != ((p.flags & side.bit) != 0u)) ++faults.wrong_edges;
       }
   }
   return faults;
@@ -199,7 +199,7 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         for (int j = 0; j <= n; ++j)
           for (int i = 0; i <= n; ++i) {
             const glm::ivec2 c = gpu::patch_coordinate(p, i, j);
-            const glm::ivec2 d = glm::abs(c - s.tree_centre);
+            const glm::ivec2 d = glm::abs(c - s.mesh.tree_centre);
             if (std::max(d.x, d.y) == s.half_size) border[{c.x, c.y}] = 0;
           }
     std::map<std::array<int, 3>, glm::vec2> places;  // by border vertex and row: also where bands meet
@@ -213,8 +213,7 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         ++border[{c.x, c.y}];
         for (int j = 0; j <= n; ++j) {
           const int row = gpu::patch_skirt_row(p, j);
-          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier,
-                                                    s.skirt_to_horizon, s.morph);
+          const glm::vec2 place = gpu::patch_vertex(p, i, j, s.mesh);
           if (row == 0) {
             EXPECT_EQ(place, glm::vec2(c));
           }
@@ -222,12 +221,12 @@ TEST(QuadtreeHard, SkirtJoinsItsPatchesAndItselfBitForBit) {
         }
         if (++columns[{c.x, c.y, gpu::patch_skirt_row(p, 0)}] == 1) continue;
         ++joints;
-        if (std::abs(c.x - s.tree_centre.x) == std::abs(c.y - s.tree_centre.y)) ++corners;
+        if (std::abs(c.x - s.mesh.tree_centre.x) == std::abs(c.y - s.mesh.tree_centre.y)) ++corners;
       }
     }
     for (const auto& [c, uses] : border) EXPECT_GE(uses, 1) << c.first << ' ' << c.second;
     EXPECT_EQ(joints, s.skirt_strips);  // a ring of strips has as many joints as strips
-    EXPECT_EQ(corners, 4 * s.skirt_rows / n);
+    EXPECT_EQ(corners, 4 * s.mesh.skirt_rows / n);
   }
 }
 
@@ -245,7 +244,7 @@ TEST(QuadtreeHard, SkirtTrianglesFaceUp) {
         std::array<glm::dvec2, 3> v;
         for (std::size_t c = 0; c < 3; ++c)
           v[c] = gpu::patch_vertex(p, indices[t + c] % (gpu::patch_quads + 1), indices[t + c] / (gpu::patch_quads + 1),
-                                   s.skirt_rows, s.tree_centre, s.skirt_to_multiplier, s.skirt_to_horizon, s.morph);
+                                   s.mesh);
         const glm::dvec2 a = v[1] - v[0], b = v[2] - v[0];
         ASSERT_GT(a.y * b.x - a.x * b.y, 0.0) << preset.name << " side " << side_of(p);
       }
@@ -323,7 +322,7 @@ TEST(QuadtreeHard, AltitudeAndUnderWater) {
       const SurfaceSelection& s = tree.select(everything_from({1e6, height, -1e6}), {12.0, 15.0});
       ASSERT_EQ(tiling_faults(s), TilingFaults{}) << preset.name << ' ' << height;
       if (preset.patch_quads == 16) expect_watertight(s, preset.name);
-      EXPECT_TRUE(std::isfinite(s.skirt_to_horizon));
+      EXPECT_TRUE(std::isfinite(s.mesh.skirt_to_horizon));
       EXPECT_LT(s.patches.size(), 20000u);
     }
 }
@@ -347,10 +346,7 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
         double worst = 0.0, reach = 1e12;
         constexpr int n = gpu::patch_quads;
         const auto place = [&](const gpu::PatchInstance& p, int i, int j) {
-          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.skirt_rows, s.tree_centre, s.skirt_to_multiplier,
-                                                            s.skirt_to_horizon, s.morph)) *
-                                   s.unit_m -
-                               fraction;
+          const glm::dvec2 v = glm::dvec2(gpu::patch_vertex(p, i, j, s.mesh)) * s.unit_m - fraction;
           return glm::dvec3(v.x, -height - glm::dot(v, v) / (2.0 * radius), v.y);
         };
         for (const auto& p : s.patches) {
@@ -359,14 +355,14 @@ TEST(QuadtreeHard, hard_22_horizon_reach) {
             for (int part = 0; part < 16; ++part) {
               // The rows' edges cross this bearing at the same share of each, because they are scaled copies.
               double highest = -1e9;
-              for (int row = 0; row <= s.skirt_rows; ++row) {
+              for (int row = 0; row <= s.mesh.skirt_rows; ++row) {
                 gpu::PatchInstance band = p;
-                const int of = std::min(row / n, s.skirt_rows / n - 1);
+                const int of = std::min(row / n, s.mesh.skirt_rows / n - 1);
                 band.flags |= static_cast<unsigned>(of) << gpu::patch_skirt_band_shift;
                 const glm::dvec3 v =
                     glm::mix(place(band, i, row - of * n), place(band, i + 1, row - of * n), part / 16.0);
                 highest = std::max(highest, std::atan2(v.y, std::hypot(v.x, v.z)));
-                if (row == s.skirt_rows) reach = std::min(reach, std::hypot(v.x, v.z));
+                if (row == s.mesh.skirt_rows) reach = std::min(reach, std::hypot(v.x, v.z));
               }
               worst = std::max(worst, std::abs(highest + dip));
             }

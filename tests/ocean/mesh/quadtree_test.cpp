@@ -252,7 +252,7 @@ TEST(Quadtree, StaysOnTheWorldsLattice) {
         }
         const SurfaceSelection& moved =
             tree.select(everything_from(eye + root_spacing * glm::dvec3(7.0, 0.0, -3.0)), {});
-        EXPECT_EQ(moved.tree_centre, s.tree_centre);
+        EXPECT_EQ(moved.mesh.tree_centre, s.mesh.tree_centre);
         ASSERT_EQ(moved.patches.size(), s.patches.size());
         for (std::size_t p = 0; p < s.patches.size(); ++p) ASSERT_TRUE(same_patch(moved.patches[p], s.patches[p]));
       }
@@ -380,9 +380,9 @@ TEST(Skirt, RowsGrowToTheReachAndStayWhereTheyAre) {
         for (const double height : {1.7, 5.0, 30.0, 31.0, 200.0, 3000.0, 20000.0}) {
           const SurfaceSelection& s = tree.select(everything_from({0.0, height, 0.0}), {vertical, vertical});
           std::vector<double> rows;
-          for (int row = 0; row <= s.skirt_rows; ++row)
-            rows.push_back(
-                static_cast<double>(gpu::skirt_scale(row, s.skirt_rows, s.skirt_to_multiplier, s.skirt_to_horizon)));
+          for (int row = 0; row <= s.mesh.skirt_rows; ++row)
+            rows.push_back(static_cast<double>(
+                gpu::skirt_scale(row, s.mesh.skirt_rows, s.mesh.skirt_to_multiplier, s.mesh.skirt_to_horizon)));
           ASSERT_EQ(rows[0], 1.0);
           for (std::size_t row = 1; row < rows.size(); ++row) {
             ASSERT_GT(rows[row], rows[row - 1]);

@@ -62,7 +62,7 @@ ScreenError screen_error(const std::string& scene, const char* preset, LodJoin j
     if (n < first) continue;
     DisplacementBounds bounds = bounds_of(field, tiles, view.viewer.position_m);
     faults(settings.lod, bounds);
-    add_picture({field, tiles, tree.select(view, bounds, &field, &tiles)}, view, per_patch, points, error);
+    add_picture({field, tiles, tree.select(view, MeshWater(bounds, &field, &tiles))}, view, per_patch, points, error);
   }
   return error;
 }

@@ -51,7 +51,7 @@ Dropped look(const char* scene, const char* preset, int poses, double scale) {
       for (View& eye : view.eyes) eye.fov = symmetric_fov(30.0, 1.0 + 0.5 * unit(random));
     const DisplacementBounds bounds = bounds_of(field, tiles, view.viewer.position_m);
     const std::vector<gpu::PatchInstance> before = tree.select(view, bounds).patches;
-    const SurfaceSelection& selection = tree.select(view, bounds, &told, &tiles);
+    const SurfaceSelection& selection = tree.select(view, MeshWater(bounds, &told, &tiles));
     ++result.poses;
     result.listed += static_cast<int>(before.size());
     std::array<glm::dmat4, 2> clip;
