@@ -84,6 +84,11 @@ bool Experience::deferred() const {
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
+void Experience::go_on() {
+  goes_on_ = true;
+  sea_->go_on();
+}
+
 void Experience::build() {
   ++builds_;
   RenderSettings& render = scene_.settings.render;
@@ -106,6 +111,7 @@ void Experience::build() {
   sea->know_velocity(SeaDetail::crests, spec.crests_velocity);
   sea_ = std::move(sea);
   sea_key_ = std::move(key);
+  if (goes_on_) sea_->go_on();
   ocean_ = std::make_unique<Ocean>(
       device_, shaders_, *sea_,
       OceanSettings{s.wave_place, s.lod, s.water, s.place, foam_spec(scene_), s.baked.fade_m,

@@ -38,6 +38,9 @@ class Experience {
   // stays as it was.
   void reload_shaders();
 
+  // Sea::go_on, for this sea and those that come after it.
+  void go_on();
+
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
 
@@ -81,6 +84,7 @@ class Experience {
   Pipeline sky_pipeline_, tone_pipeline_;
   Bindings sky_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
+  bool goes_on_ = false;
 };
 
 // What a device's multiview check and the user's wish come to, with a notice when the driver fails it.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ocean/inputs/soft_edge.h"
+#include "ocean/places/jump_steps.h"
 #include "ocean/places/place_fields.h"
 
 namespace seascape {
@@ -278,6 +279,7 @@ void FoamSea::begin_step() {
 }
 
 std::uint32_t FoamSea::step_slice(int slice) {
+  ++slices_stepped_;
   if (!gains_) return foam_.step_slice(slice, step_s_, nullptr);
   const DynamicSurface* pressed = wakes_ ? breaking_.view().dynamic() : nullptr;
   const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, step_time_s(), pressed); };
@@ -294,11 +296,13 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   const double since = std::max(time_s * s.rate_hz - double(now), 0.0) + 1e-6;  // in steps
   // Less a little, for what is added to `since`.
   slices_due_ = std::min(int(std::ceil(since / step_share * slices() - 1e-3)), slices());
-  const bool anew = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz;
+  const bool jumps = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz,
+             anew = jumps && !sea_.goes_on();
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   changed_ = foam_.follow(placement, fresh_);
   follow(placement, now);
+  if (jumps && !anew) go_on(now);
   due_ = now;
   settling_ = anew;
   steps_left_ = std::min<std::int64_t>(now - tick_, most_steps);
@@ -312,6 +316,17 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   coarse_left_ = std::int64_t(std::ceil((all - fine) * s.rate_hz / double(coarse_ticks_)));
   tick_ = now - std::int64_t(std::ceil(fine * s.rate_hz)) - coarse_left_ * coarse_ticks_;
   stepped_ = slices();
+}
+
+void FoamSea::go_on(std::int64_t now) {
+  const std::int64_t steps = begun_ ? jump_steps(tick_, now, spec_.settings.rate_hz) : 0;
+  tick_ = now - steps;
+  stepped_ = slices();
+  if (std::exchange(begun_, true)) return;
+  breaking_.evaluate(ticks_from_seconds(step_time_s()));
+  fresh_ = spec_.settings.simulated && any_source(false) ? mean_cover() : 0.0f;
+  foam_.fill(fresh_);
+  changed_ |= (1u << slices()) - 1u;
 }
 
 void FoamSea::follow(const LodPlacement& placement, std::int64_t tick) {

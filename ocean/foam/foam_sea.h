@@ -29,7 +29,8 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 // comes of the sea's own steps (ActorFoam): however a span is cut into frames, foam is the same to the bit around a
 // viewer who stands (but where a frame is longer than most_steps of them, which is then divided among as many longer
 // ones). Time that runs backwards or jumps by more than longest_s begins anew, from the mean of the sea's whitecaps
-// settle_s before: a moment looks alike wherever the frames began, to exp(-settle_s / life_s) of what was there. Not
+// settle_s before: a moment looks alike wherever the frames began, to exp(-settle_s / life_s) of what was there. Where
+// the sea goes on (Sea::go_on), the foam that is there does too, and what is new begins with that mean. Not
 // promised: the same foam to the bit after different ways of the viewer (what comes into a window has the next coarser
 // one's), and of wakes at different frame rates.
 //
@@ -82,8 +83,11 @@ class FoamSea {
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }
   std::optional<std::string> take_fault() { return foam_.take_fault(); }
+  // How many steps of a slice there have been.
+  std::uint64_t slices_stepped() const { return slices_stepped_; }
 
  private:
+  void go_on(std::int64_t now);
   void begin_step();
   std::uint32_t step_slice(int slice);
   int slices() const { return spec_.settings.windows.slices; }
@@ -118,6 +122,7 @@ class FoamSea {
   std::int64_t coarse_ticks_ = 1, coarse_left_ = 0, steps_left_ = 0;
   bool settling_ = false, first_ = false;  // steps before the first moment shown; the first of them
   std::uint32_t changed_ = 0;
+  std::uint64_t slices_stepped_ = 0;
   std::shared_ptr<const Shallows> shallows_;  // of still_water_; null without a bed
   std::int64_t anew_ = -1;                    // the row of still_water_ to take anew next; -1: none
   bool begun_ = false, flows_ = false;

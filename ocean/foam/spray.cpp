@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/require.h"
+#include "ocean/places/jump_steps.h"
 #include "ocean/waves/spectrum.h"
 
 namespace seascape {
@@ -301,6 +302,7 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
 }
 
 void Spray::step() {
+  ++steps_;
   const double time_s = double(++tick_) / settings_.rate_hz;
   feel_wind();
   const bool throws = per_m2_s() > 0.0 && std::abs(viewer_.y) < settings_.range_m + sea_.statistics().largest_height_m;
@@ -320,7 +322,10 @@ void Spray::begin(double time_s, const glm::dvec3& viewer) {
                      life = std::int64_t(std::ceil(settings_.life_s * settings_.rate_hz));
   const bool anew =
       !begun_ || now < tick_ || now - tick_ > life || glm::length(viewer - viewer_) > 0.5 * settings_.range_m;
-  if (anew) {
+  if (anew && sea_.goes_on()) {
+    if (glm::length(viewer - viewer_) > 0.5 * settings_.range_m) puffs_.clear();
+    tick_ = now - (begun_ ? jump_steps(tick_, now, settings_.rate_hz) : 0);
+  } else if (anew) {
     puffs_.clear();
     tick_ = now - life;
   }

@@ -27,6 +27,7 @@ namespace seascape {
 // stands, and what a cell throws up does not ask where the viewer is, but for the thinning from two thirds of the range
 // on and where there would be more than `most`. Time that runs backwards or jumps by more than a life, and a viewer who
 // jumps by half the range, begin anew a life before: a moment has the very puffs of one that was come to step by step.
+// Where the sea goes on (Sea::go_on), what is aloft flies on, but for what such a viewer has left behind.
 //
 // Left out: spray that is thrown up without wind, as by surf; what flow and dynamic waves do to the water; splashes of
 // hulls.
@@ -71,6 +72,8 @@ class Spray {
   // As of the last step, in order of their beginning.
   std::span<const Puff> puffs() const { return puffs_; }
   double step_s() const { return double(tick_) / settings_.rate_hz; }
+  // How many steps there have been.
+  std::uint64_t steps() const { return steps_; }
   // Writes what is to be seen of them at a time since the last step, and gives how many.
   std::size_t drawn(double time_s, const glm::dvec3& viewer_m, std::span<gpu::SprayPuff> to);
   const SpraySettings& settings() const { return settings_; }
@@ -121,6 +124,7 @@ class Spray {
   int cells_;                            // a side of the square around the viewer
   std::vector<std::uint32_t> breakers_;  // of each cell which of its trials throw some up, a bit each
   std::int64_t tick_ = 0, due_ = 0;      // the last step, and the last that is due
+  std::uint64_t steps_ = 0;
   glm::dvec3 viewer_{0.0};
   bool begun_ = false;
 };

@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/text.h"
+#include "ocean/places/jump_steps.h"
 #include "ocean/places/rain.h"
 
 namespace seascape {
@@ -100,9 +101,13 @@ bool DynamicSea::update(double time_s, const glm::dvec3& viewer, const Push& pus
   if (ahead_s_ > 0.0) stale_ = stale_ || was_active;
   ahead_s_ = 0.0;  // within steps the surface is that of the step before
   if (anew) {
+    if (goes_on_) {
+      tick_ = *now - (begun_ ? jump_steps(tick_, *now, waves.rate_hz) : 0);
+    } else {
+      waves_.calm();
+      tick_ = *now - std::int64_t(std::ceil(settings_.settle_s * waves.rate_hz));
+    }
     begun_ = true;
-    waves_.calm();
-    tick_ = *now - std::int64_t(std::ceil(settings_.settle_s * waves.rate_hz));
     while (tick_ < *now) step(nullptr);
   }
   while (tick_ < *now) {

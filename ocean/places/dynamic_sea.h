@@ -33,6 +33,8 @@ class DynamicSea {
   // The waves as they are at a time of the sea, in s, around a viewer (m). Gives whether surface() has changed. A time
   // or a place that is no number changes nothing.
   bool update(double time_s, const glm::dvec3& viewer_m, const Push& push = nullptr);
+  // From now on nothing begins anew: the waves that there are go on over a jump (jump_steps.h).
+  void go_on() { goes_on_ = true; }
   // As of the last update; within one, as of the step before.
   const DynamicSurface& surface() { return *shared_surface(); }
   // The same to keep: it stays as it is, whatever steps follow.
@@ -64,7 +66,7 @@ class DynamicSea {
   std::uint64_t version_ = 1;
   std::vector<WaveSource> sources_;
   std::int64_t tick_ = 0;
-  bool begun_ = false;
+  bool begun_ = false, goes_on_ = false;
 };
 
 }  // namespace seascape

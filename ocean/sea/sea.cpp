@@ -148,6 +148,11 @@ void Sea::advance(double time_s, const glm::dvec3& viewer) {
   if (changing()) follow_change(ticks);
 }
 
+void Sea::go_on() {
+  goes_on_ = true;
+  if (dynamic_) dynamic_->go_on();
+}
+
 void Sea::change(const SeaState& state, double over_s, MakePlace place) {
   assert(grows_out_of(spec_.state, state));
   if (!spec_.has_waves) {

@@ -32,6 +32,11 @@ class Sea {
   // DynamicSea::longest_s begins the dynamic waves anew and holds the actors. A time that is no number changes nothing.
   void advance(double time_s, const glm::dvec3& viewer_m);
   double time_s() const { return time_s_; }
+  // From now on a jump of the time leaves what steps have made: dynamic waves, foam and spray go on from it, at the
+  // cost of an ordinary frame. For who watches, for whom no frame may wait; until then they begin anew, settled, so
+  // that a moment looks alike wherever the frames began. Actors are held in both.
+  void go_on();
+  bool goes_on() const { return goes_on_; }
 
   // The waves of any time in a detail. They know the dynamic waves, as they are now, where the time is that of the last
   // advance or at most a second before; and the bodies of actors where it is that of the last advance. The owner's
@@ -131,7 +136,7 @@ class Sea {
   ActorFoam foam_;
   double time_s_ = 0.0;
   std::int64_t step_ = 0;  // the last that was taken, where there are no dynamic waves
-  bool begun_ = false;
+  bool begun_ = false, goes_on_ = false;
   std::optional<std::int64_t> stepping_;  // the ticks of the step that actors take
   std::unique_ptr<SeaMaker> maker_;       // from the first change on
   std::shared_ptr<MadePlace> made_place_;
