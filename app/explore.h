@@ -8,6 +8,7 @@
 #include "app/panel.h"
 #include "app/path_recorder.h"
 #include "app/program.h"
+#include "app/scene_loader.h"
 #include "platform/overlay.h"
 
 namespace seascape {
@@ -21,6 +22,7 @@ class Explorer {
 
  private:
   void build();  // the experience of program_.scene
+  ExperienceOptions options(const Scene& scene) const;
   void keys(const Input& input);
   void look(const Input& input);
   void move(const Input& input, double dt_s);
@@ -28,7 +30,8 @@ class Explorer {
   PanelFacts facts(const DisplayFrame& shown) const;
   void obey(const PanelWish& wish);
   void apply(const Settings& settings);
-  void change_scene(const std::string& name, const std::string& preset);
+  void change_scene(const std::string& name, const std::string& preset);  // once it is loaded
+  void take_loaded();
   void set_travel(Travel travel);
   void toggle_pause();
   void scale_time(double factor);
@@ -51,6 +54,8 @@ class Explorer {
   Program& program_;
   Window& window_;
   std::unique_ptr<Experience> experience_;
+  SceneLoader loader_;
+  std::string loading_;  // the scene asked for last
   Overlay overlay_;
   Panel panel_;
   ExploreCamera camera_;

@@ -11,6 +11,7 @@
 #include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/files.h"
+#include "engine/multiview_check.h"
 
 namespace seascape {
 
@@ -43,22 +44,28 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Window& window)
     : arguments_(arguments),
       program_(program),
       window_(window),
+      loader_(*program.device, program.shaders),
       overlay_(*program.device, window),
       camera_(program.scene.start),
       scenes_(scene_names()) {
+  if (window_.views() == 2) (void)multiview_works(*program.device, program.shaders);  // waits: not while it draws
   begin_time();
   build();
 }
 
-void Explorer::build() {
-  const RenderSettings& render = program_.scene.settings.render;
-  const bool per_eye = draw_per_eye(*program_.device, program_.shaders, render.stereo, window_.views());
+ExperienceOptions Explorer::options(const Scene& scene) const {
+  ExperienceOptions result{64, 64, window_.views()};
   if (experience_) {
-    experience_.reset();
-    program_.device->wait_idle();  // the next one counts its frames anew: nothing of this one may wait for a number
+    result.width = experience_->options().width;
+    result.height = experience_->options().height;
   }
-  experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene,
-                                             ExperienceOptions{64, 64, window_.views(), per_eye, false});
+  result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, window_.views());
+  return result;
+}
+
+void Explorer::build() {
+  experience_ =
+      std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene, options(program_.scene));
   window_.set_title("Seascape: " + program_.scene.title);
 }
 
@@ -125,18 +132,33 @@ void Explorer::apply(const Settings& wanted) {
 }
 
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
+  loading_ = name;
+  Arguments asked = arguments_;  // what the command line sets stays set
+  asked.scene = name;
+  loader_.ask(
+      {[asked, preset, device = device_class(program_.device->facts())] { return scene_from(asked, preset, device); },
+       [chosen = options(program_.scene), this](const Scene& scene) {
+         ExperienceOptions result = chosen;
+         result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, result.views);
+         return result;
+       }});
+  tell("loading: " + name);
+}
+
+void Explorer::take_loaded() {
   try {
-    Arguments asked = arguments_;  // what the command line sets stays set
-    asked.scene = name;
-    program_.scene = scene_from(asked, preset, device_class(program_.device->facts()));
-    tell_remarks(program_.scene);
+    std::unique_ptr<Experience> loaded = loader_.take();
+    if (loaded == nullptr) return;
+    experience_ = std::move(loaded);
   } catch (const Error& fault) {
     tell_fault(fault.what());
     return;
   }
+  program_.scene = experience_->scene();
+  tell_remarks(program_.scene);
+  window_.set_title("Seascape: " + program_.scene.title);
   camera_ = ExploreCamera(program_.scene.start);
   begin_time();
-  build();
   tell("scene: " + program_.scene.name);
 }
 
@@ -320,6 +342,7 @@ void Explorer::obey(const PanelWish& wish) {
     program_.preset = *wish.preset;
     apply(changed);
     tell("quality: " + *wish.preset);
+    if (loader_.busy()) change_scene(loading_, *wish.preset);
   }
   if (wish.effects) {
     try {
@@ -340,9 +363,10 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double began_s = seconds();
   overlay_.begin(!look_by_button_ && !look_by_tab_);
   const PanelWish wish = panel_.draw(settings(), program_.scene.settings, facts(shown));
-  if (now_s_ < message_until_s_) Panel::draw_message(message_);
+  if (now_s_ < message_until_s_ || loader_.busy()) Panel::draw_message(message_);
   overlay_.end();
   obey(wish);
+  take_loaded();
 
   window_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
   experience_->resize(shown.width, shown.height);
@@ -352,6 +376,7 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double ready_s = seconds();
   move(window_.input(), dt_s);
   draw_frame(*experience_, frame, window_.viewpoint(camera_.pose()), sea_time_s());
+  experience_->go_on();  // settled as it was for the first frame
   patches_ = experience_->ocean().selection()->patches.size();
   window_.end(frame, &experience_->picture());
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);

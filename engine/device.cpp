@@ -305,8 +305,16 @@ void Device::give_back() {
   if (instance_) vkDestroyInstance(instance_, nullptr);
 }
 
+void Device::wait_for_gpu() noexcept {
+  const std::lock_guard lock(queue_mutex_);
+  (void)vkDeviceWaitIdle(device_);
+}
+
 void Device::wait_idle() {
-  check(vkDeviceWaitIdle(device_), "vkDeviceWaitIdle");
+  {
+    const std::lock_guard lock(queue_mutex_);
+    check(vkDeviceWaitIdle(device_), "vkDeviceWaitIdle");
+  }
   frames_finished_to(~std::uint64_t{0});
 }
 
@@ -338,12 +346,26 @@ void Device::end_now(VkCommandBuffer commands) {
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands;
-  check(vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
-  check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
+  VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  VkFence fence = VK_NULL_HANDLE;
+  check(vkCreateFence(device_, &info, nullptr, &fence), "vkCreateFence");
+  VkResult result = VK_SUCCESS;
+  {
+    const std::lock_guard lock(queue_mutex_);
+    result = vkQueueSubmit(queue_, 1, &submit, fence);
+  }
+  const char* failed = "vkQueueSubmit";
+  if (result == VK_SUCCESS) {
+    failed = "vkWaitForFences";
+    result = vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX);
+  }
+  vkDestroyFence(device_, fence, nullptr);
+  check(result, failed);
   vkFreeCommandBuffers(device_, now_pool_, 1, &commands);
 }
 
 VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info) {
+  const std::lock_guard lock(mutex_);
   if (const auto found = render_passes_.find(key); found != render_passes_.end()) return found->second;
   VkRenderPass pass = VK_NULL_HANDLE;
   check(vkCreateRenderPass(device_, &info, nullptr, &pass), "vkCreateRenderPass");

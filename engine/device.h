@@ -1,9 +1,11 @@
 // One Vulkan device with its queue, memory and the list of everything alive on it.
 #pragma once
+#include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,7 @@ struct DeviceFacts {
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
 };
 
+// Objects may be made and given up, shaders loaded and set-up commands run on any thread, while another one draws.
 class Device {
  public:
   // Picks a discrete GPU, then an integrated one, then any; SEASCAPE_DEVICE names another by part of its name. Throws
@@ -53,11 +56,14 @@ class Device {
   VkPhysicalDevice physical() const { return physical_; }
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
+  // Held by whoever gives the queue something to do or waits for the device.
+  std::mutex& queue_mutex() { return queue_mutex_; }
   std::uint32_t queue_family() const { return queue_family_; }
   const DeviceFacts& facts() const { return facts_; }
   Memory& memory() { return *memory_; }
 
   void wait_idle();
+  void wait_for_gpu() noexcept;  // the same, with nothing freed and no result
 
   // Validation messages since the start or the last clear, oldest first (validation on only).
   std::vector<std::string> validation_messages() const;
@@ -79,13 +85,18 @@ class Device {
   // Records and runs commands at once, and waits for them: set-up work only.
   template <typename Record>
   void run_now(Record&& record) {
+    const std::lock_guard lock(now_mutex_);
     VkCommandBuffer commands = begin_now();
     record(commands);
     end_now(commands);
   }
 
-  // Called by the frame loop: objects retired before frame `number` began are free once it has finished.
-  void frame_begun(std::uint64_t number) { frame_number_ = number; }
+  // What multiview_works() found, once it has been asked.
+  std::optional<bool>& multiview_checked() { return multiview_checked_; }
+
+  // Called by frame loops: gives the frame a number of its own among all that this device draws. Objects that are given
+  // up from then on are freed once it, or a later one, has finished.
+  std::uint64_t begin_frame() { return ++frame_number_; }
   void frames_finished_to(std::uint64_t number);
 
   VkRenderPass cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info);
@@ -97,7 +108,6 @@ class Device {
  private:
   friend void detail::adopt(Device&, VkObjectType, std::uint64_t, std::string_view, std::uint64_t);
   friend void detail::retire(Device&, VkObjectType, std::uint64_t);
-  friend class EffectScope;
   struct Retired {
     std::uint64_t frame;
     VkObjectType type;  // VK_OBJECT_TYPE_DEVICE_MEMORY: handle and offset of an allocation
@@ -108,8 +118,8 @@ class Device {
   void create_device(const DeviceOptions& options);
   void load_pipeline_cache();
   void keep_pipeline_cache() const;
-  void give_back();  // all that there is, at the end or where the beginning failed
-  void destroy(const Retired& object);
+  void give_back();                     // all that there is, at the end or where the beginning failed
+  void destroy(const Retired& object);  // with mutex_ held
   VkCommandBuffer begin_now();
   void end_now(VkCommandBuffer commands);
   static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
@@ -127,18 +137,20 @@ class Device {
   DiskCache cache_;
   std::uint64_t kept_hash_ = 0;  // of what the cache began with; 0: with nothing
   DeviceFacts facts_;
+  std::optional<bool> multiview_checked_;
   std::unique_ptr<Memory> memory_;
   std::map<std::uint64_t, ObjectRecord> records_;  // by creation number
   std::map<std::pair<VkObjectType, std::uint64_t>, std::uint64_t> creation_;
-  std::uint64_t created_ = 0, pipelines_made_ = 0, pipelines_given_kept_ = 0;
+  std::atomic<std::uint64_t> created_ = 0, pipelines_made_ = 0, pipelines_given_kept_ = 0;
   std::map<std::string, VkRenderPass> render_passes_;
   std::deque<Retired> retired_;
-  std::uint64_t frame_number_ = 0;
-  std::string effect_ = "frame";
+  std::atomic<std::uint64_t> frame_number_ = 0;
   bool debug_utils_ = false;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+  mutable std::mutex mutex_;  // of the lists of objects, and of render passes
+  std::mutex queue_mutex_, now_mutex_;
   mutable std::mutex message_mutex_;
   std::vector<std::string> messages_;
 };

@@ -3,17 +3,26 @@
 
 namespace seascape {
 
+namespace {
+thread_local std::string effect_now = "frame";  // what is made on this thread is for
+}  // namespace
+
 namespace detail {
 
 void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes) {
-  const std::uint64_t number = ++device.created_;
-  device.creation_[{type, handle}] = number;
-  device.records_[number] = {type, handle, bytes, std::string(name), device.effect_};
+  const std::string whole(name);
+  {
+    const std::lock_guard lock(device.mutex_);
+    const std::uint64_t number = ++device.created_;
+    device.creation_[{type, handle}] = number;
+    device.records_[number] = {type, handle, bytes, whole, effect_now};
+  }
   if (type == VK_OBJECT_TYPE_PIPELINE) ++device.pipelines_made_;
-  device.debug_name(type, handle, device.records_[number].name.c_str());
+  device.debug_name(type, handle, whole.c_str());
 }
 
 void retire(Device& device, VkObjectType type, std::uint64_t handle) {
+  const std::lock_guard lock(device.mutex_);
   if (auto found = device.creation_.find({type, handle}); found != device.creation_.end()) {
     device.records_.erase(found->second);
     device.creation_.erase(found);
@@ -23,23 +32,24 @@ void retire(Device& device, VkObjectType type, std::uint64_t handle) {
 
 }  // namespace detail
 
-EffectScope::EffectScope(Device& device, std::string_view effect) : device_(device), previous_(device.effect_) {
-  device_.effect_ = effect;
-}
+EffectScope::EffectScope(Device&, std::string_view effect) : previous_(effect_now) { effect_now = effect; }
 
-EffectScope::~EffectScope() { device_.effect_ = previous_; }
+EffectScope::~EffectScope() { effect_now = previous_; }
 
 std::vector<ObjectRecord> Device::objects() const {
+  const std::lock_guard lock(mutex_);
   std::vector<ObjectRecord> list;
   for (const auto& [number, record] : records_) list.push_back(record);
   return list;
 }
 
 void Device::retire_memory(VkDeviceMemory memory, VkDeviceSize offset) {
+  const std::lock_guard lock(mutex_);
   retired_.push_back({frame_number_, VK_OBJECT_TYPE_DEVICE_MEMORY, std::uint64_t(memory), offset});
 }
 
 void Device::frames_finished_to(std::uint64_t number) {
+  const std::lock_guard lock(mutex_);
   while (!retired_.empty() && retired_.front().frame <= number) {
     destroy(retired_.front());
     retired_.pop_front();

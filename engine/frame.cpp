@@ -142,7 +142,7 @@ Frame::Frame(Device& device, VkDeviceSize vertex_bytes)
   }
 }
 
-Frame::~Frame() { vkDeviceWaitIdle(device_.handle()); }
+Frame::~Frame() { device_.wait_for_gpu(); }
 
 void Frame::collect(Slot& slot) {
   if (!slot.pending) return;
@@ -157,7 +157,7 @@ void Frame::collect(Slot& slot) {
   for (std::uint32_t p = 0; p < slot.passes; ++p)
     times_.push_back({slot.names[p], double(stamps[2 * p + 1] - stamps[2 * p]) * period});
   gpu_ms_ = double(stamps[2 * slot.passes - 1] - stamps[0]) * period;
-  timed_frame_ = slot.frame;
+  timed_frame_ = slot.number;
 }
 
 void Frame::begin() {
@@ -165,13 +165,13 @@ void Frame::begin() {
   Slot& slot = slots_[number_ % slots];
   stages_.clear();
   stages_.time("waiting", [&] { collect(slot); });
-  slot.frame = number_;
+  slot.number = number_;
   slot.passes = 0;
   ring_used_ = 0;
   vertices_used_ = 0;
   counts_ = {};
   work_.clear();
-  device_.frame_begun(number_);
+  slot.frame = device_.begin_frame();
   const VkFence fence = slot.fence.get();
   check(vkResetFences(device_.handle(), 1, &fence), "vkResetFences");
   check(vkResetCommandPool(device_.handle(), slot.pool.get(), 0), "vkResetCommandPool");
@@ -315,8 +315,10 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
   submit.pWaitDstStageMask = &stage;
   submit.signalSemaphoreCount = signal ? 1 : 0;
   submit.pSignalSemaphores = &signal;
-  stages_.time("submission",
-               [&] { check(vkQueueSubmit(device_.queue(), 1, &submit, slot.fence.get()), "vkQueueSubmit"); });
+  stages_.time("submission", [&] {
+    const std::lock_guard lock(device_.queue_mutex());
+    check(vkQueueSubmit(device_.queue(), 1, &submit, slot.fence.get()), "vkQueueSubmit");
+  });
   slot.pending = true;
 }
 

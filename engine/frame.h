@@ -174,7 +174,7 @@ class Frame {
     Buffer vertices;
     std::array<const char*, max_passes> names{};
     std::uint32_t passes = 0;
-    std::uint64_t frame = 0;
+    std::uint64_t frame = 0, number = 0;  // among all that the device draws; of this frame loop
     bool pending = false;
   };
   void begin_pass(const char* name, const Uses& uses);

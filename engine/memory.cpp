@@ -97,6 +97,7 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyF
     }
     return {false, 0};
   };
+  const std::lock_guard lock(mutex_);
   Block* chosen = nullptr;
   VkDeviceSize offset = 0;
   for (auto& block : blocks_)
@@ -119,6 +120,7 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyF
 }
 
 void Memory::free(VkDeviceMemory memory, VkDeviceSize offset) {
+  const std::lock_guard lock(mutex_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block& block = *blocks_[b];
     if (block.memory != memory) continue;
@@ -146,12 +148,14 @@ void Memory::free(VkDeviceMemory memory, VkDeviceSize offset) {
 }
 
 std::uint64_t Memory::block_bytes() const {
+  const std::lock_guard lock(mutex_);
   std::uint64_t sum = 0;
   for (const auto& block : blocks_) sum += block->size;
   return sum;
 }
 
 std::uint64_t Memory::used_bytes() const {
+  const std::lock_guard lock(mutex_);
   std::uint64_t sum = 0;
   for (const auto& block : blocks_)
     for (const Range& range : block->used) sum += range.size;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "engine/vulkan.h"
@@ -30,6 +31,7 @@ class Allocation {
   void* mapped_ = nullptr;
 };
 
+// Any thread.
 class Memory {
  public:
   explicit Memory(Device& device);
@@ -58,6 +60,7 @@ class Memory {
   Block& new_block(std::uint32_t type, bool image, VkDeviceSize least);
   Device& device_;
   VkPhysicalDeviceMemoryProperties properties_{};
+  mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 

@@ -5,6 +5,7 @@
 namespace seascape {
 
 bool multiview_works(Device& device, ShaderLibrary& shaders) {
+  if (device.multiview_checked()) return *device.multiview_checked();
   const EffectScope scope(device, "multiview check");
   TargetSpec spec;
   spec.width = spec.height = 16;
@@ -37,6 +38,7 @@ bool multiview_works(Device& device, ShaderLibrary& shaders) {
         if (x + y < 6 || x + y > 10) right = right && covered == drawn;
       }
   }
+  device.multiview_checked() = right;
   return right;
 }
 

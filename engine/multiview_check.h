@@ -5,7 +5,8 @@
 
 namespace seascape {
 
-// True when both views hold what they should. Waits for the device; some milliseconds, at start only.
+// True when both views hold what they should. Waits for the device the first time it
+// is asked: some milliseconds, at start.
 bool multiview_works(Device& device, ShaderLibrary& shaders);
 
 }  // namespace seascape

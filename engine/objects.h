@@ -91,7 +91,7 @@ class Owned {
   T handle_{};
 };
 
-// Objects made while it lives belong to the named effect.
+// Objects made on this thread while it lives belong to the named effect.
 class EffectScope {
  public:
   EffectScope(Device& device, std::string_view effect);
@@ -100,7 +100,6 @@ class EffectScope {
   EffectScope& operator=(const EffectScope&) = delete;
 
  private:
-  Device& device_;
   std::string previous_;
 };
 

@@ -196,6 +196,7 @@ std::filesystem::path ShaderLibrary::default_directory() { return executable_dir
 std::shared_ptr<const Shader> ShaderLibrary::load(const std::string& name, std::span<const SpecValue> values) {
   std::string key = name;
   for (const SpecValue& v : values) key += fmt::format(" {}={}", v.id, v.value);
+  const std::lock_guard lock(*mutex_);
   if (auto found = loaded_.find(key); found != loaded_.end()) return found->second;
   return loaded_[key] = read(name, values);
 }
@@ -233,6 +234,7 @@ std::vector<std::uint32_t> ShaderLibrary::specialised_words(const std::filesyste
 }
 
 bool ShaderLibrary::reload() {
+  const std::lock_guard lock(*mutex_);
   bool changed = false;
   for (auto& [name, time] : times_) {
     std::error_code failed;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,8 +36,8 @@ struct Shader {
   std::uint64_t hash = 0;         // of the words
 };
 
-// Loads from `shaders/` beside the executable. Equal requests give the same Shader; what it is specialised to is kept
-// for later starts.
+// Any thread. Loads from `shaders/` beside the executable. Equal requests give the same Shader; what it is specialised
+// to is kept for later starts.
 class ShaderLibrary {
  public:
   explicit ShaderLibrary(std::filesystem::path directory = default_directory(), DiskCache cache = {});
@@ -50,7 +51,10 @@ class ShaderLibrary {
   bool reload();
 
   // How often the optimiser has run.
-  int specialised() const { return specialised_; }
+  int specialised() const {
+    const std::lock_guard lock(*mutex_);
+    return specialised_;
+  }
 
  private:
   std::shared_ptr<const Shader> read(const std::string& name, std::span<const SpecValue> values);
@@ -58,6 +62,7 @@ class ShaderLibrary {
                                                const std::string& name);
   std::filesystem::path directory_;
   DiskCache cache_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
   int specialised_ = 0;
   std::map<std::string, std::shared_ptr<const Shader>> loaded_;
   std::map<std::string, std::filesystem::file_time_type> times_;

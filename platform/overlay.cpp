@@ -90,7 +90,7 @@ Overlay::Overlay(Device& device, Window& window) : device_(device), window_(wind
 
 Overlay::~Overlay() {
   window_.set_overlay(nullptr);
-  vkDeviceWaitIdle(device_.handle());
+  device_.wait_for_gpu();
   ImGui_ImplVulkan_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();

@@ -165,7 +165,7 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
 }
 
 Window::~Window() {
-  vkDeviceWaitIdle(device_.handle());  // its result does not matter any more: nothing is drawn after
+  device_.wait_for_gpu();
   images_.clear();
   for (auto& semaphore : acquired_) semaphore.reset();
   swapchain_.reset();
@@ -241,7 +241,10 @@ bool Window::make_swapchain() {
   if (extent.width == 0 || extent.height == 0) return false;
   // Neither frames nor presenting use the old images after this. What is given up here lives until the frame that is
   // being recorded has finished, as everything does.
-  check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle");
+  {
+    const std::lock_guard lock(device_.queue_mutex());
+    check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle");
+  }
   images_.clear();
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
   info.surface = surface_.get();
@@ -402,7 +405,10 @@ void Window::end(Frame& frame, const RenderTarget* picture) {
   present.swapchainCount = 1;
   present.pSwapchains = &swapchain;
   present.pImageIndices = &image_index_;
-  const VkResult result = vkQueuePresentKHR(device_.queue(), &present);
+  const VkResult result = [&] {
+    const std::lock_guard lock(device_.queue_mutex());
+    return vkQueuePresentKHR(device_.queue(), &present);
+  }();
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
     stale_ = true;
   else
