@@ -482,7 +482,8 @@ const std::vector<Setting>& table() {
        "Lower than this everywhere, and not pushed, dynamic waves come to rest and cost nothing; 0 keeps them moving.",
        dynamic<&DynamicWavesSettings::idle_m>, 0.0, 0.1},
       {"dynamic_waves.settle_s", "s",
-       "Simulated before the first moment shown and after each jump of the time, so that rain has fallen already.",
+       "Time simulated before the first frame, and after a jump of the time except in explore, so that rain has "
+       "already fallen.",
        &at<&Settings::dynamic_waves, &DynamicSeaSettings::settle_s>, 0.0, 60.0},
       {"dynamic_waves.rain_per_m2_s", "1/(m2 s)",
        "Drops of rain that fall on each square metre in a second, around the viewer as far as a thousand drops a step "
@@ -546,7 +547,8 @@ const std::vector<Setting>& table() {
        "Steps of the foam a second; any rate gives the same decay, a lower one leaves stripes behind fast crests.",
        foam<&FoamSettings::rate_hz>, 1.0, 240.0},
       {"foam.settle_s", "s",
-       "Simulated before the first moment shown and after each jump of the time, so that foam lies there already.",
+       "Time simulated before the first frame, and after a jump of the time except in explore, so that foam is already "
+       "there.",
        foam<&FoamSettings::settle_s>, 0.0, 60.0},
 
       {"spray.amount", "",
