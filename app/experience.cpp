@@ -40,7 +40,7 @@ bool needs_rebuild(const Settings& a, const Settings& b, bool sea_at_once) {
 bool draw_per_eye(Device& device, ShaderLibrary& shaders, StereoMode mode, int views) {
   if (views < 2) return mode == StereoMode::per_eye;
   if (mode == StereoMode::per_eye) return true;
-  if (multiview_works(device, shaders)) return false;
+  if (multiview_known_to_work(device, shaders)) return false;
   if (mode == StereoMode::single) {
     spdlog::warn("{} ({}) draws multiview passes wrongly; --stereo single uses them all the same", device.facts().name,
                  device.facts().driver);

@@ -29,7 +29,8 @@ class SceneLoader {
   void ask(Request request);
   bool busy() const;
   // The scene asked for last, once, when it is there: its objects made, its simulations settled and its first frame
-  // drawn, at the time at which it starts; it goes on (Experience::go_on). Throws the Error that loading it met, once. Never waits for the loading.
+  // drawn, at the time at which it starts; it goes on (Experience::go_on). Throws the Error that loading it met, once.
+  // Never waits for the loading.
   std::unique_ptr<Experience> take();
 
  private:

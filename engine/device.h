@@ -91,7 +91,7 @@ class Device {
     end_now(commands);
   }
 
-  // What multiview_works() found, once it has been asked.
+  // What multiview_known_to_work() found, once it has been called.
   std::optional<bool>& multiview_checked() { return multiview_checked_; }
 
   // Called by frame loops: gives the frame a number of its own among all that this device draws. Objects that are given

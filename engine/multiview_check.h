@@ -5,8 +5,9 @@
 
 namespace seascape {
 
-// True when both views hold what they should. Waits for the device the first time it
-// is asked: some milliseconds, at start.
+// True when both views hold what they should. Waits for the device; some milliseconds.
 bool multiview_works(Device& device, ShaderLibrary& shaders);
+// The same, looked at once a device: later calls wait for nothing.
+bool multiview_known_to_work(Device& device, ShaderLibrary& shaders);
 
 }  // namespace seascape

@@ -13,22 +13,13 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/settings_that_act.h"
 
 namespace seascape {
 
 namespace {
 
 class ExperienceApply : public test::GpuTest {};
-
-// Another value that the row allows, as text.
-std::string another(const Settings& settings, const Setting& row) {
-  if (std::holds_alternative<FlagMember>(row.member)) return value_text(settings, row) == "true" ? "false" : "true";
-  if (!row.choices.empty()) return std::string(row.choices[value_text(settings, row) == row.choices[0] ? 1 : 0]);
-  const double now = std::get<double>(value_of(settings, row));
-  const double wanted = now == 0.0 ? std::min(2.0, row.most) : now * 0.5 >= row.least ? now * 0.5 : now * 2.0;
-  const double value = std::clamp(wanted, row.least, row.most);
-  return text_from(std::holds_alternative<RealMember>(row.member) ? value : std::floor(value));
-}
 
 // What such a setting does is nothing, as the proofs of effects have it.
 bool of_an_absent_effect(const Scene& scene, std::string_view key) {
@@ -64,7 +55,8 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
     SCOPED_TRACE(row.key);
     if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
     if (std::getenv("SEASCAPE_LONG") == nullptr && of_an_absent_effect(live.scene(), row.key)) continue;
-    const std::string before = value_text(live.scene().settings, row), value = another(live.scene().settings, row);
+    const std::string before = value_text(live.scene().settings, row),
+                      value = test::another(live.scene().settings, row);
     live.set(std::string(row.key), value);
     begin_anew(row.key);
     test::ShotOptions options = common;
@@ -141,56 +133,6 @@ Went run_on(const test::ShotOptions& options, const std::string& key, const std:
   return went;
 }
 
-// A scene in which a row acts, made small, and what of it shows.
-test::ShotOptions where_it_acts(std::string_view key) {
-  const auto begins = [&](const char* with) { return key.starts_with(with); };
-  test::ShotOptions options{.scene = "storm",
-                            .preset = "low",
-                            .width = 64,
-                            .height = 48,
-                            .set = {{"waves.resolution", "32"},
-                                    {"waves.cascades", "3"},
-                                    {"msaa", "1"},
-                                    {"foam.simulated", "true"},
-                                    {"foam.resolution", "64"},
-                                    {"foam.settle_s", "1"},
-                                    {"foam.texel_m", "1"}}};
-  if (begins("sea_depth.") || begins("foam.shore_")) options.scene = "lagoon";
-  if (begins("gerstner.")) {
-    options.scene = "gerstner";
-    for (const std::string set : {"gerstner.set1_", "gerstner.set2_"})
-      for (const auto& [name, value] : {std::pair("octaves", "1"), {"waves", "4"}, {"spread_deg", "40"}})
-        options.set.emplace_back(set + name, value);
-  }
-  if (begins("wave_particles.") || begins("dynamic_waves.")) options.scene = "rain_pool";
-  if (key == "dynamic_waves.idle_m") options.set.emplace_back("dynamic_waves.rain_per_m2_s", "0.02");  // steps rest
-  if (begins("level.") || begins("flow.")) {
-    options.scene = "whirlpool";
-    options.set.emplace_back("flow.speed_mps", "1");
-  }
-  if (begins("clip.")) options.scene = "harbour_clip";
-  if (begins("baked.")) {
-    options.scene = "baked";
-    options.set = {{"baked.fade_m", "100"}};
-  }
-  if (begins("lod.") && key != "lod.pixel_error" && key != "lod.by") {
-    options.set.emplace_back("lod.by", "threshold");
-    options.set.emplace_back("lod.ocean_size_m", "256");  // doubled as far as the skirt's multiplier says
-  }
-  return options;
-}
-
-// What it goes to there.
-std::string value_in(const Settings& settings, const Setting& row) {
-  const std::map<std::string_view, const char*> chosen{{"lod.ocean_size_m", "300"},
-                                                       {"lod.skirt_multiplier", "1"},
-                                                       {"dynamic_waves.idle_m", "0.1"},
-                                                       {"gerstner.set2_wavelength_m", "60"},
-                                                       {"wave_particles.radius_m", "0.3"}};
-  const auto found = chosen.find(row.key);
-  return found == chosen.end() ? another(settings, row) : found->second;
-}
-
 // In a storm with foam and spray, or where else a row acts. Controls seen: an Ocean::apply that forgets
 // foam_->sea().apply, one that forgets settings_, one that makes its spray anew, and an Ocean::takes that is always
 // false.
@@ -201,7 +143,7 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
-    const test::ShotOptions options = where_it_acts(row.key);
+    const test::ShotOptions options = test::where_it_acts(row.key);
     const std::string shown = options.scene + std::to_string(options.set.size());
     if (!plain.contains(shown)) {
       plain[shown] = run_on(options, "", "");
@@ -211,7 +153,7 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
       }
     }
     Scene scene = test::SeaShot(options).scene();
-    const std::string value = value_in(scene.settings, row);
+    const std::string value = test::value_in(scene.settings, row);
     const Went went = run_on(options, std::string(row.key), value);
     EXPECT_EQ(went.builds, 0u);
     EXPECT_EQ(went.objects, 0u);
@@ -238,7 +180,8 @@ TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
     if (live == nullptr) live = std::make_unique<test::SeaShot>(options);
     const Pose head = live->scene().start;
     live->draw(head, time_s);
-    const std::string before = value_text(live->scene().settings, row), value = value_in(live->scene().settings, row);
+    const std::string before = value_text(live->scene().settings, row),
+                      value = test::value_in(live->scene().settings, row);
     const std::uint64_t builds = live->experience().builds();
     const std::shared_ptr<Sea> sea = live->experience().sea();
     const auto settle = [&] {
@@ -274,14 +217,14 @@ TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
     if (!row.rebuild.empty() || row.key == "baked.fade_m" || leaves_the_picture(row.key) ||
         !is({"gerstner", "wave_particles", "dynamic_waves", "level", "flow", "clip", "baked"}))
       continue;
-    test::ShotOptions options = where_it_acts(row.key);
+    test::ShotOptions options = test::where_it_acts(row.key);
     compare(row, options);
     if (is({"level", "flow"})) {
       options.scene = "rivers";
       compare(row, options);
     }
     if (row.key == "gerstner.set1_height_m" || row.key == "gerstner.set2_wavelength_m" || row.key == "level.height_m") {
-      options = where_it_acts("storm");
+      options = test::where_it_acts("storm");
       options.scene = "lagoon";
       compare(row, options);
     }
@@ -293,13 +236,13 @@ TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
 // While the sea's time stands still too. Control seen: a DrawnSource::take that leaves uploaded_.
 TEST_F(ExperienceApply, SettingsOfTheSeaActWhileTimeStandsStill) {
   for (const char* key : {"gerstner.set1_height_m", "baked.weight", "wave_particles.height_m"}) {
-    const test::ShotOptions options = where_it_acts(key);
+    const test::ShotOptions options = test::where_it_acts(key);
     test::SeaShot shot(options);
     const Pose head = shot.scene().start;
     for (int n = 0; n < 3; ++n) shot.draw(head, 2.0);
     const Image8 before = shot.picture(head, 2.0);
     const std::string now = value_text(shot.scene().settings, *find_setting(key));
-    shot.set(key, value_in(shot.scene().settings, *find_setting(key)));
+    shot.set(key, test::value_in(shot.scene().settings, *find_setting(key)));
     test::ShotOptions other = options;
     other.set.emplace_back(key, value_text(shot.scene().settings, *find_setting(key)));
     const Image8 picture = shot.picture(head, 2.0);

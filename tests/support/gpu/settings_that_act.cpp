@@ -1,0 +1,92 @@
+#include "tests/support/gpu/settings_that_act.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/text.h"
+
+namespace seascape::test {
+
+std::string another(const Settings& settings, const Setting& row) {
+  if (std::holds_alternative<FlagMember>(row.member)) return value_text(settings, row) == "true" ? "false" : "true";
+  if (!row.choices.empty()) return std::string(row.choices[value_text(settings, row) == row.choices[0] ? 1 : 0]);
+  const double now = std::get<double>(value_of(settings, row));
+  const double wanted = now == 0.0 ? std::min(2.0, row.most) : now * 0.5 >= row.least ? now * 0.5 : now * 2.0;
+  const double value = std::clamp(wanted, row.least, row.most);
+  return text_from(std::holds_alternative<RealMember>(row.member) ? value : std::floor(value));
+}
+
+ShotOptions where_it_acts(std::string_view key) {
+  const auto begins = [&](const char* with) { return key.starts_with(with); };
+  ShotOptions options{.scene = "storm",
+                      .preset = "low",
+                      .width = 64,
+                      .height = 48,
+                      .set = {{"waves.resolution", "32"},
+                              {"waves.cascades", "3"},
+                              {"msaa", "1"},
+                              {"foam.simulated", "true"},
+                              {"foam.resolution", "64"},
+                              {"foam.settle_s", "1"},
+                              {"foam.texel_m", "1"}}};
+  const auto set = [&](const char* name, const char* value) { options.set.emplace_back(name, value); };
+  if (begins("sea_depth.") || begins("foam.shore_")) options.scene = "lagoon";
+  if (begins("gerstner.")) {
+    options.scene = "gerstner";
+    for (const std::string of : {"gerstner.set1_", "gerstner.set2_"})
+      for (const auto& [name, value] : {std::pair("octaves", "1"), {"waves", "4"}, {"spread_deg", "40"}})
+        options.set.emplace_back(of + name, value);
+  }
+  if (begins("wave_particles.") || begins("dynamic_waves.")) options.scene = "rain_pool";
+  if (key == "dynamic_waves.idle_m") set("dynamic_waves.rain_per_m2_s", "0.02");  // steps rest
+  if (begins("level.") || begins("flow.")) {
+    options.scene = "whirlpool";
+    set("flow.speed_mps", "1");
+  }
+  if (begins("clip.")) options.scene = "harbour_clip";
+  if (begins("place.")) options.scene = "rivers";
+  if (begins("baked.")) {
+    options.scene = "baked";
+    options.set = {{"baked.fade_m", "100"}};
+  }
+  if (begins("waves."))
+    for (const char* swell : {"waves.swell_height_m", "waves.swell2_height_m", "waves.swell3_height_m"})
+      set(swell, "1");
+  if (begins("lod.") && key != "lod.pixel_error" && key != "lod.by") {
+    set("lod.by", "threshold");
+    set("lod.ocean_size_m", "256");  // doubled as far as the skirt's multiplier says
+  }
+  if (begins("stereo.")) options.views = 2;
+  if (key == "water.anisotropy") {
+    set("waves.resolution", "128");
+    set("waves.cascades", "5");
+  }
+  return options;
+}
+
+std::string value_in(const Settings& settings, const Setting& row) {
+  const std::map<std::string_view, const char*> chosen{{"lod.ocean_size_m", "300"},
+                                                       {"lod.skirt_multiplier", "1"},
+                                                       {"dynamic_waves.idle_m", "0.1"},
+                                                       {"waves.depth_m", "5"},
+                                                       {"gerstner.set2_wavelength_m", "60"},
+                                                       {"wave_particles.radius_m", "0.3"},
+                                                       {"waves.fetch_m", "5000"},
+                                                       {"waves.gravity_mps2", "4"},
+                                                       {"waves.loop_s", "10"},
+                                                       {"msaa", "4"},
+                                                       {"stereo.mode", "per-eye"},
+                                                       {"waves.where", "gpu"},
+                                                       {"frame.lighting", "forward"},
+                                                       {"frame.shape", "desktop"},
+                                                       {"debug.view", "normals"},
+                                                       {"debug.drop_patch", "20"},
+                                                       {"foam.simulated", "false"},
+                                                       {"camera.near_m", "10"},
+                                                       {"water.anisotropy", "16"}};
+  const auto found = chosen.find(row.key);
+  return found == chosen.end() ? another(settings, row) : found->second;
+}
+
+}  // namespace seascape::test
