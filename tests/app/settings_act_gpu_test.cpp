@@ -40,7 +40,7 @@ bool draws_the_same(std::string_view key) {
   return false;
 }
 
-// Control seen to fail: a projection that does not take camera.near_m.
+// Control seen to fail: a mesher that ignores debug.drop_patch.
 TEST_F(SettingsAct, EveryOneThatIsNotLive) {
   std::map<std::string, Shown> plain;
   for (const Setting& row : settings_table()) {
