@@ -5,5 +5,5 @@ string(CONCAT VULKAN_SOURCES_REGEX "^("
   "platform/.*|"
   "ocean/ocean|ocean/drawn/.*|ocean/surface/(drawn_spray|surface)|"
   "app/lab/(drawn_curves|frame_curve|lab_command)|"
-  "app/(capture|doctor|effect_costs|experience|explore|explore_window|frame|panel|plan|program|replay|sky)"
+  "app/(capture|doctor|effect_costs|experience|explore|explore_window|frame|panel|plan|program|replay|scene_loader|sky)"
   ")\\.cpp$")
