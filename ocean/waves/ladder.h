@@ -29,9 +29,9 @@ struct Cascade {
 
 using Ladder = std::array<Cascade, gpu::max_cascades>;
 
-// The longest tile has one of three sides (4.3, 8.6 or 17.2 km), so that a change of wind within a class keeps every
+// The longest tile has one of three sides (4.2, 8.5 or 16.9 km), so that a change of wind within a class keeps every
 // wave in its place: the longest that still leaves at most an eighth of the sea's variance to the shorter tiles, which
-// repeat within sight, and 4.3 km where none does (winds below 9 m/s without a swell). The sides after it fall by a
+// repeat within sight, and 4.2 km where none does (winds below 9 m/s without a swell). The sides after it fall by a
 // ratio of 5 to 6.5 to a last one of 1.5 to 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31
 // and start where |m| is about 5. Throws Error as validate() does.
 Ladder ladder(const SeaState& sea);
