@@ -107,7 +107,7 @@ TEST(SeaApply, KeepsItsDynamicWaves) {
   EXPECT_GT(after, 0.2 * before);
 }
 
-// What needs other memory, images or shaders is refused, and nothing has changed then.
+// What needs other memory, images or shaders is refused. Control seen: a takes() that asks for has_waves alone.
 TEST(SeaApply, RefusesWhatItCannotTakeAsItRuns) {
   const std::vector<Case> others{{"gerstner", {{"gerstner.set1_height_m", "0"}, {"gerstner.set2_height_m", "0"}}},
                                  {"rain_pool", {{"wave_particles.scales", "2"}}},

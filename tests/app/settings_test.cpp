@@ -67,7 +67,8 @@ TEST(Settings, EveryRowHasAMemberOfItsOwn) {
 }
 
 // Control: comparing with > instead of >= at the ends of a range fails here.
-// Few enough that what is a number, a distance or a rate is taken as the sea runs. Control seen: 10 in place of 26.
+// Few enough that what is a number, a distance or a rate is taken as the sea runs. Control seen: spray.seed with a
+// reason to rebuild.
 TEST(Settings, FewRowsBuildAnew) {
   int anew = 0;
   for (const Setting& row : settings_table()) anew += !row.rebuild.empty() && !row.grows;
