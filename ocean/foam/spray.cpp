@@ -49,6 +49,10 @@ constexpr double gust_s = 0.5, most_gust = 4.0;
 constexpr double finest_m = 6e-5, coarsest_m = 2e-3, seen_from_m = 5e-4,
                  seen_by_m = 1.2e-3;      // diameters; of drops that are told apart
 constexpr double full_share = 2.0 / 3.0;  // of the range in which nothing is thinned
+// Half of a puff's size over its distance: to where all of it is seen, and from where nothing. Mist that is nearer lies
+// about the eye and not before it.
+constexpr double full_to = 0.1, seen_to = 0.3;
+constexpr double most_streak = 4.0;  // half of the way that a puff is drawn out along, in its radii
 
 double smooth(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -353,16 +357,19 @@ std::optional<gpu::SprayPuff> Spray::seen(const Puff& puff, double since, const 
   // Eddies draw it apart, and what it hides with it, by the power 1.5; drops stay together longer.
   const double radius = p.radius_m + (0.18 - 0.14 * p.drops) * profile_.friction_mps * p.age_s,
                closer = p.radius_m / radius, thin = closer * std::sqrt(closer);
+  // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that, and eddies tear
+  // it before it is a line.
+  const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s),
+               way = seen_for_s * glm::length(p.velocity_mps);
+  const glm::dvec3 streak = seen_for_s * std::min(most_streak * radius / std::max(way, 1e-9), 1.0) * p.velocity_mps;
+  const double across = glm::length(glm::cross(streak, from)) / std::max(distance, 1e-9);
   double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
   hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) *
-           smooth(0.5, 3.0, distance);
+           (1.0 - smooth(full_to, seen_to, (radius + across) / std::max(distance, 1e-9)));
   if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
   if (!(hides > 0.004)) return std::nullopt;
-  // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that.
-  const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s);
   return gpu::SprayPuff{glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)),
-                        glm::vec4(glm::vec3(seen_for_s * p.velocity_mps), float(hides)),
-                        glm::vec2(float(p.shape), float(p.drops))};
+                        glm::vec4(glm::vec3(streak), float(hides)), glm::vec2(float(p.shape), float(p.drops))};
 }
 
 std::size_t Spray::drawn(double time_s, const glm::dvec3& viewer, std::span<gpu::SprayPuff> to) {

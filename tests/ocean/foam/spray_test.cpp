@@ -237,6 +237,38 @@ TEST(Spray, EndsOnTheWater) {
   for (const Spray::Puff& p : spray.puffs()) EXPECT_GE(p.above_m, 0.0);
 }
 
+// Half of what a puff takes of the view, with the way that it is drawn out along, in radians or thereabouts.
+double half_size(const gpu::SprayPuff& seen) {
+  const glm::dvec3 from(seen.place.x, double(seen.place.y) - head.y, seen.place.z), streak(seen.streak);
+  const double distance = glm::length(from);
+  return (double(seen.place.w) + glm::length(glm::cross(streak, from)) / distance) / distance;
+}
+
+// Near the eye spray fades, however large and many the puffs and however hard the wind blows: none that hides anything
+// is more than 0.6 radians across, drawn out or not, nor longer than four of its breadths. Controls seen: a fade by
+// distance alone (1.8 radians); a way as long as the wind makes it.
+TEST(Spray, FadesNearTheEye) {
+  for (const auto& [size, wind] : {std::pair{4.0, 23.0}, {1.0, 64.0}, {0.25, 64.0}}) {
+    SpraySettings settings = plenty();
+    settings.amount = 4.0;
+    settings.size = size;
+    test::OwnSpray spray = spray_of(settings, storm(wind));
+    std::vector<gpu::SprayPuff> shown(32768);
+    double largest = 0.0, longest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+      spray.update(50.0 + 13.0 * i, head);
+      const std::size_t n = spray.drawn(spray.step_s(), head, shown);
+      for (std::size_t k = 0; k < n; ++k) {
+        largest = std::max(largest, half_size(shown[k]));
+        longest = std::max(longest, glm::length(glm::dvec3(shown[k].streak)) / double(shown[k].place.w));
+      }
+    }
+    EXPECT_GT(largest, 0.05) << "some are near";
+    EXPECT_LT(largest, 0.3);
+    EXPECT_LT(longest, 4.001);
+  }
+}
+
 // Drops hide more than mist; all of it less as eddies draw it apart, and nothing at the end of its life. Control: drops
 // that hide less (tests/mutants).
 TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
@@ -253,7 +285,7 @@ TEST(Spray, HidesLessAsItIsDrawnApartAndGrowsOld) {
       if (next == n || shown[next].look.x != float(p.shape)) continue;  // not to be seen
       const gpu::SprayPuff& seen = shown[next++];
       const double distance = glm::length(p.place_m - viewer), old = p.age_s / p.life_s;
-      if (p.age_s < 0.08 || (p.rising_mps < 0.0 && p.above_m < 0.2) || distance < 3.0 || distance > 33.0)
+      if (p.age_s < 0.08 || (p.rising_mps < 0.0 && p.above_m < 0.2) || distance > 33.0 || half_size(seen) > 0.1)
         continue;  // comes, goes, or is too near or far
       EXPECT_NEAR(
           double(seen.streak.w),
