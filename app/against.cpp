@@ -20,7 +20,7 @@ namespace seascape {
 namespace {
 
 constexpr std::size_t fixed_columns = 12;
-constexpr double least_ms = 0.02, least_noise = 0.05, least_noise_ms = 0.025, deviations = 2.0;
+constexpr double least_ms = 0.02, least_noise = 0.06, least_noise_ms = 0.02, deviations = 2.0;
 
 const CaptureTimes& kind_of(const std::string& column) { return column.starts_with("gpu_") ? gpu_passes : cpu_stages; }
 
