@@ -510,7 +510,10 @@ const std::vector<Setting>& table() {
        foam<&FoamSettings::breaking>, 0.0, 4.0},
       {"foam.life_s", "s", "Foam that nothing feeds falls to 1/e in this time.", foam<&FoamSettings::life_s>, 0.1,
        1000.0},
-      {"foam.shore_m", "m", "Along shores (the effect sea_depth) water less deep than this foams.",
+      {"foam.shore_m", "m",
+       "Along shores (the effect sea_depth) water less deep than this foams where waves come in; in full where they "
+       "are "
+       "a fifth as high.",
        foam<&FoamSettings::shore_m>, 0.01, 100.0},
       {"foam.shore_per_s", "1/s",
        "Share of the water at a shore's very edge, and of the crests of waves that have broken, that foam comes to "

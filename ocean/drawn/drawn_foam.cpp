@@ -30,12 +30,14 @@ DrawnFoam::DrawnFoam(Device& device, std::unique_ptr<FoamSea> foam)
     : sea_(std::move(foam)), settings_(sea_->settings().windows) {
   const EffectScope scope(device, "foam");
   const auto side = std::uint32_t(settings_.resolution), slices = std::uint32_t(settings_.slices);
-  windows_ = Image(device, "foam, windows", sampled(side, slices, 1, VK_FORMAT_R16_SFLOAT));
+  windows_ = Image(device, "foam, windows",
+                   sampled(side, slices, 1, sea_->spared() ? VK_FORMAT_R16G16_SFLOAT : VK_FORMAT_R16_SFLOAT));
   lace_ = Image(device, "foam, lace",
                 sampled(lace_side, 1, std::uint32_t(std::bit_width(lace_side)), VK_FORMAT_R8G8B8A8_UNORM));
   for (Buffer& staging : staging_)
-    staging = Buffer(device, "foam, staging", std::size_t(2) * side * side * slices, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                     HostAccess::write);
+    staging =
+        Buffer(device, "foam, staging", std::size_t(bytes_per_texel(windows_.spec().format)) * side * side * slices,
+               VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
   fill_lace(device);
   follow_wind(sea_->sea());
 }
@@ -76,17 +78,19 @@ void DrawnFoam::update(Frame& frame, const DrawnMoment& moment) {
   if (const auto fault = sea_->take_fault()) spdlog::warn("{}", *fault);
   const Foam& foam = sea_->foam();
   const LodField<float>& field = foam.field();
-  const std::uint32_t all = (1u << settings_.slices) - 1u, copied = begun_ ? changed & (foam.foamy() | drawn_) : all;
+  const std::uint32_t all = (1u << settings_.slices) - 1u, of_interest = sea_->spared() ? all : foam.foamy() | drawn_,
+                      copied = begun_ ? changed & of_interest : all;
   begun_ = true;
   if (copied == 0) return;
   const Buffer& staging = staging_[std::size_t(frame.slot())];
   const auto side = std::uint32_t(settings_.resolution);
-  const std::size_t texels = std::size_t(side) * side;
+  const std::size_t texels = std::size_t(side) * side, slice_bytes = texels * bytes_per_texel(windows_.spec().format);
+  const LodField<float>* const spared = sea_->spared();
   regions_.clear();
   for (int i = 0; i < settings_.slices; ++i) {
     if ((copied >> i & 1u) == 0) continue;
     VkBufferImageCopy region{};
-    region.bufferOffset = std::size_t(i) * texels * 2;
+    region.bufferOffset = std::size_t(i) * slice_bytes;
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, std::uint32_t(field.layer(i)), 1};
     region.imageExtent = {side, side, 1};
     regions_.push_back(region);
@@ -94,9 +98,14 @@ void DrawnFoam::update(Frame& frame, const DrawnMoment& moment) {
   tbb::parallel_for(std::size_t(0), regions_.size(), [&](std::size_t n) {
     const int layer = int(regions_[n].imageSubresource.baseArrayLayer),
               slice = (layer - field.layer(0) + settings_.slices) % settings_.slices;
-    halves_from_floats(field.texels(slice),
-                       reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + regions_[n].bufferOffset),
-                       texels);
+    auto* const to = reinterpret_cast<std::uint16_t*>(staging.mapped<std::byte>() + regions_[n].bufferOffset);
+    if (spared == nullptr) return halves_from_floats(field.texels(slice), to, texels);
+    std::array<float, 2 * 2048> row;
+    for (std::size_t z = 0; z < side; ++z) {
+      for (std::size_t x = 0; x < side; ++x)
+        row[2 * x] = field.texels(slice)[z * side + x], row[2 * x + 1] = spared->texels(slice)[z * side + x];
+      halves_from_floats(row.data(), to + 2 * z * side, 2 * std::size_t(side));
+    }
   });
   // After a change of the octave other layers hold what slices held: `drawn_` then is all.
   drawn_ = changed == all ? foam.foamy() : (drawn_ & ~copied) | (foam.foamy() & copied);
@@ -106,6 +115,7 @@ void DrawnFoam::update(Frame& frame, const DrawnMoment& moment) {
 
 void DrawnFoam::declare(SurfaceSlots& slots, std::size_t) const {
   slots.set(gpu::value_foam_kept, 1);
+  slots.set(gpu::value_foam_spared, sea_->spared() ? 1 : 0);
   slots.bind(gpu::slot_foam, windows_);
   slots.bind(gpu::slot_foam_lace, lace_);
 }

@@ -25,6 +25,8 @@ void with_room(std::vector<T>& list, std::size_t most) {
   list.clear();
   list.reserve(most);
 }
+// A shore foams in full where the significant height of its waves (4 deviations) is a fifth of the depth that foams.
+constexpr float wash_heights = 4.0f / 0.2f;
 // Rows refreshed per update after the water changes; at most 3 ms.
 constexpr int rows_an_update = 24;
 
@@ -44,6 +46,8 @@ FoamSea::FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLine
     : spec_(spec), sea_(sea), breaking_(sea, spec.settings.life_s), foam_(spec.settings) {
   flows_ = spec.flow != nullptr;
   if (flows_) take_flow();
+  if (spec_.inputs && !spec_.inputs->only_add())
+    spared_.emplace(spec_.settings.windows, 1.0f, foam_.field().placement());
   const SeaView view = sea.view(0, SeaDetail::crests);
   if (shore && !shore->empty() && view.field().has_curved())
     shore_.emplace(std::move(shore), spec.settings.windows, view.field());
@@ -71,7 +75,7 @@ float FoamSea::mean_cover() const {
   return float(gain / (gain + 1.0 / spec_.settings.life_s));
 }
 
-void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const {
+void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) {
   const FoamSettings& s = spec_.settings;
   const bool waves = s.simulated && s.breaking > 0.0 && breaking_.ever();  // or else what breaks is drawn while it does
   thread_local std::vector<FoamShore::Moved> along;
@@ -152,8 +156,8 @@ void FoamSea::add_breaking(const FoamRow& row, std::span<float> per_s, double ti
 void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const {
   struct Texel {
     int i;
-    bool shore, surf;
-    float still_m, waves, broken, above_m;
+    bool surf;
+    float still_m, waves, broken, above_m, shore_per_s;
   };
   thread_local std::vector<Texel> texels;
   thread_local std::vector<glm::dvec2> rest;
@@ -167,16 +171,19 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
   for (std::size_t i = 0; i < per_s.size(); ++i) {
     const glm::vec3 still = water[std::int64_t(i)];
     if (!(still.x > 0.0f)) continue;
-    float broken = still.z, above = 0.0f;
+    float broken = still.z, above = 0.0f, variance = still.y * still.y * of_sea;
     if (!along.empty() && along[i].height_variance > 0.0) {
-      const float here = still.y * still.y * of_sea, other = float(along[i].height_variance);
-      broken = (here * broken + other * float(along[i].surf)) / (here + other);
+      const float other = float(along[i].height_variance);
+      broken = (variance * broken + other * float(along[i].surf)) / (variance + other);
       above = float(along[i].displacement.y);
+      variance += other;
     }
-    const bool shore = still.x < shore_depth;
+    // Water that stands does not foam, nor does a ripple.
+    const float washed =
+        still.x < shore_depth ? std::clamp(wash_heights * std::sqrt(variance) / float(s.shore_m), 0.0f, 1.0f) : 0.0f;
     const bool surf = broken > 0.01f && breaking > 0.0f;
-    if (!shore && !surf) continue;
-    texels.push_back({int(i), shore, surf, still.x, still.y, broken, above});
+    if (!(washed > 0.0f) && !surf) continue;
+    texels.push_back({int(i), surf, still.x, still.y, broken, above, float(s.shore_per_s) * washed});
     rest.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
   }
   if (texels.empty()) return;
@@ -187,7 +194,7 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
     // Waves are no higher than a share of the depth (McCowan 1894: 0.78, half of it above the still water).
     const float most = 0.39f * t.still_m, up = std::clamp(t.waves * displaced[n].y + t.above_m, -most, most);
     float& gain = per_s[std::size_t(t.i)];
-    if (t.shore) gain += float(s.shore_per_s) * std::clamp(1.0f - (t.still_m + up) / float(s.shore_m), 0.0f, 1.0f);
+    gain += t.shore_per_s * std::clamp(1.0f - (t.still_m + up) / float(s.shore_m), 0.0f, 1.0f);
     if (t.surf) gain += breaking * t.broken * std::clamp(2.0f * up / most, 0.0f, 1.0f);
   }
 }
@@ -211,7 +218,9 @@ std::span<const glm::dvec2> FoamSea::standing(const FoamRow& row, std::span<cons
 
 double FoamSea::largest_shift_m() const { return shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0); }
 
-void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const {
+void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) {
+  const LodIndex first(glm::floor(row.first_m / row.texel_m));
+  for (std::size_t i = 0; spared_ && i < per_s.size(); ++i) spared_->texel(row.slice, first + LodIndex(i, 0)) = 1.0f;
   const InputBounds bounds = spec_.inputs->bounds();
   const double around = largest_shift_m() + row.texel_m;
   if (row.first_m.y < bounds.least.y - around || row.first_m.y > bounds.most.y + around) return;
@@ -222,7 +231,15 @@ void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time
   const std::span<const glm::dvec2> places = standing(row, texels, along);
   for (std::size_t n = 0; n < texels.size(); ++n) {
     const glm::dvec2 rest = row.first_m + glm::dvec2(double(texels[n]) * row.texel_m, 0.0);
-    per_s[std::size_t(texels[n])] += spec_.inputs->value(places[n], row.texel_m, time_s, glm::vec4(0.0f), rest).x;
+    const auto joined = [&](float gain) {
+      return spec_.inputs->value(places[n], row.texel_m, time_s, glm::vec4(gain), rest).x;
+    };
+    float& gain = per_s[std::size_t(texels[n])];
+    gain = joined(gain);
+    constexpr auto of_breaking = float(foam_breaking_per_s);
+    if (spared_)
+      spared_->texel(row.slice, first + LodIndex(texels[n], 0)) =
+          std::clamp(joined(of_breaking) / of_breaking, 0.0f, 1.0f);
   }
 }
 
@@ -301,6 +318,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   // At once, so that what is drawn from where follows from the viewer alone.
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   changed_ = foam_.follow(placement, fresh_);
+  if (spared_) spared_->follow(placement);
   follow(placement, now);
   if (jumps && !anew) go_on(now);
   due_ = now;
@@ -410,7 +428,7 @@ void FoamSea::step() {
     stepped_ = slices();
   }
   for (const int due = tick_ < due_ ? slices() : slices_due_; stepped_ < due; ++stepped_)
-    changed_ |= step_slice(stepped_);
+    changed_ |= step_slice(stepped_) | (spared_ ? 1u << stepped_ : 0u);
 }
 
 void FoamSea::prepare(double time_s) {

@@ -44,6 +44,9 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 // A step's slices are spread over two thirds of the time until the next one, the finest at once; so are the crests of
 // the next. A frame then costs a part of a step, and the coarsest slice is by that time older than the finest.
 //
+// Inputs join, by their blends, the gain that is there of breaking waves and shores. What they leave of the gain of a
+// breaking wave they leave of the whitecaps that are drawn while waves break (spared()).
+//
 // Shores take the water's height above the bed beneath its rest position: the edge of the foam runs up and down with
 // the waves.
 class FoamSea {
@@ -80,6 +83,8 @@ class FoamSea {
   const Sea& sea() const { return sea_; }
   const FoamSettings& settings() const { return spec_.settings; }
   const Foam& foam() const { return foam_; }
+  // What inputs leave of breaking waves, 0 to 1, in the same windows; null where all of them only add foam.
+  const LodField<float>* spared() const { return spared_ ? &*spared_ : nullptr; }
   // What covers the water beyond the windows: the sea's mean.
   float fresh() const { return fresh_; }
   std::optional<std::string> take_fault() { return foam_.take_fault(); }
@@ -94,11 +99,11 @@ class FoamSea {
   double step_time_s() const { return double(tick_) / spec_.settings.rate_hz; }
   void follow(const LodPlacement& placement, std::int64_t tick);
   using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
-  void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) const;
+  void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes);
   void add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves, const DynamicSurface* wakes,
                     Moved along) const;
   void add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const;
-  void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) const;
+  void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along);
   void add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const;
   void take_flow();
   std::span<const glm::dvec2> standing(const FoamRow& row, std::span<const int> texels, Moved along) const;
@@ -111,7 +116,8 @@ class FoamSea {
   Foam foam_;
   std::optional<LodField<glm::vec3>> still_water_;  // depth (m), share of the waves' height, surf; none without a bed
   std::optional<FoamShore> shore_;                  // none where no waves run along curves
-  std::vector<FoamDisc> discs_;                     // of actors, in the step that runs
+  std::optional<LodField<float>> spared_;
+  std::vector<FoamDisc> discs_;  // of actors, in the step that runs
   float fresh_ = 0.0f;
   double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
   std::int64_t next_ticks() const;

@@ -84,6 +84,9 @@ bool Inputs::still() const {
 bool Inputs::follow_waves() const {
   return std::any_of(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.follow_waves; });
 }
+bool Inputs::only_add() const {
+  return std::all_of(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.blend == InputBlend::add; });
+}
 
 glm::vec4 Inputs::joined(const Layer& layer, const InputSample& sample, glm::vec4 base) const {
   const float m = layer.weight * sample.share;

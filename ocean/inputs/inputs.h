@@ -33,6 +33,7 @@ class Inputs {
   std::size_t size() const { return layers_.size(); }
   bool still() const;         // the same at any time
   bool follow_waves() const;  // one of them does
+  bool only_add() const;      // all of them have the blend `add`
   // Where they are, at any time, seen with a footprint of 0; a footprint f adds f / 2 on each side at most.
   InputBounds bounds() const { return tree_.bounds(); }
   // What gives nothing, or was left out, and why: a line each.

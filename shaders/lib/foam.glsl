@@ -1,8 +1,9 @@
 // Foam on the water: what breaks now, what has stayed, and the lace that it breaks up into. Part of lib/sea_light.glsl;
 // the C++ twin of what it reads is ocean/foam/foam.h.
 
-layout(constant_id = value_foam_kept) const bool foam_kept = false;  // it is simulated around the viewer
-layout(binding = slot_foam) uniform texture2DArray foam_windows;
+layout(constant_id = value_foam_kept) const bool foam_kept = false;      // it is simulated around the viewer
+layout(constant_id = value_foam_spared) const bool foam_spared = false;  // inputs take foam away
+layout(binding = slot_foam) uniform texture2DArray foam_windows;  // the share covered; what is left of breaking waves
 layout(binding = slot_foam_lace) uniform texture2DArray foam_lace;
 
 // Two ways that the pattern has been carried by a current, and the first one's share.
@@ -11,21 +12,22 @@ struct FoamWay {
   float share;
 };
 
-float foam_texel(int slice, vec2 rest) {
+vec2 foam_texel(int slice, vec2 rest) {
   const int layer = lod_layer(frame.foam.windows.first_layer, slice, frame.foam.windows.slices);
   return textureLod(sampler2DArray(foam_windows, smooth_sampler),
                     vec3(lod_coordinates(frame.foam.windows.slice[slice], rest), float(layer)), 0.0)
-      .r;
+      .rg;
 }
 
-// The share of a footprint that foam covers.
-float foam_covered(vec2 rest, float footprint) {
+// The share of a footprint that foam covers, and what inputs leave of the foam of waves that break.
+vec2 foam_covered(vec2 rest, float footprint) {
   const LodRead read = lod_read(frame.foam.windows.reach, frame.foam.windows.slices,
                                 lod_distance(rest - frame.foam.windows.viewer), footprint);
-  if (read.present <= 0.0) return frame.foam.look.z;
-  float value = foam_texel(read.fine, rest);
+  const vec2 outside = vec2(frame.foam.look.z, 1.0);
+  if (read.present <= 0.0) return outside;
+  vec2 value = foam_texel(read.fine, rest);
   if (read.coarser > 0.0) value = mix(value, foam_texel(read.fine + 1, rest), read.coarser);
-  return mix(frame.foam.look.z, value, read.present);
+  return mix(outside, value, read.present);
 }
 
 // A place of a laying where the wind has drawn it out, or a slope there.
@@ -36,7 +38,7 @@ vec2 foam_drawn_out(vec2 v, float taken) { return v - taken * dot(v, frame.foam.
 vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
   const float a_metre = foam_lace_texels / side;
   vec4 texel = textureLod(sampler2DArray(foam_lace, smooth_sampler), vec3(rest / side + origin, 0.0),
-                          log2(max(footprint * a_metre, 1.0)));
+                          mip_level(footprint * a_metre));
   texel.yz = (texel.yz - 128.0 / 255.0) * (255.0 / 1024.0) * a_metre;
   return texel;
 }
@@ -89,8 +91,10 @@ void lay_foam(inout vec3 lit, SurfacePoint p, SeaSlopes s, vec3 variance, vec3 n
     return;
   }
   const float footprint = min(max(length(p.along), length(p.across)), 1e3);
-  float covered = foam_covered(p.rest, footprint);
-  covered = clamp(covered + (1.0 - covered) * breaking, 0.0, 1.0);
+  const vec2 kept = foam_covered(p.rest, footprint);
+  float covered = kept.x, breaks = breaking;
+  if (foam_spared) breaks *= kept.y;
+  covered = clamp(covered + (1.0 - covered) * breaks, 0.0, 1.0);
   if (covered < 0.002) return;
   // Bubbles beneath send light back that water has coloured.
   const vec3 veiled = white * 0.2 * exp(-3.0 * frame.water_absorption.rgb);
@@ -107,7 +111,7 @@ void lay_foam(inout vec3 lit, SurfacePoint p, SeaSlopes s, vec3 variance, vec3 n
       here = mix(there, here, way.share);
     }
     // Its edge is a few bubbles deep and lets water through; within it grows thick.
-    const float soft = 0.07 + 0.25 * clamp(footprint / 1.2, 0.0, 1.0), reached = foam_reach(min(here, 1.0));
+    const float soft = 0.16 + 0.25 * clamp(footprint / 1.2, 0.0, 1.0), reached = foam_reach(min(here, 1.0));
     const float edge = smoothstep(lace.x - soft, lace.x + soft, reached * (1.0 + 2.0 * soft) - soft),
                 thick = foam_thickness(reached - lace.x);
     opaque = mix(covered, edge * mix(foam_thin, 1.0, thick), near);

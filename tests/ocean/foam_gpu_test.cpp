@@ -114,6 +114,40 @@ TEST_F(DrawnFoamWindows, AreWhiteWhereAnInputFoams) {
   }
 }
 
+// A filled area over a storm takes its foam away, the whitecaps too that are drawn while waves break.
+// Control seen: whitecaps that are drawn whatever inputs leave of them.
+TEST_F(DrawnFoamWindows, AreDarkWhereAnInputTakesFoamAway) {
+  for (const InputBlend blend : {InputBlend::replace, InputBlend::scale}) {
+    InputSpec input;
+    input.to = InputTarget::foam;
+    input.blend = blend;
+    input.shape = AreaInput{.size_m = {200.0, 200.0}};
+    const auto shot_of = [&](bool taken) {
+      InputSpec nothing = input;
+      nothing.blend = InputBlend::add;
+      return SeaShot({.scene = "storm",
+                      .preset = "medium",
+                      .width = 160,
+                      .height = 120,
+                      .set = {{"msaa", "1"}, {"foam.simulated", "false"}, {"water.glitter", "0"}},
+                      .effects = {{"waves", "foam"}},
+                      .inputs = {taken ? input : nothing}});
+    };
+    SeaShot with = shot_of(false), without = shot_of(true);
+    int foamy = 0, left = 0;
+    for (int n = 0; n < 6; ++n) {
+      const Viewpoint view = with.viewpoint(pose({0.0, 25.0, 0.0}, 0.0, -90.0));
+      const Image8 white = with.picture(view, 3.0 * n), dark = without.picture(view, 3.0 * n);
+      for (std::size_t i = 0; i < 160 * 120; ++i) {
+        foamy += test::light_at(white, i).x > 0.1;
+        left += test::light_at(dark, i).x > 0.1;
+      }
+    }
+    EXPECT_GT(foamy, 40);
+    EXPECT_LT(left, foamy / 10);
+  }
+}
+
 // Steep waves along a curve leave foam where they run and nowhere else; without the effect nothing of it. Control seen:
 // a sea of foam that is made without them, as it was once.
 TEST_F(DrawnFoamWindows, HoldTheFoamOfWavesAlongACurve) {

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "ocean/places/dynamic_waves.h"
@@ -230,18 +231,26 @@ TEST(FoamSea, GoesToAndFroWithTheWaves) {
 }
 
 // Shores: where water is less deep than shore_m and nowhere else, none on land; waves' foam falls off in the
-// lee of an island. Controls seen: land taken for water of depth 0; the bed's share of the waves left out (no less
-// than the open sea).
+// lee of an island; no shore foams where no waves come in. Controls seen: land taken for water of depth 0; the bed's
+// share of the waves left out (no less than the open sea); shores that foam under still water.
 TEST(FoamSea, FoamsAlongShores) {
-  SeaState calm;
-  calm.wind_speed_mps = 0.0;
+  SeaState swell;
+  swell.wind_speed_mps = 0.0;
   FoamSpec spec = small_spec();
-  test::OwnFoam foam(spec, calm, coarse(), {}, nullptr, test::places_of({test::beach({0.0, 0.0}, {1.0, 0.0})}));
-  for (int i = 0; i < 36; ++i) foam.update(i / 12.0, {0.0, 2.0, 0.0});
+  const PlaceInputs shore = test::places_of({test::beach({0.0, 0.0}, {1.0, 0.0})});
+  FoamSpec shores_alone = spec;
+  shores_alone.settings.breaking = 0.0;
+  test::OwnFoam still(shores_alone, swell, coarse(), {}, nullptr, shore);
+  swell.swell_height_m = 0.12;
+  swell.swell_to_deg = 270.0;
+  test::OwnFoam foam(shores_alone, swell, coarse(), {}, nullptr, shore);
+  for (FoamSea* each : {static_cast<FoamSea*>(&still), static_cast<FoamSea*>(&foam)})
+    for (int i = 0; i < 36; ++i) each->update(i / 12.0, {0.0, 2.0, 0.0});
+  EXPECT_EQ(still.foam().covered({1.5, 1.0}, 0.0), 0.0f) << "water that stands";
   EXPECT_EQ(foam.foam().covered({-2.0, 1.0}, 0.0), 0.0f) << "land";
   EXPECT_GT(foam.foam().covered({1.5, 1.0}, 0.0), 0.5f) << "the water's edge";
   EXPECT_GT(foam.foam().covered({1.5, 1.0}, 0.0), foam.foam().covered({4.5, 1.0}, 0.0));
-  EXPECT_LT(foam.foam().covered({7.5, 1.0}, 0.0), 1e-3f) << "deeper than shore_m";
+  EXPECT_LT(foam.foam().covered({9.5, 1.0}, 0.0), 1e-3f) << "deeper than shore_m";
   SeaState storm;
   storm.wind_speed_mps = 20.0;
   const glm::dvec2 upwind = -370.0 * direction_xz(storm.wind_to_deg);
@@ -275,6 +284,35 @@ TEST(FoamSea, FoamsWhereShallowWaterBreaksWaves) {
   EXPECT_LT(all, 0.75) << "troughs do not break";
   spec.settings.breaking = 0.0;
   EXPECT_EQ(foam_of(1.0), 0.0);
+}
+
+// An input takes away what breaks: all of it with `replace 0` and `scale 0`, half of what it feeds with `scale 0.5`,
+// and nothing where another only adds. Control seen: inputs joined to a gain of 0, as if nothing broke.
+TEST(FoamSea, InputsTakeFoamAway) {
+  SeaState storm;
+  storm.wind_speed_mps = 20.0;
+  const auto foam_with = [&](InputBlend blend, float value, double side_m = 400.0) {
+    InputSpec area;
+    area.to = InputTarget::foam;
+    area.blend = blend;
+    area.value.x = value;
+    area.shape = AreaInput{.size_m = glm::dvec2(side_m)};
+    auto foam = std::make_unique<test::OwnFoam>(with_input(small_spec(), area), storm, coarse());
+    for (int i = 0; i < 120; ++i) foam->update(9.0 + i / 12.0, head);
+    return foam;
+  };
+  const auto whole = foam_with(InputBlend::add, 0.0f);
+  EXPECT_GT(mean(texels(*whole)), 0.02);
+  EXPECT_EQ(whole->spared(), nullptr);
+  for (const InputBlend blend : {InputBlend::replace, InputBlend::scale}) {
+    const auto taken = foam_with(blend, 0.0f);
+    EXPECT_LT(mean(texels(*taken)), 0.2 * mean(texels(*whole))) << "but what was there before";
+    EXPECT_NEAR(taken->spared()->sample({5.0, 5.0}, 0.0), 0.0f, 1e-6f);
+    EXPECT_EQ(foam_with(blend, 0.0f, 20.0)->spared()->sample({14.0, 5.0}, 0.0), 1.0f) << "beside it";
+  }
+  const auto half = foam_with(InputBlend::scale, 0.5f);
+  EXPECT_NEAR(mean(texels(*half)) / mean(texels(*whole)), 0.6, 0.15);
+  EXPECT_NEAR(half->spared()->sample({5.0, 5.0}, 0.0), 0.5f, 1e-6f);
 }
 
 // Presses the water along a line.
