@@ -1,7 +1,9 @@
 #include "ocean/drawn/drawn_place.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "ocean/places/flow_phase.h"
@@ -14,7 +16,7 @@ namespace {
 VkFormat format_of(InputTarget kind, bool whole) {
   switch (kind) {
     case InputTarget::level:
-      return whole ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT;
+      return whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
     case InputTarget::clip:
       return VK_FORMAT_R16_SFLOAT;
     case InputTarget::albedo:
@@ -51,6 +53,67 @@ std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) 
   return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)};
 }
 
+// What a row of a slice changes by along x and z, a metre: over a texel to either side, so that what is read between
+// texels is the difference of what is read a texel to either side of there.
+template <class T>
+class Slopes {
+ public:
+  Slopes(const LodField<T>& field, int slice, int z)
+      : side_(int(field.side())), over_(float(0.5 / field.texel_m(slice))), here_(row_of(field, slice, z, side_)) {
+    before_ = row_of(field, slice, (z + side_ - 1) % side_, side_);
+    after_ = row_of(field, slice, (z + 1) % side_, side_);
+  }
+  // `of`: what counts of a texel.
+  template <class Of>
+  auto along_x(int x, const Of& of) const {
+    return (of(here_[at(x + 1 < side_ ? x + 1 : 0)]) - of(here_[at(x > 0 ? x - 1 : side_ - 1)])) * over_;
+  }
+  template <class Of>
+  auto along_z(int x, const Of& of) const {
+    return (of(after_[at(x)]) - of(before_[at(x)])) * over_;
+  }
+
+ private:
+  static std::size_t at(int x) { return std::size_t(x); }
+  int side_;
+  float over_;
+  std::span<const T> here_, before_, after_;
+};
+
+// A row of the still water's level and its slopes.
+void put_level(const LodField<glm::vec4>& field, int slice, int z, std::span<float> texels) {
+  const Slopes slopes(field, slice, z);
+  const auto level = [](const glm::vec4& texel) { return texel.x; };
+  const std::span<const glm::vec4> row = row_of(field, slice, z, int(field.side()));
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    texels[4 * x] = row[x].x;
+    texels[4 * x + 1] = slopes.along_x(int(x), level);
+    texels[4 * x + 2] = slopes.along_z(int(x), level);
+    texels[4 * x + 3] = 0.0f;
+  }
+}
+
+// A row of one layer of the bed's waves (shaders/lib/sea_bed.glsl).
+void put_bed_waves(const LodField<BedTexel>& field, int slice, int layer, int z, std::span<glm::vec4> texels) {
+  const std::span<const BedTexel> row = row_of(field, slice, z, int(field.side()));
+  if (layer < 2) {
+    for (std::size_t x = 0; x < row.size(); ++x) texels[x] = layer == 0 ? row[x].share : row[x].more;
+    return;
+  }
+  const Slopes slopes(field, slice, z);
+  const auto bed = [](const BedTexel& texel) { return texel.bed; };
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const glm::vec4 along = slopes.along_x(int(x), bed), across = slopes.along_z(int(x), bed);
+    texels[x] =
+        layer == 2 ? glm::vec4(along.x, across.x, along.y, across.y) : glm::vec4(along.z, across.z, along.w, across.w);
+  }
+}
+
+void put_bed_heights(const LodField<BedTexel>& field, int slice, int, int z, std::span<glm::vec4> texels) {
+  const std::span<const BedTexel> row = row_of(field, slice, z, int(field.side()));
+  for (std::size_t x = 0; x < row.size(); ++x) texels[x] = row[x].bed;
+}
+
 }  // namespace
 
 DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
@@ -80,7 +143,7 @@ DrawnPlace::DrawnPlace(Device& device, const Sea& sea)
         Bed{nullptr,
             DrawnWindows(device, "sea_depth", settings_.windows,
                          whole ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT),
-            DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 2), nullptr,
+            DrawnWindows(device, "sea_depth waves", settings_.windows, VK_FORMAT_R16G16B16A16_SFLOAT, 4), nullptr,
             BedTurns(settings_.windows.slices)});
   }
   if (inputs.volumes) clip_ = std::make_unique<DrawnClip>(device, inputs.volumes);
@@ -133,8 +196,10 @@ void DrawnPlace::update(Frame& frame, const DrawnMoment& moment) {
     drawn.windows.copy(
         frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); },
         [&](int slice, int layer, int z, std::span<float> texels) {
+          const LodField<glm::vec4>& values = field(layer).field();
+          if (drawn.kind == InputTarget::level) return put_level(values, slice, z, texels);
           std::size_t at = 0;
-          for (const glm::vec4& texel : row_of(field(layer).field(), slice, z, settings_.windows.resolution))
+          for (const glm::vec4& texel : row_of(values, slice, z, settings_.windows.resolution))
             for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
         });
   }
@@ -190,25 +255,28 @@ void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
   if (changed == 0) return;
   const float share = float(shallows_.share);
   const LodField<BedTexel>& field = bed.field->field();
-  const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& part) {
+  // Layers 2 and 3 of the waves and three channels of the heights hold shifts.
+  const glm::vec4 all(1.0f), shifts(bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f),
+      first_shift(1.0f, 1.0f, shifts.x, shifts.x), three_shifts(1.0f, shifts.x, shifts.x, shifts.x);
+  const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& put, const auto& counts) {
     windows.copy(
         frame, pass, changed, [&](int slice) { return field.layer(slice); },
-        [&](int slice, int layer, int z, std::span<float> texels) {
-          const auto now = row_of(field, slice, z, settings_.windows.resolution);
-          for (std::size_t i = 0; i < now.size(); ++i) {
-            glm::vec4 value = part(now[i], layer);
-            if (bed.next)
-              value = glm::mix(value, part(row_of(bed.next->field(), slice, z, settings_.windows.resolution)[i], layer),
-                               share);
-            for (std::size_t c = 0; c < 4; ++c) texels[4 * i + c] = value[int(c)];
+        [&](int slice, int layer, int z, std::span<float> floats) {
+          std::array<glm::vec4, 2048> now, next;
+          const std::span<glm::vec4> texels(now.data(), floats.size() / 4), others(next.data(), texels.size());
+          put(field, slice, layer, z, texels);
+          if (bed.next) put(bed.next->field(), slice, layer, z, others);
+          const glm::vec4 count = counts(layer);
+          for (std::size_t x = 0; x < texels.size(); ++x) {
+            const glm::vec4 texel = count * (bed.next ? glm::mix(texels[x], others[x], share) : texels[x]);
+            std::memcpy(&floats[4 * x], &texel, sizeof texel);
           }
         });
   };
-  const float shifted = bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f;
-  copy(bed.heights, "sea_depth",
-       [&](const BedTexel& texel, int) { return texel.bed * glm::vec4(1.0f, shifted, shifted, shifted); });
-  copy(bed.waves, "sea_depth waves",
-       [](const BedTexel& texel, int layer) { return layer == 0 ? texel.share : texel.more; });
+  copy(bed.heights, "sea_depth", put_bed_heights, [&](int) { return three_shifts; });
+  copy(bed.waves, "sea_depth waves", put_bed_waves, [&](int layer) {
+    return layer < 2 ? all : layer == 2 ? first_shift : shifts;
+  });
 }
 
 void DrawnPlace::declare(SurfaceSlots& slots, std::size_t) const {

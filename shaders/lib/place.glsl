@@ -40,14 +40,3 @@ Laid place_laid(texture2DArray field, int which, vec2 place, vec2 rest) {
 }
 
 vec4 laid_sum(Laid laid) { return laid.stays + laid.follows; }
-
-// Of the first channel, over a texel to either side.
-vec2 place_gradient(texture2DArray field, vec2 place, float footprint, vec4 outside) {
-  const LodRead read = place_read(place, footprint);
-  if (read.present <= 0.0) return vec2(0.0);
-  const float texel = frame.sea.place.windows.slice[read.fine].w;
-  const vec2 x = vec2(texel, 0.0), z = vec2(0.0, texel);
-  return vec2(place_value(field, read, place + x, outside).x - place_value(field, read, place - x, outside).x,
-              place_value(field, read, place + z, outside).x - place_value(field, read, place - z, outside).x) /
-         (2.0 * texel);
-}

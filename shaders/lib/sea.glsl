@@ -48,12 +48,12 @@ layout(binding = slot_dynamic_slope) uniform texture2DArray dynamic_slope;  // a
 
 // Data of places; false: there is none, and nothing of it is left here.
 layout(constant_id = value_level) const bool sea_level = false;
-layout(binding = slot_level) uniform texture2DArray sea_level_windows;  // the still water's height, m
+layout(binding = slot_level) uniform texture2DArray sea_level_windows;  // the still water's height, m; its slopes
 layout(constant_id = value_flow) const bool sea_flow = false;
 layout(binding = slot_flow) uniform texture2DArray sea_flow_windows;  // the water's velocity along x and z, m/s
 layout(constant_id = value_bed) const bool sea_bed = false;
 layout(binding = slot_bed) uniform texture2DArray sea_bed_windows;      // BedTexel::bed (ocean/places/bed_field.h),
-layout(binding = slot_bed_waves) uniform texture2DArray sea_bed_waves;  // and its other two, two layers a slice
+layout(binding = slot_bed_waves) uniform texture2DArray sea_bed_waves;  // its other two and slopes, four layers a slice
 layout(constant_id = value_clip) const bool water_clip = false;
 // Gerstner waves along curves; false: there are none, and nothing of shores is left here.
 layout(constant_id = value_shore_waves) const bool shore_waves = false;
@@ -78,11 +78,19 @@ float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint 
 // What is known of a rest position for a footprint in metres.
 SeaPlace sea_place(vec2 rest, float footprint) {
   SeaPlace place = plain_place(rest, place_read(rest, footprint));
-  if (sea_level) place.level = place_value(sea_level_windows, place.read, rest, frame.sea.place.outside).x;
+  if (sea_level)
+    place.level = place_value(sea_level_windows, place.read, rest, vec4(frame.sea.place.outside.x, vec3(0.0))).xyz;
   if (sea_flow) place.flow = place_value(sea_flow_windows, place.read, rest, frame.sea.place.outside.zwzw).xy;
   if (sea_bed) place.bed = sea_bed_read(place.read, rest);
   if (shore_waves) place.shore = shore_read(place.read, rest);
   return place;
+}
+
+// Whether the water stands there, and one pattern of waves is all.
+bool stands(SeaPlace place) {
+  bool standing = true;
+  if (sea_flow) standing = place.flow == vec2(0.0);
+  return standing;
 }
 
 // `by`: what the texels' four numbers count for, beside what the footprint keeps. `number`: of the cascade, 5 of other
@@ -94,8 +102,9 @@ void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int n
   const float level = log2(max(footprint / c.origin.z, 1.0));
   vec2 at = tile_vector(c, place.rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(place.bed, c, number);
-  vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, layer), level);
-  if (sea_flow) texel = flow_texel(tiles, c, place.flow, vec3(at, layer), level);
+  vec4 texel = vec4(0.0);
+  if (stands(place)) texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, layer), level);
+  if (sea_flow && !stands(place)) texel = flow_texel(tiles, c, place.flow, vec3(at, layer), level);
   if (sea_bed) texel *= sea_bed_displaced(place.bed, number);
   sum += share * by * texel;
 }
@@ -140,7 +149,7 @@ vec4 sea_displacement(SeaPlace place, float footprint) {
                      footprint);
   if (shore_waves) add_shore_displacement(sum, place, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, place.rest, footprint);
-  if (sea_level) sum.y += place.level;
+  if (sea_level) sum.y += place.level.x;
   if (sea_bed) sum = sea_bed_land(place, sum);
   if (sea_bed && water_clip && water_clipped(place.rest, vec3(place.rest.x + sum.x, sum.y, place.rest.y + sum.z)))
     sum = vec4(0.0, place.bed.here.x, 0.0, 0.0);  // the bed lies dry
@@ -166,8 +175,9 @@ void add_carried(inout vec4 sum, texture2DArray tiles, int i, SeaPlace place, fl
   if (share <= 0.0) return;
   vec2 at = tile_vector(c, place.rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(place.bed, c, i);
-  vec4 texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
-  if (sea_flow) texel = flow_texel(tiles, c, place.flow, vec3(at, float(max(i - 1, 0))), 0.0);
+  vec4 texel = vec4(0.0);
+  if (stands(place)) texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
+  if (sea_flow && !stands(place)) texel = flow_texel(tiles, c, place.flow, vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_bed) texel = sea_bed_derivatives(place.bed, texel, i);
   sum += share * texel;
 }
@@ -189,12 +199,9 @@ struct SeaSlopes {
   vec3 variance;  // of the slopes that the footprint does not resolve: xx, zz, xz
 };
 
-// A mip level for a footprint of `texels`: whole over three quarters of the way from one level to the next, so that a
-// driver that samples on a CPU mostly reads one level instead of two; continuous.
-float mip_level(float texels) {
-  const float level = log2(max(texels, 1.0)), whole = floor(level);
-  return whole + clamp(4.0 * (level - whole) - 1.5, 0.0, 1.0);
-}
+// A mip level for a footprint of `texels`, which a driver that samples on a CPU reads in half the time where it is
+// whole.
+float mip_level(float texels) { return mostly_whole(log2(max(texels, 1.0))); }
 
 // Mean of a tile over a footprint with half axes du, dv (tile coordinates), or about that of mip level `level` without
 // anisotropy.
@@ -206,8 +213,9 @@ vec4 tile_mean(texture2DArray tiles, vec3 at, vec2 du, vec2 dv, float level) {
 #include "lib/flow_mean.glsl"
 
 vec4 pattern_mean(texture2DArray tiles, CascadeData c, SeaPlace place, vec3 at, vec2 du, vec2 dv, float level) {
-  vec4 mean = tile_mean(tiles, at, du, dv, level);
-  if (sea_flow) mean = flow_mean(tiles, c, place.flow, at, du, dv, level);
+  vec4 mean = vec4(0.0);
+  if (stands(place)) mean = tile_mean(tiles, at, du, dv, level);
+  if (sea_flow && !stands(place)) mean = flow_mean(tiles, c, place.flow, at, du, dv, level);
   return mean;
 }
 
@@ -269,11 +277,6 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
 #include "lib/shore_slopes.glsl"
 #include "lib/dynamic_slopes.glsl"
 
-// The height of the still water.
-float sea_level_at(vec2 rest) {
-  return place_value(sea_level_windows, place_read(rest, 0.0), rest, frame.sea.place.outside).x;
-}
-
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
   vec4 derivatives;
@@ -310,7 +313,7 @@ SeaSlopes sea_slopes(SeaPlace place, SeaFootprint over, CarriedSlopes have) {
     add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, place, over, 1.0);
   if (shore_waves) add_shore_slopes(s, place, over);
   if (dynamic_levels > 0) add_dynamic_slopes(s, place.rest, over.blur);
-  if (sea_level) s.gradient += place_gradient(sea_level_windows, place.rest, over.blur, frame.sea.place.outside);
+  if (sea_level) s.gradient += place.level.yz;
   return s;
 }
 

@@ -6,22 +6,16 @@ vec4 sea_bed_height(LodRead read, vec2 place) {
 }
 
 vec4 sea_bed_layers(LodRead read, vec2 place, int number, vec4 outside) {
-  return place_value(sea_bed_waves, 2, number, read, place, outside);
+  return place_value(sea_bed_waves, 4, number, read, place, outside);
 }
 
-// Slopes are over a texel to either side.
+// The bed's slope along x and z, and that of the first cascade's shift.
+vec4 sea_bed_slope(LodRead read, vec2 place) { return sea_bed_layers(read, place, 2, vec4(0.0)); }
+
 SeaBed sea_bed_read(LodRead read, vec2 place) {
-  SeaBed bed;
-  bed.here = sea_bed_height(read, place);
-  bed.share = sea_bed_layers(read, place, 0, vec4(1.0));
-  bed.more = sea_bed_layers(read, place, 1, vec4(1.0, 1.0, 0.0, 1.0));
-  bed.x = bed.z = vec4(0.0);
-  if (read.present <= 0.0) return bed;
-  const float texel = frame.sea.place.windows.slice[read.fine].w;
-  const vec2 x = vec2(texel, 0.0), z = vec2(0.0, texel);
-  bed.x = (sea_bed_height(read, place + x) - sea_bed_height(read, place - x)) / (2.0 * texel);
-  bed.z = (sea_bed_height(read, place + z) - sea_bed_height(read, place - z)) / (2.0 * texel);
-  return bed;
+  return SeaBed(sea_bed_height(read, place), sea_bed_layers(read, place, 0, vec4(1.0)),
+                sea_bed_layers(read, place, 1, vec4(1.0, 1.0, 0.0, 1.0)), sea_bed_slope(read, place),
+                sea_bed_layers(read, place, 3, vec4(0.0)));
 }
 
 // Numbers: 0 to 4 the cascades, 5 the other sources, 6 what has the bed's share by other ways.
@@ -53,10 +47,7 @@ vec2 sea_bed_shift(SeaBed bed, CascadeData c, int number) {
 // its shear left out.
 vec4 sea_bed_derivatives(SeaBed bed, vec4 d, int number) {
   const vec2 along = sea_bed_along(number);
-  const vec2 bend = number == 0   ? vec2(bed.x.y, bed.z.y)
-                    : number == 1 ? vec2(bed.x.z, bed.z.z)
-                    : number == 2 ? vec2(bed.x.w, bed.z.w)
-                                  : vec2(0.0);
+  const vec2 bend = number == 0 ? bed.slope.zw : number == 1 ? bed.bend.xy : number == 2 ? bed.bend.zw : vec2(0.0);
   return sea_bed_displaced(bed, number).yyxx * vec4(d.xy + dot(d.xy, along) * bend, d.zw * (1.0 + along * bend));
 }
 
@@ -64,6 +55,6 @@ float sea_bed_energy(SeaBed bed, int number) { return sea_bed_of(bed, number) * 
 
 // Land stands above the water, and does not go to and fro with it.
 vec4 sea_bed_land(SeaPlace place, vec4 sum) {
-  const float wet = smoothstep(dry_depth_m, wet_depth_m, place.level - place.bed.here.x);
+  const float wet = smoothstep(dry_depth_m, wet_depth_m, place.level.x - place.bed.here.x);
   return vec4(wet * sum.x, max(sum.y, place.bed.here.x), wet * sum.zw);
 }

@@ -25,12 +25,12 @@ float bed_noise(vec2 place, float size, float footprint) {
   return mix(value, 0.5, clamp(2.0 * footprint / size - 0.5, 0.0, 1.0));
 }
 
-// `above`: the drawn water over the still one, m.
-Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
+// `above`: the drawn water over the still one, m; `v`: to the eye; `across`: what a pixel is wide there, m.
+Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float across, float footprint) {
   Bed bed;
   const LodRead read = place_read(p.place, footprint);
-  bed.still_depth = here.level - sea_bed_height(read, p.place).x;
-  bed.slope = place_gradient(sea_bed_windows, p.place, footprint, frame.sea.place.outside_bed);
+  bed.still_depth = here.level.x - sea_bed_height(read, p.place).x;
+  bed.slope = sea_bed_slope(read, p.place).xy;
   // Near the shore the water is where the long waves have run up to; what is drawn there may be the bed itself.
   const float shore = 2.0 * frame.sea.place.shift_along[0].z + 0.05;
   bed.film = bed.still_depth + max(above, -0.9 * max(bed.still_depth, 0.0));
@@ -44,6 +44,16 @@ Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
   bed.water = clamp(0.5 + bed.film / (length(bed.slope) * footprint + 0.01), 0.0, 1.0);
+  // A triangle from the water up to steep land beside it, or down to the dry bed of a dock, is no water: it is a wall,
+  // of which nothing is known but that it faces the eye. Far off, triangles are too large to tell.
+  const vec4 share = here.bed.share;
+  const float crest = frame.sea.footprint.w * max(max(share.x, share.y), max(share.z, here.bed.more.y)) + shore;
+  float wall = smoothstep(crest, 1.2 * crest, abs(above)) * smoothstep(0.1, 0.5, bed.still_depth + above) *
+               clamp(2.0 - 5.0 * across, 0.0, 1.0);
+  if (bed.still_depth <= 0.0) wall = 0.0;
+  bed.water *= 1.0 - wall;
+  bed.slope = mix(bed.slope, -1.5 * v.xz,
+                  wall * smoothstep(1.0, 3.0, bed.still_depth) * clamp(1.0 - length(bed.slope), 0.0, 1.0));
   return bed;
 }
 
@@ -78,6 +88,41 @@ vec3 bed_albedo(vec2 place, float height, vec2 slope, float footprint) {
              smoothstep(0.65, 1.0, steep + 0.3 * (middle - 0.5)));
 }
 
+// Where a line of sight under water meets the bed.
+struct BedSeen {
+  float way;  // how deep below the water, m
+  vec2 place, slope;
+};
+
+// Where the line that goes `sideways` a metre of depth meets the bed under `water` (m, its height). From `place` there
+// are `film` metres straight down.
+BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprint) {
+  const float film = max(bed.film, 0.0), tried = min(film, 20.0);
+  BedSeen seen = BedSeen(tried, place + sideways * tried, bed.slope);
+  const float depth = water - sea_bed_height(place_read(seen.place, footprint), seen.place).x;
+  // Where the bed rises on the way it is a plane, and where it is steep it is found by the rule of false position: a
+  // wall is met below the water, and what stands above the water behind it is not seen through it.
+  float above = 0.0, above_by = film, below = tried, below_by = max(tried - depth, 0.0);
+  seen.way = depth < tried ? tried * film / (film + below_by) : depth;
+  if (depth < 0.5 * tried) {
+    for (int i = 0; i < 4; ++i) {
+      const vec2 at = place + sideways * seen.way;
+      const float by = water - sea_bed_height(place_read(at, footprint), at).x - seen.way;
+      if (by > 0.0) {
+        above = seen.way;
+        above_by = by;
+      } else {
+        below = seen.way;
+        below_by = -by;
+      }
+      seen.way = mix(above, below, clamp(above_by / max(above_by + below_by, 1e-6), 0.1, 0.9));
+    }
+    seen.slope = sea_bed_slope(place_read(place + sideways * seen.way, footprint), place + sideways * seen.way).xy;
+  }
+  if (depth < tried) seen.place = place + sideways * seen.way;
+  return seen;
+}
+
 // Radiance that comes out of shallow water, where `deep` comes out of deep: what the column scatters back and what the
 // bed reflects (Lee, Carder, Mobley, Steward and Patch 1998, eqs. 1, 2, 5 and 6). `down`: irradiance that has entered;
 // `v`: to the eye; `normal`: of the water.
@@ -88,22 +133,24 @@ vec3 bed_through_water(Bed bed, float still, vec3 deep, vec3 down, vec2 place, v
   const vec3 inside = refract(-v, normal, 1.0 / water_index);
   const float eye_cosine = max(-inside.y, 0.3),
               sun_cosine = sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
-  // Where the line of sight meets the bed, as if that were level on the way there.
-  const vec2 seen = place + inside.xz / eye_cosine * clamp(bed.film, 0.0, 20.0);
-  const LodRead read = place_read(seen, footprint);
-  const float depth = max(still + max(above, -0.9 * max(bed.still_depth, 0.0)) - sea_bed_height(read, seen).x, 0.0);
-  const float way = bed.still_depth < 0.5 ? max(bed.film, 0.0)
-                                          : mix(max(bed.film, 0.0), depth, clamp(bed.still_depth - 0.5, 0.0, 1.0));
+  const BedSeen seen =
+      bed_seen(bed, still + max(above, -0.9 * max(bed.still_depth, 0.0)), place, inside.xz / eye_cosine, footprint);
+  const float way = mix(max(bed.film, 0.0), seen.way, clamp(bed.still_depth - 0.5, 0.0, 1.0));
   const vec3 of_column = 1.03 * sqrt(1.0 + 2.4 * u), of_bed = 1.04 * sqrt(1.0 + 5.4 * u);
-  const vec3 albedo = bed_albedo(seen, -way, bed.slope, footprint);
-  const vec3 column = exp(-(1.0 / sun_cosine + of_column / eye_cosine) * attenuation * way);
-  const vec3 reflected =
-      albedo / pi * exp(-(1.0 / sun_cosine + of_bed / eye_cosine) * attenuation * way);  // 1/sr, beneath the surface
+  const vec3 column = exp(-(1.0 / sun_cosine + of_column / eye_cosine) * attenuation * way),
+             bed_share = exp(-(1.0 / sun_cosine + of_bed / eye_cosine) * attenuation * way);
+  vec3 reflected = vec3(0.0);  // 1/sr, beneath the surface
+  if (max(bed_share.r, max(bed_share.g, bed_share.b)) > 1e-3)
+    reflected = bed_albedo(seen.place, -way, seen.slope, footprint) / pi * bed_share;
   return deep * (1.0 - column) +
          0.52 * reflected / (1.0 - 1.5 * reflected) * down;  // what the surface throws back lights the bed again
 }
 
-// Land lit by sun and sky; wet as far as run-up comes, where it is darker (Lekner and Dorf 1988) and mirrors the sky.
+// Albedo of what lies around land, of all of it.
+const vec3 ground_around = vec3(0.24, 0.21, 0.16);
+
+// Land lit by sun, sky and the ground around it; wet as far as run-up comes, where it is darker (Lekner and Dorf 1988)
+// and mirrors the sky.
 vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
   const vec3 normal = normalize(vec3(-bed.slope.x, 1.0, -bed.slope.y));
   const float run_up = frame.sea.place.shift_along[0].z;
@@ -111,14 +158,18 @@ vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
       1.0 - smoothstep(0.4 * run_up, 1.3 * run_up + 0.01,
                        -bed.still_depth +
                            0.25 * run_up * (bed_noise(place + frame.sea.place.outside_bed.yz, 16.0, footprint) - 0.5));
-  const vec3 light_there = light.sky_irradiance.rgb * (0.5 + 0.5 * normal.y) +
+  // A wall sees half of the sky, of which what stands low counts most, and in place of the rest what sky and sun light
+  // around it: sand, growth and water.
+  const vec3 low = 0.5 * pi * textureLod(sky_map, sky_coordinate(normalize(vec3(normal.x, 0.25, normal.z))), 0.0).rgb;
+  const vec3 around = ground_around * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(frame.sun.y, 0.0));
+  const vec3 light_there = mix(low + 0.5 * around, light.sky_irradiance.rgb, normal.y) +
                            sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);
   vec3 lit = bed_albedo(place, max(-bed.still_depth, 0.0), bed.slope, footprint) * light_there / pi;
   lit *= mix(1.0, 0.45, wet);
   if (wet > 0.0) {
-    vec3 mirrored = reflect(-v, normal);
-    mirrored.y = abs(mirrored.y);
-    lit += 0.6 * wet * fresnel(max(dot(v, normal), 0.0)) * textureLod(sky_map, sky_coordinate(mirrored), 0.0).rgb;
+    const vec3 mirrored = reflect(-v, normal);  // what goes down meets the ground
+    lit += 0.6 * wet * smoothstep(0.0, 0.3, mirrored.y) * fresnel(max(dot(v, normal), 0.0)) *
+           textureLod(sky_map, sky_coordinate(mirrored), 0.0).rgb;
   }
   return lit;
 }

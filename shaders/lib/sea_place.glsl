@@ -5,7 +5,8 @@ struct SeaBed {
   vec4 here;   // BedTexel (ocean/places/bed_field.h): the bed's height, the shifts of the longest three cascades
   vec4 share;  // of cascades 0 to 3
   vec4 more;   // of the fifth; of other sources; of the run-up; of all shorter waves
-  vec4 x, z;   // what `here` changes by along x and z, a metre
+  vec4 slope;  // along x and z, a metre: of the bed's height (x, y) and of the first cascade's shift (z, w),
+  vec4 bend;   // of the second's and of the third's shift
 };
 
 // Of curves along which waves run.
@@ -19,7 +20,7 @@ struct SeaShore {
 struct SeaPlace {
   vec2 rest;     // rest position, metres from the grid origin
   LodRead read;  // where the windows of places are read
-  float level;   // the still water's height, m
+  vec3 level;    // the still water's height, m, and its slope along x and z
   vec2 flow;     // the water's velocity, m/s
   SeaBed bed;
   SeaShore shore;
@@ -28,5 +29,5 @@ struct SeaPlace {
 // The open sea, which keeps what a scene has no data for.
 SeaPlace plain_place(vec2 rest, LodRead read) {
   const SeaBed bed = SeaBed(vec4(0.0), vec4(1.0), vec4(1.0, 1.0, 0.0, 1.0), vec4(0.0), vec4(0.0));
-  return SeaPlace(rest, read, 0.0, vec2(0.0), bed, SeaShore(0.0, 0.0, vec2(0.0), vec2(0.0)));
+  return SeaPlace(rest, read, vec3(0.0), vec2(0.0), bed, SeaShore(0.0, 0.0, vec2(0.0), vec2(0.0)));
 }

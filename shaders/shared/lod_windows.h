@@ -8,6 +8,7 @@ SEASCAPE_SHARED_BEGIN
 using glm::abs;
 using glm::ceil;
 using glm::clamp;
+using glm::floor;
 using glm::log2;
 using glm::max;
 using glm::min;
@@ -54,6 +55,13 @@ SEASCAPE_FUNCTION float lod_present(vec4 reach, int slice, float distance) {
   return clamp((end - distance) / (lod_border * end), 0.0f, 1.0f);
 }
 
+// A level that is whole over three quarters of the way from one to the next, so that mostly one level is read instead
+// of two; continuous.
+SEASCAPE_FUNCTION float mostly_whole(float level) {
+  float whole = floor(level);
+  return whole + clamp(4.0f * (level - whole) - 1.5f, 0.0f, 1.0f);
+}
+
 // What a place is read from, for a footprint in metres. The level is the greatest of three, each continuous: by
 // distance, by footprint (no texel finer than it) and by the viewer's height. A slice's number at which the binary
 // logarithm rounds to either side gives the same level.
@@ -63,7 +71,7 @@ SEASCAPE_FUNCTION LodRead lod_read(vec4 reach, int slices, float distance, float
   // The last slice comes in with height: at a blend of 0 it is not yet read.
   float border = number == slices - 2 ? lod_border * max(reach.z, 1e-6f) : lod_border;
   float by_place = float(number) + clamp(1.0f - (end - distance) / (border * end), 0.0f, 1.0f);
-  float by_footprint = min(log2(max(footprint / reach.w, 1.0f)), float(slices - 2) + reach.z);
+  float by_footprint = min(mostly_whole(log2(max(footprint / reach.w, 1.0f))), float(slices - 2) + reach.z);
   float level = clamp(max(max(by_place, by_footprint), reach.z), 0.0f, float(slices - 1));
   LodRead result;
   result.fine = int(level);
