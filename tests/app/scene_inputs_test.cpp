@@ -193,6 +193,10 @@ TEST(SceneInputs, FaultsNameLineKeyValueRangeAndRemedy) {
        ":1: inputs[0].reach_m: 8 is out of range; give a number from 9 to 1000000 m"},
       {R"([{"to": "level", "kind": "trail", "value": 1, "keys": [{"at_m": [0, 0]}]}])",
        ":1: the key 'inputs[0].keys[0].time_s' is missing; add \"time_s\": a number from -1000000000 to 1000000000 s"},
+      {"[{\"to\": \"level\", \"kind\": \"trail\", \"value\": 1, \"keys\": [{\"time_s\": 0, \"at_m\": [0, "
+       "0]},\n{\"time_s\": 1, \"at_m\": [0, 0], \"tme_s\": 2}]}]",
+       ":2: unknown key 'inputs[0].keys[1].tme_s' (did you mean 'time_s'?); remove it, or take one of: time_s and "
+       "at_m"},
       {R"([{"to": "level", "kind": "texture", "file": "bed.exr", "at_m": [0, 0], "size_m": 1, "channels": "x"}])",
        ":1: inputs[0]: channels: 'x' does not name 1 of the picture's; give so many letters of r, g, b and a, as "
        "\"r\""},
