@@ -9,6 +9,7 @@
 #include "engine/image_file.h"
 #include "platform/window.h"
 #include "tests/support/desktop.h"
+#include "tests/support/gpu/picture.h"
 #include "tests/support/run_program.h"
 
 #include <X11/Xlib.h>  // last: its macros take common names
@@ -56,6 +57,46 @@ class WindowManager {
  private:
   ::Display* x_;
 };
+
+// Reads what a window shows, as a screen does.
+class X11Reader {
+ public:
+  X11Reader(const VirtualDisplay& display, ::Window window)
+      : x_(XOpenDisplay(display.name().c_str())), window_(window) {}
+  ~X11Reader() { XCloseDisplay(x_); }
+  X11Reader(const X11Reader&) = delete;
+  X11Reader& operator=(const X11Reader&) = delete;
+  Image8 read() const {
+    XWindowAttributes is{};
+    XGetWindowAttributes(x_, window_, &is);
+    XImage* image = XGetImage(x_, window_, 0, 0, unsigned(is.width), unsigned(is.height), AllPlanes, ZPixmap);
+    if (image == nullptr) throw std::runtime_error("the window cannot be read");
+    Image8 result{is.width, is.height, 4, {}};
+    for (int y = 0; y < is.height; ++y)
+      for (int x = 0; x < is.width; ++x) {
+        const unsigned long pixel = XGetPixel(image, x, y);
+        for (const unsigned shift : {16u, 8u, 0u}) result.pixels.push_back(std::uint8_t(pixel >> shift));
+        result.pixels.push_back(255);
+      }
+    XDestroyImage(image);
+    return result;
+  }
+
+ private:
+  ::Display* x_;
+  ::Window window_;
+};
+
+// Of a picture of 200 rows the upper 140, 320 columns from `left` on, three colours.
+Image8 upper_rows(const Image8& image, int left) {
+  Image8 part{320, 140, 3, {}};
+  for (int y = 0; y < part.height; ++y)
+    for (int x = left; x < left + part.width; ++x) {
+      const std::uint8_t* pixel = &image.pixels[std::size_t((y * image.width + x) * image.channels)];
+      part.pixels.insert(part.pixels.end(), pixel, pixel + 3);
+    }
+  return part;
+}
 
 // The program in a small window, with validation on: it ends with exit 1 if there was any message.
 class OnADesktop : public testing::Test {
@@ -210,18 +251,75 @@ TEST_F(OnADesktop, hard_42_a_hidden_window_draws_nothing_and_comes_back) {
   expect_clean_end();
 }
 
-// Control: a mirror that blits layer 0 twice is seen by eye only; a wrong number of layers fails under validation.
+// What the window itself shows: on the left the left eye's picture and on the right the right one's, which are what a
+// mono replay draws from the places of those eyes. The sea stands still; the panel is off, and no message reaches the
+// upper rows, of which the lower half is near water. Controls seen: the window's eyes swapped (the planted fault
+// window_eyes_swapped), layer 0 shown twice, and the eyes themselves swapped.
 TEST_F(OnADesktop, TwoViewsStandSideBySide) {
-  start({"--views", "2", "--set", "stereo.eye_distance_m=0.2"});
+  constexpr double apart_m = 0.2;
+  const std::vector<std::string> still{"--set", "time.scale=0"};
+  start({"--views", "2", "--set", "stereo.eye_distance_m=0.2", still[0], still[1]});
+  key("F1");
   key("p");
   const std::string left = line("screenshot: ", 0);
   ASSERT_NE(left, "") << program_->err();
-  const Image8 l = read_png(left), r = read_png(left.substr(0, left.size() - 9) + "_right.png");
-  EXPECT_EQ(l.width, 320);
-  EXPECT_EQ(l.pixels.size(), r.pixels.size());
-  EXPECT_NE(l.pixels, r.pixels);
+  Image8 seen[2] = {read_png(left), read_png(left.substr(0, left.size() - 9) + "_right.png")};
+  EXPECT_EQ(seen[0].width, 320);
+  for (Image8& eye : seen) eye = upper_rows(eye, 0);
+  EXPECT_GT(test::difference(seen[0], seen[1]).mean, 1e-3) << "the control: eyes that see alike";
+  // A moment later, for the panel has to go first.
+  const X11Reader reader(display_, std::stoul(window_));
+  Image8 shown[2];
+  EXPECT_TRUE(wait_until([&] {
+    const Image8 window = reader.read();
+    for (int eye = 0; eye < 2; ++eye) shown[eye] = upper_rows(window, 320 * eye);
+    return test::differing_pixels(shown[0], seen[0]) == 0 && test::differing_pixels(shown[1], seen[1]) == 0;
+  })) << "the window shows another picture than the screenshot: left "
+      << test::leave(shown[0], "window_left") << ", right " << test::leave(shown[1], "window_right");
   key("Escape");
   expect_clean_end();
+
+  // Each eye's place by hand: half the distance to either side of the head where explore begins (content/scenes/calm).
+  const double yaw = glm::radians(10.0);
+  CameraPath path;
+  for (const int side : {-1, 1}) {
+    const double off = 0.5 * side * apart_m;
+    path.keys.push_back({double(path.keys.size()),
+                         {{off * std::cos(yaw), 1.7, off * std::sin(yaw)}, orientation_from_angles({10.0, -2.0, 0.0})},
+                         0.0});
+  }
+  save_camera_path(path, folder_ / "eyes.json");
+  const auto alone = run_program({"replay",
+                                  "--scene",
+                                  "calm",
+                                  "--preset",
+                                  "low",
+                                  "--set",
+                                  "msaa=1",
+                                  "--set",
+                                  "waves.cascades=3",
+                                  still[0],
+                                  still[1],
+                                  "--size",
+                                  "320x200",
+                                  "--views",
+                                  "1",
+                                  "--path",
+                                  (folder_ / "eyes.json").string(),
+                                  "--fps",
+                                  "1",
+                                  "--frames",
+                                  "2",
+                                  "--out",
+                                  (folder_ / "alone").string()});
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  for (int eye = 0; eye < 2; ++eye) {
+    const auto far_from = [&](int other) {
+      const std::string file = "alone/frame_000" + std::to_string(other) + ".png";
+      return test::difference(shown[eye], upper_rows(read_png(folder_ / file), 0)).mean;
+    };
+    EXPECT_LT(far_from(eye), 0.3 * far_from(1 - eye)) << "the window's " << (eye == 0 ? "left" : "right");
+  }
 }
 
 // The part of minimising that no virtual display without a window manager shows. Control: && for any of its || fails.

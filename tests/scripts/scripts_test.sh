@@ -318,7 +318,7 @@ TEXT
     # Controls: a generator that knows no comments, and faults that fit no longer.
     sed 's|if (two == "//") break||' "$mutants/swaps.awk" > "$work/swaps.awk"
     [ "$(places "$work/swaps.awk")" = "$want" ] && fail "control: comments"
-    mkdir -p "$tree/tests/mutants" && cp -r "$source_root/scripts" "$source_root/ocean" "$source_root/app" "$source_root/shaders" "$tree/"
+    mkdir -p "$tree/tests/mutants" && cp -r "$source_root/scripts" "$source_root/engine" "$source_root/platform" "$source_root/ocean" "$source_root/app" "$source_root/shaders" "$tree/"
     (cd "$source_root" && find tests -name '*_test.cpp' -o -path 'tests/mutants/*' -type f) | (cd "$source_root" && xargs -d '\n' cp --parents -t "$tree")
     "$tree/tests/mutants/run" --check > "$work/out" || { cat "$work/out" >&2; fail "control: the copy"; }
     sed -i 's/tanh_of(k \* depth_m))/tanh_of(depth_m * k))/' "$tree/ocean/waves/dispersion.cpp"
