@@ -63,6 +63,46 @@ TEST_F(DrawnLaid, ColourAndShadeOnlyWhatLiesWithinTheInput) {
   EXPECT_LT(in_dark.y, 0.8 * in_plain.y) << test::leave(dark, "shadow");
 }
 
+// The two numbers of a shadow, one at a time: the first keeps light away from within the water, so that without glitter
+// the water is darker and a shadow on the surface alone changes nothing; the second takes the glitter, all of it, and
+// leaves the light within. Control seen: the two changed about, in the shader (the planted fault shadow_channels).
+TEST_F(DrawnLaid, AShadowsNumbersAreOfTheWaterAndOfItsSurface) {
+  constexpr int width = 80, height = 60;
+  struct Shade {
+    double within = 1.0, surface = 1.0;  // the sunlight that is left
+  };
+  const auto picture = [&](const Shade& left, const char* glitter) {
+    SeaShot shot({.scene = "calm",
+                  .preset = "medium",
+                  .width = width,
+                  .height = height,
+                  .set = {{"sky.sun_elevation_deg", "80"},
+                          {"sky.exposure_ev", "-1"},
+                          {"water.chlorophyll_mg_m3", "5"},
+                          {"water.glitter", glitter}},
+                  .effects = std::vector<std::string>{"waves", "shadow"},
+                  .inputs = {area(InputTarget::shadow, {1.0 - left.within, 1.0 - left.surface, 0.0, 0.0}, {0.0, 0.0},
+                                  {400.0, 400.0}, 0.0)}});
+    return shot.picture(pose({0.0, 30.0, 0.0}, 0.0, -90.0), 2.0);
+  };
+  const auto green = [](const Image8& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < std::size_t(width * height); ++i) sum += test::light_at(image, i).y;
+    return sum / (width * height);
+  };
+  // Without glitter: the light from within alone.
+  const Image8 dull = picture({}, "0"), dull_within = picture({.within = 0.0}, "0");
+  EXPECT_EQ(test::differing_pixels(dull, picture({.surface = 0.0}, "0")), 0)
+      << "a shadow on the surface dims the water";
+  EXPECT_LT(green(dull_within), 0.7 * green(dull)) << test::leave(dull_within, "shadow_within");
+  // With it.
+  const Image8 bright = picture({}, "1"), bright_within = picture({.within = 0.0}, "1");
+  EXPECT_GT(green(bright), 1.2 * green(dull)) << test::leave(bright, "shadow_none");
+  EXPECT_EQ(test::differing_pixels(dull, picture({.surface = 0.0}, "1")), 0) << "glitter is left in a shadow";
+  EXPECT_GT(green(bright_within) - green(dull_within), 0.7 * (green(bright) - green(dull)))
+      << "a shadow within the water takes the glitter " << test::leave(bright_within, "shadow_within_bright");
+}
+
 // In a storm a red disc that stays in its place and a green one that goes with the waves lie on the water, of which
 // each pixel shows where it stands and where it rests: the green over the red. Controls seen: the two layers of a slice
 // changed about; both asked for at the rest position.
