@@ -9,6 +9,7 @@
 #include "app/command_options.h"
 #include "app/lab/lab.h"
 #include "app/quality.h"
+#include "app/sea_remarks.h"
 
 namespace seascape {
 
@@ -385,7 +386,7 @@ Scene scene_from(const Arguments& arguments, std::string_view preset, std::optio
 }
 
 void tell_remarks(const Scene& scene) {
-  for (const std::string& remark : scene.remarks) spdlog::warn("{}", remark);
+  for (const std::string& remark : remarks_of(scene)) spdlog::warn("{}", remark);
 }
 
 CameraPath path_from(const Arguments& arguments, const Scene& scene) {

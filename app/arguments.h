@@ -72,7 +72,7 @@ Arguments parse_arguments(std::span<const std::string> words);
 // The scene with the preset (resolved, see resolve_preset) and then the overrides applied; between them, where a device
 // is known, what the preset is otherwise on it (suit_device).
 Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> device = std::nullopt);
-// Warns of what in the scene gives nothing.
+// Warns of what in the scene gives nothing or is not drawn as asked (remarks_of).
 void tell_remarks(const Scene& scene);
 
 // The path of --path, or the one in content/paths that is named like the scene.

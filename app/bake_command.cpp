@@ -9,6 +9,7 @@
 #include "app/loop_file.h"
 #include "app/progress.h"
 #include "app/scene.h"
+#include "app/sea_remarks.h"
 #include "engine/error.h"
 #include "engine/files.h"
 #include "engine/image_file.h"
@@ -20,7 +21,7 @@ int run_bake(const Arguments& arguments) {
   namespace fs = std::filesystem;
   const Scene scene = scene_from(arguments, arguments.preset);
   tell_remarks(scene);
-  LoopRecorder recorder(scene.settings.sea, {arguments.frames, arguments.fps, arguments.width, arguments.tile_m});
+  LoopRecorder recorder(limited_sea(scene).sea, {arguments.frames, arguments.fps, arguments.width, arguments.tile_m});
   for (const EffectEntry& entry : closure(scene.effects))
     for (const std::string_view source : {"gerstner", "wave_particles", "baked"})
       if (entry.name == source) spdlog::warn("{} has a tile of its own and is not in the loop", entry.name);

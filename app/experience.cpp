@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/place_inputs.h"
+#include "app/sea_remarks.h"
 #include "app/sea_spec.h"
 #include "engine/multiview_check.h"
 #include "ocean/effects.h"
@@ -62,6 +63,14 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
   if (sea_ != nullptr) sea_key_ = sea_key(scene_);
   sky_ = std::make_unique<Sky>(device, shaders);
   build();
+  told_ = remarks_of(scene_);  // by who read the scene
+}
+
+void Experience::tell_remarks() {
+  std::vector<std::string> remarks = remarks_of(scene_);
+  for (const std::string& remark : remarks)
+    if (std::find(told_.begin(), told_.end(), remark) == told_.end()) spdlog::warn("{}", remark);
+  told_ = std::move(remarks);
 }
 
 void Experience::reload_shaders() {
@@ -215,6 +224,7 @@ void Experience::apply_effects(const std::vector<std::string>& effects) {
     throw;
   }
   build();
+  tell_remarks();
 }
 
 void Experience::apply(const Settings& settings, bool sea_at_once) {
@@ -230,8 +240,9 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
   if (drawn.foam) drawn.foam->settings = settings.foam;
   if (drawn.spray) drawn.spray = settings.spray;
   std::string key = sea_key(scene_);
-  bool same_sea = key == sea_key_;
-  if (!same_sea && !(change && at_once)) {
+  const bool another = key != sea_key_;
+  bool same_sea = !another;
+  if (another && !(change && at_once)) {
     const MadeBefore made{before, sea_->spec()};
     SeaSpec spec;
     try {
@@ -241,13 +252,17 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
       throw;
     }
     if ((same_sea = sea_->takes(spec))) {
+      const SeaState state = spec.state;
       ocean_->take(std::move(spec));
-      if (change) ocean_->change(settings.sea, settings.sea_change_s);
+      if (state != sea_->state()) ocean_->change(state, settings.sea_change_s);
       sea_key_ = std::move(key);
     }
   }
-  if (rebuild || !same_sea || !ocean_->takes(drawn)) return build();
-  ocean_->apply(drawn);
+  if (rebuild || !same_sea || !ocean_->takes(drawn))
+    build();
+  else
+    ocean_->apply(drawn);
+  if (another) tell_remarks();
 }
 
 }  // namespace seascape

@@ -68,6 +68,8 @@ class Experience {
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
   void build();
   void build_targets();
+  // Warns of what there was nothing of to tell before the last change (remarks_of).
+  void tell_remarks();
   Device& device_;
   ShaderLibrary& shaders_;
   Scene scene_;
@@ -85,6 +87,7 @@ class Experience {
   Bindings sky_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
   bool goes_on_ = false;
+  std::vector<std::string> told_;  // remarks
 };
 
 // What a device's multiview check and the user's wish come to, with a notice when the driver fails it.

@@ -138,6 +138,8 @@ std::string plan_text(const Plan& plan) {
   std::string text =
       fmt::format("{} at {}: {}x{}, {} view{}, {} x MSAA, on {}\n\n", plan.scene, plan.preset, plan.width, plan.height,
                   plan.views, plan.views > 1 ? "s" : "", plan.msaa, plan.device);
+  for (const std::string& remark : plan.remarks) text += "warning: " + remark + "\n";
+  if (!plan.remarks.empty()) text += '\n';
   for (const PlanEffect& effect : plan.effects) text += effect_text(effect);
   text += fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", "a frame", "passes", "draws",
                       "triangles", "dispatches", "pipelines", "modules", "words", "resources", "MiB");
@@ -156,6 +158,7 @@ std::string plan_json(const Plan& plan) {
                              {"height", plan.height},
                              {"views", plan.views},
                              {"msaa", plan.msaa},
+                             {"warnings", plan.remarks},
                              {"effects", std::move(effects)},
                              {"totals", totals_json(totals_of(plan))}};
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

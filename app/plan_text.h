@@ -44,6 +44,7 @@ struct Plan {
   int views = 0, msaa = 1;
   std::uint64_t passes = 0;  // of a frame: fewer than the effects' sum where two of them draw in one pass
   std::vector<PlanEffect> effects;
+  std::vector<std::string> remarks = {};  // what is not as the scene asks (remarks_of)
 };
 
 struct PlanTotals {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/place_inputs.h"
+#include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/effects.h"
 
@@ -24,9 +25,10 @@ constexpr std::array<std::string_view, 11> effects{"waves",         "gerstner", 
 SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
   const Settings& s = scene.settings;
   SeaSpec spec;
-  spec.state = s.sea;
+  const LimitedSea limited = limited_sea(scene);
+  spec.state = limited.sea;
   spec.has_waves = calls_for(scene.effects, "waves");
-  spec.sources = tile_sources(scene, before);
+  spec.sources = tile_sources(scene, limited, before);
   spec.place = place_inputs(scene, before);
   if (calls_for(scene.effects, "dynamic_waves")) {
     spec.pressure = before != nullptr ? before->sea.pressure : nullptr;

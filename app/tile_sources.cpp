@@ -48,7 +48,7 @@ std::shared_ptr<const Gerstner> shore_gerstner(const Scene& scene, const MadeBef
   return tile->still() ? nullptr : tile;
 }
 
-TileSources tile_sources(const Scene& scene, const MadeBefore* before) {
+TileSources tile_sources(const Scene& scene, const LimitedSea& limited, const MadeBefore* before) {
   const auto wanted = [&](std::string_view name) { return calls_for(scene.effects, name); };
   const Settings& s = scene.settings;
   TileSources sources;
@@ -64,17 +64,18 @@ TileSources tile_sources(const Scene& scene, const MadeBefore* before) {
   }
   if (wanted("wave_particles")) {
     auto particles = unchanged<WaveParticles>(scene, before, "wave_particles");
-    if (particles == nullptr)
-      particles = std::make_shared<const WaveParticles>(s.wave_particles, s.sea.gravity_mps2, s.sea.loop_s);
+    if (particles == nullptr || particles->height_m() != limited.particles->height_m)
+      particles = std::make_shared<const WaveParticles>(*limited.particles, s.sea.gravity_mps2, s.sea.loop_s);
     sources.push_back(particles);
   }
   if (wanted("baked")) {
     auto loop = unchanged<Baked>(scene, before, "baked");
     if (loop == nullptr) {
       const auto other = found<Baked>(before);
-      loop = other != nullptr && before->settings.baked.loop == s.baked.loop
-                 ? std::make_shared<const Baked>(*other, s.baked)
-                 : std::make_shared<const Baked>(read_loop(loop_folder(s.baked.loop, scene.file)), s.baked);
+      loop =
+          other != nullptr && before->settings.baked.loop == s.baked.loop
+              ? std::make_shared<const Baked>(*other, s.baked)
+              : std::make_shared<const Baked>(read_loop(loop_folder(s.baked.loop, scene.file)), s.baked);
     }
     sources.push_back(loop);
   }

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/located_json.h"
 #include "app/scene.h"
+#include "app/sea_remarks.h"
 #include "engine/files.h"
 #include "engine/gltf.h"
 #include "engine/image_file.h"
@@ -32,7 +33,7 @@ std::string json_summary(const std::string& text, const std::string& where, Faul
     return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s";
   }
   const Scene scene = parse_scene(text, where, "auto", faults);
-  remarks = scene.remarks;
+  remarks = remarks_of(scene);
   return "a scene with " + counted(scene.effects.size(), "effect") +
          (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
 }

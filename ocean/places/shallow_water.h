@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "ocean/waves/sea_limits.h"
 #include "ocean/waves/wave_field.h"
 
 namespace seascape {
@@ -36,7 +37,7 @@ OtherWaves other_waves(const TileSources& sources);
 class ShallowWater {
  public:
   static constexpr double most_shoaling = 4.0;
-  static constexpr double most_height_of_depth = 0.42 * 1.4142135623730951;
+  static constexpr double most_height_of_depth = seascape::most_height_of_depth;
   // A flat sea breaks as one of this height would, so that its factors go to 0 at the shore too.
   static constexpr double least_height_m = 1e-3;
   // The tables miss the laws by less than this (tests/ocean/places/shallow_water_test.cpp).

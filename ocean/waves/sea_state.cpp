@@ -49,6 +49,7 @@ void validate(const SeaState& sea) {
   require(sea.chop, 0.0, 2.0, "waves.chop");
   require(sea.small_wave_suppression, 0.0, 1.0, "waves.small_wave_suppression");
   require(sea.gravity_mps2, 0.01, 1000.0, "waves.gravity_mps2");
+  require(sea.wind_height_share, 0.0, 1.0, "waves.wind_height_share");
   require(sea.loop_s, 0.0, 86400.0, "waves.loop_s");
 }
 

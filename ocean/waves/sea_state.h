@@ -30,8 +30,12 @@ struct SeaState {
   double chop = 1.0;                    // horizontal displacement, 0 none, 1 as linear theory has it, up to 2
   double small_wave_suppression = 0.0;  // 0 none to 1: damps waves shorter than about 2 m, for comfort in a headset
   double gravity_mps2 = 9.81;
+  // Of the heights of the wind sea that the spectrum has: what depth lets stand (sea_limits.h).
+  double wind_height_share = 1.0;
   double loop_s = 0.0;     // 0: never repeats; T: waves of whole turns in T seconds, so that the sea repeats exactly
   std::uint32_t seed = 1;  // another seed, another sea of the same statistics; independent of quality
+
+  bool operator==(const SeaState&) const = default;
 };
 
 inline constexpr int longest_tile_samples = 512;

@@ -38,7 +38,8 @@ Spectrum::Spectrum(const SeaState& sea)
       elongation_(sea.swell_elongation),
       gravity_(sea.gravity_mps2),
       depth_(sea.depth_m),
-      suppression_(sea.small_wave_suppression) {
+      suppression_(sea.small_wave_suppression),
+      wind_share_(sea.wind_height_share * sea.wind_height_share) {
   validate(sea);
   wind_ = wind_train(sea);
   swell_ = swell_of(sea);
@@ -91,7 +92,7 @@ double Spectrum::radial(int component, double k) const {
       density = mine * frequency_density(wind_, gravity_, w) * airy_group_speed(k, gravity_, depth_);
     if (component == 0 && spectrum_ == WaveSpectrum::tma) density *= kitaigorodskii_factor(w, gravity_, depth_);
   }
-  return density / k * suppression(k);
+  return density / k * suppression(k) * (component < 2 ? wind_share_ : 1.0);
 }
 
 SpreadingShape Spectrum::shape(int component, double k) const {

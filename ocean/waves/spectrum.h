@@ -69,7 +69,7 @@ class Spectrum {
   Elfouhaily short_waves_;
   WaveSpectrum spectrum_;
   WaveSpreading spreading_;
-  double elongation_, inverse_wave_age_ = 1.0, gravity_, depth_, suppression_;
+  double elongation_, inverse_wave_age_ = 1.0, gravity_, depth_, suppression_, wind_share_;
   double short_from_ = 0.0, short_to_ = 0.0;  // deep-water wave numbers of the passage
 };
 

@@ -94,6 +94,11 @@ void validate(const WaveParticleSettings& s) {
   require(s.scales, 1, gpu::max_particle_layings, "wave_particles.scales");
 }
 
+double drawn_together(const WaveParticleSettings& s) {
+  const double in_tile = amplitude_of(s) * 2.0 / std::numbers::pi / s.tile_m;
+  return s.scales * s.count * in_tile * in_tile * particle_bend_variance;
+}
+
 WaveParticles::WaveParticles(const WaveParticleSettings& settings, double gravity_mps2, double loop_s)
     : WaveParticles(settings, made(settings, speed_of(settings, gravity_mps2), loop_s), amplitude_of(settings),
                     speed_of(settings, gravity_mps2)) {}

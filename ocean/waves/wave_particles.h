@@ -54,6 +54,7 @@ class WaveParticles final : public TileSource {
 
   const std::vector<WaveParticle>& particles() const { return particles_; }
   double amplitude_m() const { return amplitude_m_; }  // of a particle in the largest laying
+  double height_m() const { return settings_.height_m; }
   double speed_mps() const { return speed_mps_; }
   bool splined() const { return splined_ != nullptr; }  // summed as splines
 
@@ -73,5 +74,11 @@ class WaveParticles final : public TileSource {
 // likewise.
 inline constexpr double particle_variance = 0.5414774727, particle_slope_variance = 1.9378922925,
                         particle_volume = 0.9341765544;
+// The integral of (r^2 (W_xx + W_zz))^2 over r^2.
+inline constexpr double particle_bend_variance = 57.14809949;
+
+// Variance of the gradient by which the displacement of such particles, with a chop of 1, draws the water together: of
+// all layings. It goes with the square of the height.
+double drawn_together(const WaveParticleSettings& settings);
 
 }  // namespace seascape

@@ -4,6 +4,7 @@
 #include "app/camera_path.h"
 #include "app/place_inputs.h"
 #include "app/scene.h"
+#include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/sea/query.h"
 #include "ocean/waves/wave_tiles.h"
@@ -17,7 +18,8 @@ namespace {
 double least_clearance(const std::string& name, double lowered_m) {
   const Scene scene = load_scene(name, "low");
   const CameraPath path = load_camera_path(name);
-  const WaveField field(scene.settings.sea, WaveQuality{.resolution = 64, .cascades = 3}, tile_sources(scene));
+  const WaveField field(scene.settings.sea, WaveQuality{.resolution = 64, .cascades = 3},
+                        tile_sources(scene, limited_sea(scene)));
   const PlaceSea places(place_inputs(scene), field);
   WaveTiles tiles;
   double least = 1e9;

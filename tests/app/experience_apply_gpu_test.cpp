@@ -1,11 +1,14 @@
 // Settings taken while the program runs draw what a fresh start with them draws: what explore's panel promises.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <thread>
 
 #include "engine/text.h"
@@ -255,6 +258,32 @@ TEST_F(ExperienceApply, SettingsOfTheSeaActWhileTimeStandsStill) {
     shot.set(key, now);
     EXPECT_EQ(test::differing_pixels(shot.picture(head, 2.0), before), 0) << key;
   }
+}
+
+// Waves that water does not bear are drawn lower while the sea runs too, and said at the change alone. Controls seen:
+// an apply() that changes to the settings' own sea, one that says nothing, and one that says all after each change.
+TEST_F(ExperienceApply, SwellSteeperThanWaterBearsIsLimitedAndSaidOnce) {
+  std::ostringstream told;
+  const auto sink = std::make_shared<spdlog::sinks::ostream_sink_mt>(told);
+  sink->set_pattern("%v");
+  auto& sinks = spdlog::default_logger()->sinks();
+  sinks.push_back(sink);
+  test::SeaShot shot({.scene = "open_sea",
+                      .width = 32,
+                      .height = 24,
+                      .set = {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"waves.swell_period_s", "4"}}});
+  const auto said = [&] { return std::exchange(told, std::ostringstream()).str(); };
+  shot.draw(shot.scene().start, 2.0);
+  EXPECT_EQ(said(), "");
+  shot.set("waves.swell_height_m", "15");
+  EXPECT_THAT(said(), testing::MatchesRegex("waves.swell_height_m: 15 m is steeper [^\n]*\n"));
+  EXPECT_LT(shot.experience().sea()->state().swell_height_m, 2.0);
+  shot.set("waves.chop", "0.9");
+  shot.set("sky.haze", "3");
+  EXPECT_EQ(said(), "");
+  shot.set("waves.swell_height_m", "14");
+  EXPECT_THAT(said(), testing::HasSubstr("14 m is steeper"));
+  std::erase(sinks, sink);
 }
 
 // What builds objects anew, and an effect that comes and goes, leaves the foam and the spray that there are. Control

@@ -87,5 +87,14 @@ TEST(PlanText, SaysWhyAndHowMuch) {
   EXPECT_THAT(text, testing::ContainsRegex("\nall +4 +1 +500 +10 +2 +2 +1000 +2 +4.00\n$"));
 }
 
+// Control seen: a plan that leaves them out.
+TEST(PlanText, TellsWhatIsNotAsTheSceneAsks) {
+  Plan plan = sample();
+  EXPECT_THAT(plan_text(plan), testing::Not(HasSubstr("warning")));
+  plan.remarks = {"waves.swell_height_m: 15 m is drawn with 1 m"};
+  EXPECT_THAT(plan_text(plan), HasSubstr("\nwarning: waves.swell_height_m: 15 m is drawn with 1 m\n\nwaves: "));
+  EXPECT_EQ(nlohmann::json::parse(plan_json(plan)).at("warnings"), nlohmann::json(plan.remarks));
+}
+
 }  // namespace
 }  // namespace seascape

@@ -80,7 +80,7 @@ TEST(Query, WaveParticlesAreInTheAnswers) {
   for (int i = 0; i < 50; ++i) points.emplace_back(0.7 * i, -0.3 * i);
   const auto without = rows_of(query_csv(scene, {.times_s = {12.5}}, points));
   scene.effects = {"waves", "wave_particles"};
-  scene.settings.wave_particles.height_m = 0.1;
+  scene.settings.wave_particles.height_m = 0.02;
   scene.settings.wave_particles.chop = 0.0;
   const auto with = rows_of(query_csv(scene, {.times_s = {12.5}}, points));
   const WaveField field(scene.settings.sea, scene.settings.waves,
@@ -95,7 +95,7 @@ TEST(Query, WaveParticlesAreInTheAnswers) {
     EXPECT_EQ(with[i][7], answer.orbital_velocity_mps.y);
     moved += std::pow(with[i][2] - without[i][2], 2) / 50.0;
   }
-  EXPECT_NEAR(4.0 * std::sqrt(moved), 0.1, 0.03);
+  EXPECT_NEAR(4.0 * std::sqrt(moved), 0.02, 0.006);
 }
 
 // Control: a query that takes its waves from scene.settings.sea in any case is not flat here.

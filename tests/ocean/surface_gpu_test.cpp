@@ -7,6 +7,7 @@
 
 #include "app/camera_path.h"
 #include "app/place_inputs.h"
+#include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/mesh/patch_mesh.h"
 #include "ocean/waves/wave_tiles.h"
@@ -53,7 +54,8 @@ Errors errors(WavePlace place, const std::string& scene, const std::string& pres
     ADD_FAILURE() << selection.patches.size() << " patches for a probe of " << Surface::probe_patches;
     return result;
   }
-  const WaveField field(settings.sea, settings.waves, tile_sources(shot.scene()));
+  const LimitedSea limited = limited_sea(shot.scene());
+  const WaveField field(limited.sea, settings.waves, tile_sources(shot.scene(), limited));
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s + late_s), tiles);
   const PlaceInputs inputs = place_inputs(shot.scene());

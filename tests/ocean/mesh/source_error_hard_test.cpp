@@ -9,6 +9,7 @@
 
 #include "app/lab/screen_error.h"
 #include "app/scene.h"
+#include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/waves/gerstner.h"
 #include "tests/support/sanitized.h"
@@ -30,7 +31,7 @@ struct Drawn {
 Drawn draw(const Row& row, const char* preset, int poses, double told) {
   Scene scene = load_scene(row.scene, preset);
   scene.effects = row.effects;
-  const TileSources sources = tile_sources(scene);
+  const TileSources sources = tile_sources(scene, limited_sea(scene));
   const WaveField field(scene.settings.sea, scene.settings.waves, sources);
   SourceError missed;
   double height_m = 0.0, shift_m = 0.0;

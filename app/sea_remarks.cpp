@@ -1,0 +1,59 @@
+#include "app/sea_remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ocean/effects.h"
+
+namespace seascape {
+
+namespace {
+std::string metres(double value) { return fmt::format("{:.3g} m", value); }
+
+// What a part of a LimitedSea is called: by its key, but for the wind sea, whose height has none.
+constexpr std::array<std::string_view, 5> keys{"the wind sea", "waves.swell_height_m", "waves.swell2_height_m",
+                                               "waves.swell3_height_m", "wave_particles.height_m"};
+
+void add_limits(const Scene& scene, std::vector<std::string>& remarks) {
+  const LimitedSea limited = limited_sea(scene);
+  const double depth_m = scene.settings.sea.depth_m;
+  std::string lowered;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const LimitedSea::Waves& waves = limited.waves[i];
+    if (waves.too_high)
+      lowered += fmt::format("{}{} {} is drawn with {}", lowered.empty() ? "" : ", ", keys[i], metres(waves.asked_m),
+                             metres(waves.drawn_m));
+    else if (waves.too_steep)
+      remarks.push_back(
+          fmt::format("{}: {} is steeper than water bears beside the other waves and is drawn with {}; "
+                      "give lower or longer waves",
+                      keys[i], metres(waves.asked_m), metres(waves.drawn_m)));
+  }
+  if (!lowered.empty() && depth_m > 0.0)
+    remarks.push_back(
+        fmt::format("waves.depth_m: {} of water bears waves of {} in all: {}; deepen it or give lower "
+                    "waves",
+                    metres(depth_m), metres(most_height_of_depth * depth_m), lowered));
+}
+}  // namespace
+
+LimitedSea limited_sea(const Scene& scene) {
+  const Settings& s = scene.settings;
+  if (!calls_for(scene.effects, "waves")) return {s.sea, std::nullopt, {}};
+  return limited_sea(s.sea,
+                     calls_for(scene.effects, "wave_particles") ? std::optional(s.wave_particles) : std::nullopt);
+}
+
+std::vector<std::string> remarks_of(const Scene& scene) {
+  std::vector<std::string> remarks = scene.remarks;
+  add_limits(scene, remarks);
+  if (scene.settings.sea.depth_m <= 0.0 && calls_for(scene.effects, "waves") && !calls_for(scene.effects, "sea_depth"))
+    remarks.push_back(
+        fmt::format("waves.depth_m: {} is dry land, which is drawn as flat water without the effect "
+                    "sea_depth; add it to the scene's effects or deepen the water",
+                    metres(scene.settings.sea.depth_m)));
+  return remarks;
+}
+
+}  // namespace seascape

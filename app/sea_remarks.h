@@ -1,0 +1,19 @@
+// What of a scene's sea is not as its settings ask, or costs more than it seems: a line each, for warnings and for
+// plan.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/scene.h"
+#include "ocean/waves/sea_limits.h"
+
+namespace seascape {
+
+// The scene's waves and particles within what steepness and depth let stand; as they are where it calls for no waves.
+LimitedSea limited_sea(const Scene& scene);
+
+// Beside what was found when the scene was read: what is drawn lower than asked, and land that nothing
+// draws. Overrides count.
+std::vector<std::string> remarks_of(const Scene& scene);
+
+}  // namespace seascape
