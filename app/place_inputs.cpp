@@ -26,7 +26,9 @@ PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
             on_water && before == nullptr ? std::make_shared<const Inputs>(kind, scene.inputs, follow) : nullptr;
         following && !following->empty())
       result.following.push_back(std::move(following));
-    if (!inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
+    // A bed lies at waves.depth_m where no input gives another, but for one too deep to be seen or felt.
+    const bool bed = kind == InputTarget::sea_depth && scene.settings.sea.depth_m < deep_water_m;
+    if (bed || !inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
       result.kinds.push_back(std::move(inputs));
   }
   const bool bodies = scene.clip_room.most_bodies > 0;

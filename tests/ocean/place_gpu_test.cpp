@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "app/place_inputs.h"
+#include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/mesh/patch_mesh.h"
 #include "ocean/waves/wave_tiles.h"
@@ -80,7 +81,8 @@ Worst worst(const std::vector<std::string>& effects, Set set, double time_s,
   const auto bytes = read_buffer(test::device(), shot.experience().surface().probed());
   const auto side = std::size_t(gpu::patch_quads + 1), vertices = side * side;
   const Settings& settings = shot.scene().settings;
-  const WaveField field(settings.sea, settings.waves, tile_sources(shot.scene()));
+  const LimitedSea limited = limited_sea(shot.scene());
+  const WaveField field(limited.sea, settings.waves, tile_sources(shot.scene(), limited));
   WaveTiles tiles;
   field.evaluate(ticks_from_seconds(time_s), tiles);
   const PlaceInputs places = place_inputs(shot.scene());
@@ -146,6 +148,18 @@ TEST_F(DrawnPlaces, WavesOverABedAreTheProcessors) {
   EXPECT_LE(dry.error_m, bar(dry)) << "where it is clipped the bed lies dry, whose flank falls by one in one";
   const Worst both = worst({"waves", "sea_depth", "level"}, {{"waves.depth_m", "40"}}, 33.3, lake);
   EXPECT_LE(both.error_m, bar(both)) << both.hs_m;
+}
+
+// Without inputs the bed lies at waves.depth_m: breakers over a metre of water, and land. Control seen: a bed that is
+// left out where nothing gives one.
+TEST_F(DrawnPlaces, ABedWithoutInputsIsTheProcessors) {
+  if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
+  const Worst bed = worst({"waves", "sea_depth"}, {{"waves.depth_m", "1"}}, 33.3, {});
+  EXPECT_GT(bed.moved, 300);
+  EXPECT_LE(bed.error_m, bar(bed)) << bed.hs_m;
+  const Worst land = worst({"waves", "sea_depth"}, {{"waves.depth_m", "-2"}}, 33.3, {});
+  EXPECT_EQ(land.moved, 1000);
+  EXPECT_LE(land.error_m, 1e-5);
 }
 
 // Gerstner waves along a bay. Controls seen: right taken for left; the pattern laid backwards along the curve.
