@@ -9,8 +9,17 @@
 
 namespace seascape {
 
+namespace {
+// The patterns that a current carries come again with the waves.
+PlaceSettings place_settings(const Settings& settings) {
+  PlaceSettings result = settings.place;
+  result.flow_period_s = period_in_loop(result.flow_period_s, settings.sea.loop_s);
+  return result;
+}
+}  // namespace
+
 PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
-  PlaceInputs result{scene.settings.place, {}, {}, nullptr};
+  PlaceInputs result{place_settings(scene.settings), {}, {}, nullptr};
   if (before != nullptr) result.following = before->sea.place.following;
   for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth, InputTarget::flow, InputTarget::clip,
                                  InputTarget::albedo, InputTarget::shadow}) {
@@ -49,7 +58,7 @@ PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
 std::optional<FoamSpec> foam_spec(const Scene& scene) {
   if (!calls_for(scene.effects, "foam")) return std::nullopt;
   FoamSpec spec{scene.settings.foam, std::make_shared<const Inputs>(InputTarget::foam, scene.inputs), nullptr,
-                scene.settings.place};
+                place_settings(scene.settings)};
   for (const auto& kind : place_inputs(scene).kinds)
     if (kind->target() == InputTarget::flow) spec.flow = kind;
   return spec;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/text.h"
 #include "ocean/effects.h"
 
 namespace seascape {
@@ -36,6 +37,25 @@ void add_limits(const Scene& scene, std::vector<std::string>& remarks) {
                     "waves",
                     metres(depth_m), metres(most_height_of_depth * depth_m), lowered));
 }
+
+// What has a time of its own, or comes of all that was before.
+void add_unlooped(const Scene& scene, std::vector<std::string>& remarks) {
+  const Settings& s = scene.settings;
+  if (!(s.sea.loop_s > 0.0)) return;
+  std::vector<std::string_view> kept;
+  const auto has = [&](std::string_view effect) { return calls_for(scene.effects, effect); };
+  if (has("dynamic_waves")) kept.push_back("dynamic waves");
+  if (has("foam") && s.foam.simulated) kept.push_back("foam");
+  if (has("spray") && s.spray.amount > 0.0) kept.push_back("spray");
+  if (std::any_of(scene.inputs.begin(), scene.inputs.end(),
+                  [](const InputSpec& input) { return std::holds_alternative<TrailInput>(input.shape); }))
+    kept.push_back("inputs that move");
+  if (kept.empty()) return;
+  remarks.push_back(
+      fmt::format("waves.loop_s: what keeps its own time does not repeat after {} s: {}; leave it out "
+                  "where all of the sea has to repeat",
+                  text_from(s.sea.loop_s), listed(kept, "and")));
+}
 }  // namespace
 
 LimitedSea limited_sea(const Scene& scene) {
@@ -53,6 +73,7 @@ std::vector<std::string> remarks_of(const Scene& scene) {
         fmt::format("waves.depth_m: {} is dry land, which is drawn as flat water without the effect "
                     "sea_depth; add it to the scene's effects or deepen the water",
                     metres(scene.settings.sea.depth_m)));
+  add_unlooped(scene, remarks);
   return remarks;
 }
 

@@ -12,8 +12,8 @@ namespace seascape {
 // The scene's waves and particles within what steepness and depth let stand; as they are where it calls for no waves.
 LimitedSea limited_sea(const Scene& scene);
 
-// Beside what was found when the scene was read: what is drawn lower than asked, and land that nothing
-// draws. Overrides count.
+// Beside what was found when the scene was read: what is drawn lower than asked, what does not repeat with
+// waves.loop_s, and land that nothing draws. Overrides count.
 std::vector<std::string> remarks_of(const Scene& scene);
 
 }  // namespace seascape

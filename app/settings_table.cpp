@@ -284,7 +284,9 @@ const std::vector<Setting>& table() {
        other_waves},
       {"waves.loop_s",
        "s",
-       "The sea repeats exactly after this time, the waves' periods rounded to whole fractions of it; 0 never repeats.",
+       "The sea repeats exactly after this time: the periods of waves, of a current's patterns and of a baked loop are "
+       "rounded to whole fractions of it. Dynamic waves, foam, spray and inputs that move keep their own time; 0 never "
+       "repeats.",
        sea<&SeaState::loop_s>,
        0.0,
        86400.0,

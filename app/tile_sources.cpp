@@ -74,8 +74,8 @@ TileSources tile_sources(const Scene& scene, const LimitedSea& limited, const Ma
       const auto other = found<Baked>(before);
       loop =
           other != nullptr && before->settings.baked.loop == s.baked.loop
-              ? std::make_shared<const Baked>(*other, s.baked)
-              : std::make_shared<const Baked>(read_loop(loop_folder(s.baked.loop, scene.file)), s.baked);
+              ? std::make_shared<const Baked>(*other, s.baked, s.sea.loop_s)
+              : std::make_shared<const Baked>(read_loop(loop_folder(s.baked.loop, scene.file)), s.baked, s.sea.loop_s);
     }
     sources.push_back(loop);
   }

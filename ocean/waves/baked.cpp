@@ -183,21 +183,26 @@ std::shared_ptr<const Baked::Raised> Baked::raised(BakedLoop recorded) {
   return result;
 }
 
-Baked::Baked(BakedLoop loop, const BakedSettings& settings) : Baked(raised(std::move(loop)), settings) {}
+Baked::Baked(BakedLoop loop, const BakedSettings& settings, double loop_s)
+    : Baked(raised(std::move(loop)), settings, loop_s) {}
 
-Baked::Baked(const Baked& same, const BakedSettings& settings) : Baked(same.loop_, settings) {}
+Baked::Baked(const Baked& same, const BakedSettings& settings, double loop_s) : Baked(same.loop_, settings, loop_s) {}
 
-Baked::Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings)
+Baked::Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings, double loop_s)
     : loop_(std::move(loop)), by_(float(settings.weight * settings.scale)), statistics_(loop_->statistics) {
   validate(settings);
   const double rate = std::abs(settings.speed) / std::sqrt(settings.scale);
   if (rate > 0.0) {
     // At 2^46 ticks, two years, a turn is as long as loop_turns() takes it: what is slower moves by less than anybody
     // waits for.
-    loop_ticks_ =
+    const std::int64_t own =
         std::llround(std::clamp(loop_->frames / loop_->fps / rate * double(gpu::ticks_per_second), 1.0, 0x1p46));
-    turns_ = loop_turns(1, loop_ticks_);
-    frames_a_second_ = double(loop_->frames) * gpu::ticks_per_second / double(loop_ticks_);
+    const std::int64_t whole = std::llround(loop_s * double(gpu::ticks_per_second));
+    const std::int64_t ticks = whole > 0 ? whole : own,
+                       times = whole > 0 ? std::max(std::llround(double(whole) / double(own)), 1ll) : 1;
+    turns_ = loop_turns(times, ticks);
+    period_ticks_ = double(ticks) / double(times);
+    frames_a_second_ = double(loop_->frames) * gpu::ticks_per_second / period_ticks_;
     if (settings.speed < 0.0) turns_ = std::uint64_t(0) - turns_, frames_a_second_ = -frames_a_second_;
   }
   const double side = loop_->side_m * settings.scale;
@@ -209,7 +214,7 @@ Baked::Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings)
   still_ = statistics_.largest_height_m == 0.0 && statistics_.largest_shift_m == 0.0;
 }
 
-double Baked::period_s() const { return double(loop_ticks_) / gpu::ticks_per_second; }
+double Baked::period_s() const { return period_ticks_ / gpu::ticks_per_second; }
 
 std::size_t Baked::workspace_floats(bool) const {
   return 3 * std::size_t(loop_->samples) * std::size_t(loop_->samples + 2 * margin);

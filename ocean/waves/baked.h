@@ -15,10 +15,11 @@ namespace seascape {
 // displacement.
 class Baked final : public TileSource {
  public:
-  // Throws Error as validate() does; the loop's sizes are checked by whoever read it.
-  Baked(BakedLoop loop, const BakedSettings& settings);
+  // Throws Error as validate() does; the loop's sizes are checked by whoever read it. With `loop_s` above 0 it is
+  // played a whole number of times in that time, as fast as that needs.
+  Baked(BakedLoop loop, const BakedSettings& settings, double loop_s = 0.0);
   // The same loop in other settings, shared with `same`.
-  Baked(const Baked& same, const BakedSettings& settings);
+  Baked(const Baked& same, const BakedSettings& settings, double loop_s = 0.0);
 
   std::string_view name() const override { return "baked"; }
   int samples() const override { return loop_->samples; }
@@ -40,12 +41,12 @@ class Baked final : public TileSource {
     float moment_share = 1.0f;    // of the slopes' variance over that of the texels'
   };
   static std::shared_ptr<const Raised> raised(BakedLoop loop);
-  Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings);
+  Baked(std::shared_ptr<const Raised> loop, const BakedSettings& settings, double loop_s);
   std::shared_ptr<const Raised> loop_;
   float by_;  // what is played is so many times as far displaced as recorded
   Laying laying_;
   SourceStatistics statistics_;
-  std::int64_t loop_ticks_ = 0;
+  double period_ticks_ = 0.0;
   std::uint64_t turns_ = 0;  // of the loop a tick, times 2^64
   double frames_a_second_ = 0.0;
   bool still_ = false;

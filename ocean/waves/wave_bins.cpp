@@ -108,6 +108,10 @@ std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks) {
   return quotient + (rest > 0);
 }
 
+double period_in_loop(double period_s, double loop_s) {
+  return loop_s > 0.0 ? loop_s / std::max(std::round(loop_s / period_s), 1.0) : period_s;
+}
+
 WaveBins make_wave_bins(const SeaState& sea, const WaveQuality& quality) {
   return make_wave_bins(sea, quality, ladder(sea));
 }

@@ -61,6 +61,10 @@ float moment_share(const WaveBins& bins, int cascade, int samples);
 // loops shorter than 4096 s.
 std::uint64_t loop_turns(std::int64_t turns, std::int64_t ticks);
 
+// The period nearest to `period_s` (both above 0) that a loop has a whole number of, at most all of it; `period_s`
+// where `loop_s` is 0.
+double period_in_loop(double period_s, double loop_s);
+
 std::int64_t ticks_from_seconds(double time_s);
 
 // The largest distance in metres at which a mesh of square cells, vertices on the sea and its triangles flat, passes
