@@ -39,6 +39,7 @@ WaveLevel::WaveLevel(int samples)
   const std::size_t waves = std::size_t(band_) * std::size_t(band_), texels = std::size_t(n_) * std::size_t(n_ + 16);
   for (auto* list : {&modes_, &turn_, &half_turn_, &head_, &rise_}) list->resize(waves);
   for (auto* list : {&share_, &frequency_}) list->resize(waves);
+  for (auto* list : {&row_first_, &row_end_}) list->resize(std::size_t(band_));
   for (auto* list : {&spectrum_re_, &spectrum_im_}) list->resize(waves);
   for (auto* list : {&re_, &im_}) list->resize(texels);
   workspace_.resize(std::max(inverse_fft_floats(to_texels_), forward_band_floats(to_waves_, band_)));
@@ -58,6 +59,14 @@ void WaveLevel::shape(double texel_m, bool coarsest, double gravity, double dept
       frequency_[at] = airy_frequency(2.0 * pi * m / side, gravity, depth);
       if (!(share_[at] > 0.0)) modes_[at] = 0.0;
     }
+  for (int j = 0; j < band_; ++j) {
+    const double* row = share_.data() + std::ptrdiff_t(j) * band_;
+    int first = 0, end = band_;
+    while (first < end && !(row[first] > 0.0)) ++first;
+    while (end > first && !(row[end - 1] > 0.0)) --end;
+    row_first_[std::size_t(j)] = first / 8 * 8,
+    row_end_[std::size_t(j)] = first < end ? (end + 7) / 8 * 8 : first / 8 * 8;
+  }
   longest_speed_ = airy_group_speed(2.0 * pi / (coarsest ? 0.25 * side : 24.0 * texel_m), gravity, depth);
 }
 
@@ -75,39 +84,75 @@ void WaveLevel::turn_table(double dt, double damping) {
   }
 }
 
-// The Fourier coefficients of a Gaussian, exact: no texel cuts it short.
-void WaveLevel::add_source(const WaveSource& s, double dt, LodIndex first, bool& heads, bool& rises) {
+// The Fourier coefficients of a Gaussian, exact: no texel cuts it short. Gives whether there is anything of it.
+bool WaveLevel::gather(const WaveSource& s, double dt, LodIndex first) {
   const glm::dvec2 at = s.place_m / texel_m_ - 0.5;  // in texels
   double inside = 1.0;
   for (int axis = 0; axis < 2; ++axis)
     inside *= smooth(std::min(at[axis] - double(first[axis]), double(first[axis]) + n_ - 1 - at[axis]) / (n_ / 8));
   const double area = inside * s.length_m * s.length_m / (pi * texel_m_ * texel_m_ * n_ * n_), head = area * s.head_m,
                rise = area * s.rise_mps * dt;
-  if (!(std::abs(head) + std::abs(rise) > 0.0)) return;
-  std::vector<std::complex<double>> along_x(std::size_t(band_), 0.0), along_z(std::size_t(band_), 0.0);
+  if (!(std::abs(head) + std::abs(rise) > 0.0)) return false;
+  const std::size_t from = sources_.head.size() * std::size_t(band_), half = std::size_t(band_ / 2);
+  sources_.head.push_back(head);
+  sources_.rise.push_back(rise);
   const double x = after(at.x, n_), z = after(at.y, n_);
-  for (int i = 0; i < band_; ++i) {
-    const double m = i - band_ / 2, part = std::exp(-std::pow(m * s.length_m / (texel_m_ * n_), 2));
-    along_x[std::size_t(i)] = std::polar(part, -2.0 * pi * m * x / n_);
-    along_z[std::size_t(i)] = std::polar(part, -2.0 * pi * m * z / n_);
+  for (std::size_t i = 0; i < half; ++i) {  // the first has no opposite, and carries nothing
+    const double m = double(i), part = std::exp(-std::pow(m * s.length_m / (texel_m_ * n_), 2));
+    const std::complex<double> of_x = std::polar(part, -2.0 * pi * m * x / n_),
+                               of_z = std::polar(part, -2.0 * pi * m * z / n_);
+    sources_.x_re[from + half + i] = sources_.x_re[from + half - i] = of_x.real();
+    sources_.z_re[from + half + i] = sources_.z_re[from + half - i] = of_z.real();
+    sources_.x_im[from + half + i] = of_x.imag(), sources_.x_im[from + half - i] = -of_x.imag();
+    sources_.z_im[from + half + i] = of_z.imag(), sources_.z_im[from + half - i] = -of_z.imag();
   }
+  return true;
+}
+
+// Of what real sources come to, waves of opposite numbers are conjugate: half of them are summed up (mirror).
+void WaveLevel::spread(bool& heads, bool& rises) {
+  const std::size_t count = sources_.head.size(), band = std::size_t(band_);
   for (auto* list : {&head_, &rise_}) {
-    const double strength = list == &head_ ? head : rise;
+    const std::vector<double>& strength = list == &head_ ? sources_.head : sources_.rise;
     bool& any = list == &head_ ? heads : rises;
-    if (strength == 0.0) continue;
+    if (std::all_of(strength.begin(), strength.end(), [](double one) { return one == 0.0; })) continue;
     if (!any) std::fill(list->begin(), list->end(), 0.0);
     any = true;
-    for (int j = 0; j < band_; ++j) {
-      const std::complex<double> row = strength * along_z[std::size_t(j)];
-      std::complex<double>* to = list->data() + std::ptrdiff_t(j) * band_;
-      for (int i = 0; i < band_; ++i) {
-        // Written out: the library's product looks for infinities, at several times the cost.
-        const std::complex<double> c = along_x[std::size_t(i)];
-        to[i] += std::complex<double>(row.real() * c.real() - row.imag() * c.imag(),
-                                      row.real() * c.imag() + row.imag() * c.real());
+    for (std::size_t j = 1; j <= band / 2; ++j) {
+      for (std::size_t s = 0; s < count; ++s) {
+        sources_.row_re[s] = strength[s] * sources_.z_re[s * band + j];
+        sources_.row_im[s] = strength[s] * sources_.z_im[s * band + j];
       }
+      const std::size_t begin = std::size_t(row_first_[j]), end = std::size_t(row_end_[j]);
+      add_products({list->data() + j * band + begin, end - begin}, {sources_.row_re.data(), count},
+                   {sources_.row_im.data(), count}, sources_.x_re.data() + begin, sources_.x_im.data() + begin, band_);
     }
   }
+  sources_.head.clear();
+  sources_.rise.clear();
+}
+
+void WaveLevel::mirror(std::vector<std::complex<double>>& list) const {
+  const std::size_t band = std::size_t(band_);
+  for (std::size_t j = 1; j < band / 2; ++j)
+    for (std::size_t i = std::max(std::size_t(row_first_[j]), std::size_t(1)); i < std::size_t(row_end_[j]); ++i)
+      list[(band - j) * band + band - i] = std::conj(list[j * band + i]);
+}
+
+void WaveLevel::add_sources(std::span<const WaveSource> sources, double dt, LodIndex first, bool& heads, bool& rises) {
+  constexpr std::size_t together = 16;
+  if (sources.empty()) return;
+  for (auto* list : {&sources_.x_re, &sources_.x_im, &sources_.z_re, &sources_.z_im})
+    list->resize(together * std::size_t(band_));
+  for (auto* list : {&sources_.row_re, &sources_.row_im}) list->resize(together);
+  for (auto* list : {&sources_.head, &sources_.rise}) list->reserve(together);
+  for (WaveSource s : sources) {
+    s.place_m -= s.velocity_mps * (0.5 * dt);
+    if (gather(s, dt, first) && sources_.head.size() == together) spread(heads, rises);
+  }
+  spread(heads, rises);
+  if (heads) mirror(head_);
+  if (rises) mirror(rise_);
 }
 
 // As a source of that shape: its waves are those of the texels' Fourier sum.
@@ -137,10 +182,7 @@ void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool
 void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources,
                      std::span<const float> head_m) {
   bool heads = false, rises = false;
-  for (WaveSource s : sources) {
-    s.place_m -= s.velocity_mps * (0.5 * dt);
-    add_source(s, dt, first, heads, rises);
-  }
+  add_sources(sources, dt, first, heads, rises);
   if (!head_m.empty()) add_pressure(first, head_m, heads);
   if (heads || rises) still_ = false;
   if (still_) return;

@@ -76,13 +76,25 @@ class WaveLevel {
  private:
   void turn_table(double dt, double damping_per_s);
   void add_pressure(LodIndex first, std::span<const float> head_m, bool& heads);
-  void add_source(const WaveSource& source, double dt, LodIndex first, bool& heads, bool& rises);
+  // What sources come to in wave numbers, each a product of its two axes: a few sources at a time, so that all they
+  // need stays in the cache while every row of waves takes them.
+  struct Sources {
+    std::vector<double> x_re, x_im, z_re, z_im;  // [source][m + band / 2]
+    std::vector<double> head, rise;              // strengths
+    std::vector<double> row_re, row_im;
+  };
+  void add_sources(std::span<const WaveSource> sources, double dt, LodIndex first, bool& heads, bool& rises);
+  bool gather(const WaveSource& source, double dt, LodIndex first);
+  void spread(bool& heads, bool& rises);
+  void mirror(std::vector<std::complex<double>>& list) const;
   int n_, band_;
   double texel_m_ = 0.0, depth_m_ = 0.0, longest_speed_ = 0.0, table_dt_ = -1.0, table_damping_ = -1.0;
   bool still_ = true;
   FftPlan to_texels_, to_waves_;
   std::vector<std::complex<double>> modes_, turn_, half_turn_, head_, rise_;
   std::vector<double> share_, frequency_;
+  std::vector<int> row_first_, row_end_;  // of the waves that a row carries, in whole groups of 8
+  Sources sources_;
   mutable std::vector<float> re_, im_, spectrum_re_, spectrum_im_, workspace_;
 };
 

@@ -45,6 +45,22 @@ void add_modes(double* modes, std::ptrdiff_t count, const double* share, double 
   }
 }
 
+void products(double* to, std::ptrdiff_t count, const double* of_re, const double* of_im, std::ptrdiff_t sources,
+              const double* along_re, const double* along_im, std::ptrdiff_t stride) {
+  const Doubles dd;
+  for (std::ptrdiff_t i = 0; i < count; i += std::ptrdiff_t(hn::Lanes(dd))) {
+    hn::Vec<Doubles> re, im;
+    hn::LoadInterleaved2(dd, to + 2 * i, re, im);
+    for (std::ptrdiff_t s = 0; s < sources; ++s) {
+      const auto a = hn::Set(dd, of_re[s]), b = hn::Set(dd, of_im[s]);
+      const auto c = hn::LoadU(dd, along_re + s * stride + i), d = hn::LoadU(dd, along_im + s * stride + i);
+      re = hn::Add(re, hn::Sub(hn::Mul(a, c), hn::Mul(b, d)));
+      im = hn::Add(im, hn::Add(hn::Mul(a, d), hn::Mul(b, c)));
+    }
+    hn::StoreInterleaved2(re, im, dd, to + 2 * i);
+  }
+}
+
 void multiply(float* re, float* im, std::ptrdiff_t n, std::ptrdiff_t stride, const float* along_x, const float* along_z,
               const float* open) {
   const Lanes d;
@@ -72,6 +88,7 @@ namespace seascape {
 
 HWY_EXPORT(to_floats);
 HWY_EXPORT(add_modes);
+HWY_EXPORT(products);
 HWY_EXPORT(multiply);
 
 void floats_from_modes(std::span<const std::complex<double>> modes, float* re, float* im) {
@@ -85,6 +102,14 @@ void add_to_modes(std::span<std::complex<double>> modes, const double* share, do
   assert(modes.size() % 16 == 0);
   HWY_DYNAMIC_DISPATCH(add_modes)
   (reinterpret_cast<double*>(modes.data()), std::ptrdiff_t(modes.size()), share, scale, re, im);
+}
+
+void add_products(std::span<std::complex<double>> to, std::span<const double> of_re, std::span<const double> of_im,
+                  const double* along_re, const double* along_im, std::ptrdiff_t stride) {
+  assert(to.size() % 8 == 0 && of_re.size() == of_im.size());
+  HWY_DYNAMIC_DISPATCH(products)
+  (reinterpret_cast<double*>(to.data()), std::ptrdiff_t(to.size()), of_re.data(), of_im.data(),
+   std::ptrdiff_t(of_re.size()), along_re, along_im, stride);
 }
 
 void multiply_by_loss(float* re, float* im, int n, int stride, const float* along_x, const float* along_z,

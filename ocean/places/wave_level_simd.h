@@ -2,6 +2,7 @@
 // set.
 #pragma once
 #include <complex>
+#include <cstddef>
 #include <span>
 
 namespace seascape {
@@ -12,6 +13,11 @@ void floats_from_modes(std::span<const std::complex<double>> modes, float* re, f
 // modes[i] += scale (re[i] + i im[i]) where share[i] is above 0. As many as a multiple of 16.
 void add_to_modes(std::span<std::complex<double>> modes, const double* share, double scale, const float* re,
                   const float* im);
+
+// to[i] += the sum over s of (of_re[s] + i of_im[s]) (along_re + i along_im)[s stride + i], one s after the other. As
+// many as a multiple of 8.
+void add_products(std::span<std::complex<double>> to, std::span<const double> of_re, std::span<const double> of_im,
+                  const double* along_re, const double* along_im, std::ptrdiff_t stride);
 
 // Multiplies re and im at (x, z), n rows of `stride`, by along_x[x] along_z[z] open[z n + x] - 1 (no `open`: 1). n is a
 // multiple of 16.
