@@ -1,5 +1,4 @@
-// What of a scene's sea is not as its settings ask, or costs more than it seems: a line each, for warnings and for
-// plan.
+// What of a scene's sea is not as its settings ask: a line each, for warnings and for plan.
 #pragma once
 #include <string>
 #include <vector>
