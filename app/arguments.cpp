@@ -381,7 +381,7 @@ Arguments parse_arguments(std::span<const std::string> words) {
 Scene scene_from(const Arguments& arguments, std::string_view preset, std::optional<DeviceClass> device) {
   Scene scene = load_scene(arguments.scene, preset);
   if (device) suit_device(scene.settings, preset, *device);
-  for (const Override& one : arguments.overrides) set_from_text(scene.settings, one.key, one.value, one.option, 2);
+  for (const Override& one : arguments.overrides) set_over_file(scene, one.option, one.key, one.value);
   return scene;
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "app/camera_path.h"
 #include "app/located_json.h"
@@ -59,17 +60,21 @@ void read_path(CameraPath& path, const LocatedJson& json, const std::string& whe
   if (keys == nullptr) return;
   if (!keys->is(LocatedJson::Kind::array) || keys->items.empty() || keys->items.size() > most_keys)
     throw Error(file.place(*keys), "keys: " + described(*keys), "give a list of 1 to 100000 keys");
+  std::optional<double> last_s;  // that was read well: a faulty time is one fault, and not of the next key too
   for (const LocatedJson& entry : keys->items) {
     const std::string name = "keys[" + std::to_string(path.keys.size()) + "]";
     const PathKey key = read_key(entry, name, where, faults);
+    path.keys.push_back(key);
+    const LocatedJson* time = entry.member("time_s");
+    if (time == nullptr || !time->is(LocatedJson::Kind::number) || time->number != key.time_s) continue;
     faults.attempt([&] {
-      if (!path.keys.empty() && !(key.time_s > path.keys.back().time_s) && entry.member("time_s") != nullptr)
+      if (last_s && !(key.time_s > *last_s))
         throw Error(file.place(entry),
-                    name + ".time_s: " + text_from(key.time_s) + " does not come after " +
-                        text_from(path.keys.back().time_s) + " of the key before",
+                    name + ".time_s: " + text_from(key.time_s) + " does not come after " + text_from(*last_s) +
+                        " of the key before",
                     "order the keys by rising time_s");
     });
-    path.keys.push_back(key);
+    last_s = key.time_s;
   }
 }
 

@@ -91,6 +91,12 @@ class Options {
 
   // Returns the help text where it was asked for, else "".
   std::string parse(std::span<const std::string> words) {
+    for (const std::string& word : words) {  // CLI11 would take the next word for its value
+      if (word == "--") break;
+      if (word.starts_with("--") && word.find('=') == word.size() - 1)
+        refuse(word.substr(0, word.size() - 1), "no value follows " + in_quotes(word),
+               "leave " + word.substr(0, word.size() - 1) + " out or give it a value");
+    }
     try {
       app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::CallForHelp&) {

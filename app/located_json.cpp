@@ -173,6 +173,10 @@ const LocatedJson* LocatedJson::member(std::string_view name) const {
 LocatedJson parse_located_json(std::string_view text, const std::string& where) {
   if (text.size() > largest_json_bytes)
     throw Error(where, "the file has " + std::to_string(text.size()) + " bytes", "give a file of at most 16 MiB");
+  // The parser would take a zero byte for the end, and pass over what follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    throw Error(where + ":" + std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), '\n')),
+                "a zero byte where text should be", "save the file as UTF-8 text, without what follows its end");
   Place place;
   Builder builder(place, where);
   nlohmann::json::sax_parse(CountingIterator(text.data(), &place), CountingIterator(text.data() + text.size(), &place),

@@ -30,8 +30,8 @@ constexpr std::size_t largest_json_bytes = 16u << 20;
 constexpr std::size_t deepest_json = 64;
 constexpr std::size_t most_json_values = 2'000'000;
 
-// Throws Error("WHERE:LINE", ...) for what is not JSON, a key given twice, a number past double's range, more than 64
-// levels, 2 million values or 16 MiB.
+// Throws Error("WHERE:LINE", ...) for what is not JSON, a zero byte, a key given twice, a number past double's range,
+// more than 64 levels, 2 million values or 16 MiB.
 LocatedJson parse_located_json(std::string_view text, const std::string& where);
 
 // Reads members of one object and refuses whatever it was not asked for. `where` is the file; faults add the line and

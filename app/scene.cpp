@@ -90,6 +90,16 @@ void read_camera(Scene& scene, ObjectReader& reader, const std::string& where, F
   scene.start.orientation = orientation_from_angles({yaw, pitch, 0.0});
 }
 
+// Whether the settings of a group are those of an effect that a scene does not have. Those of waves are the sea's own.
+bool lacks_effect_of(const std::vector<std::string>& effects, std::string_view group) {
+  return group != "waves" && effect_is_built(group) && !calls_for(effects, group);
+}
+
+std::string gives_nothing(std::string_view key, std::string_view effect) {
+  return std::string(key) + " gives nothing, for the scene does not name the effect " + in_quotes(effect) + "; add \"" +
+         std::string(effect) + "\" to its \"effects\"";
+}
+
 void read_scene(Scene& scene, const LocatedJson& json, const std::string& where, Faults& faults) {
   if (const LocatedJson* keys = json.member("keys"); keys != nullptr && keys->is(LocatedJson::Kind::array))
     throw Error(where, "this is a camera path, not a scene", "give it to --path");
@@ -97,6 +107,7 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
   file.version();
   scene.title = file.text("title", "");
   if (const LocatedJson* effects = file.optional("effects")) scene.effects = read_effects(*effects, file, faults);
+  const bool effects_read = faults.list().empty();
   read_group(scene.settings, file, "", faults);
   std::vector<std::string_view> groups;
   for (const Setting& setting : settings_table()) {
@@ -105,6 +116,8 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
     groups.push_back(group);
     const LocatedJson* members = file.optional(group);
     if (members == nullptr) continue;
+    if (effects_read && lacks_effect_of(scene.effects, group))
+      scene.remarks.push_back(file.place(*members) + ": " + gives_nothing(group, group));
     ObjectReader reader(*members, std::string(group), where, faults);
     read_group(scene.settings, reader, group, faults);
     if (group == "camera") read_camera(scene, reader, where, faults);
@@ -112,7 +125,7 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
   }
   if (const LocatedJson* inputs = file.optional("inputs")) {
     scene.inputs = read_inputs(*inputs, scene.effects, where, faults);
-    scene.remarks = remarks_of(scene.inputs);
+    for (std::string& remark : remarks_of(scene.inputs)) scene.remarks.push_back(std::move(remark));
   }
   file.finish();
 }
@@ -144,6 +157,7 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
     const bool sets = (g.set1.shore && g.set1.height_m > 0.0) || (g.set2.shore && g.set2.height_m > 0.0);
     const bool splines = std::any_of(scene.inputs.begin(), scene.inputs.end(),
                                      [](const InputSpec& spec) { return spec.to == InputTarget::gerstner; });
+    if (!faults.list().empty()) return;  // an input with a fault is not among them
     if (splines && !sets)
       scene.remarks.push_back(
           where + ": inputs to gerstner give nothing, for no set of waves is for them; set gerstner.set1_shore");
@@ -159,6 +173,12 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
     check(effect, [&] { validate(scene.settings.place); });
   check("wave_particles", [&] { validate(scene.settings.wave_particles); });
   return scene;
+}
+
+void set_over_file(Scene& scene, const std::string& option, std::string_view key, std::string_view value) {
+  set_from_text(scene.settings, key, value, option, 2);
+  if (lacks_effect_of(scene.effects, group_of(key)))
+    scene.remarks.push_back(option + ": " + gives_nothing(key, group_of(key)));
 }
 
 Scene parse_scene(std::string_view text, const std::string& where, std::string_view preset) {

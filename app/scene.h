@@ -35,6 +35,10 @@ Scene load_scene(const std::string& name_or_file, std::string_view preset);
 Scene parse_scene(std::string_view text, const std::string& where, std::string_view preset);
 Scene parse_scene(std::string_view text, const std::string& where, std::string_view preset, Faults& faults);
 
+// Sets a value of the command line's `option`; what gives nothing, for the scene lacks its effect, becomes a remark.
+// Throws Error with exit code 2.
+void set_over_file(Scene& scene, const std::string& option, std::string_view key, std::string_view value);
+
 // content/ of this checkout or installation; SEASCAPE_CONTENT names another.
 std::filesystem::path content_directory();
 

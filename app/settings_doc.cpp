@@ -28,7 +28,7 @@ std::string settings_document() {
       "wind and\n"
       "waves go to; the sun's says where it stands. Quality settings are set by the preset unless the scene or `--set` "
       "says\n"
-      "otherwise.\n";
+      "otherwise. Settings of an effect that the scene does not name give nothing; a warning says so.\n";
   const Settings defaults;
   std::string group;
   for (const Setting& setting : settings_table()) {

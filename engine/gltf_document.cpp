@@ -11,6 +11,7 @@
 
 #include "engine/error.h"
 #include "engine/files.h"
+#include "engine/text.h"
 #include "engine/tinygltf_library.h"
 
 namespace seascape {
@@ -108,7 +109,11 @@ class Limits : public nlohmann::json_sax<json> {
   std::size_t values_ = 0, fault_at_ = 0;
 };
 
-json parse_json(std::string_view text, const std::string& where) {
+json parse_json(std::string_view text, const std::string& where, bool packed) {
+  if (packed)  // some writers pad with zeros where the format asks for spaces
+    while (text.ends_with('\0')) text.remove_suffix(1);
+  if (text.find('\0') != text.npos)  // the parser would take it for the end
+    fail(where, "has a zero byte in its JSON", "save it as UTF-8 text, or export it again");
   Limits limits(where);
   if (!json::sax_parse(text.begin(), text.end(), &limits)) {
     const std::size_t at = std::min(limits.fault_at(), text.size());
@@ -142,20 +147,31 @@ void check_asset(const json& root, const std::string& where) {
   }
 }
 
-// Where tinygltf may read from, and how much.
+// Where tinygltf may read from, and how much; and why it may not, where it may not.
 struct Reach {
   fs::path folder;
   std::size_t left = most_buffer_bytes;
+  std::string refusal;
 };
 
 // tinygltf asks for FOLDER/uri, then for ./uri. Only a regular file below the folder counts, links followed.
 bool inside(const std::string& name, void* user) {
-  const Reach& reach = *static_cast<const Reach*>(user);
+  Reach& reach = *static_cast<Reach*>(user);
   if (reach.folder.empty() || !fs::path(name).is_absolute()) return false;
   std::error_code fault;
-  const fs::path real = fs::canonical(name, fault);
-  if (fault || !fs::is_regular_file(real, fault)) return false;
-  return std::mismatch(reach.folder.begin(), reach.folder.end(), real.begin(), real.end()).first == reach.folder.end();
+  const fs::path real = fs::weakly_canonical(name, fault);
+  const bool below =
+      !fault &&
+      std::mismatch(reach.folder.begin(), reach.folder.end(), real.begin(), real.end()).first == reach.folder.end();
+  if (below && fs::is_regular_file(real, fault)) return true;
+  const std::string uri = name.substr(std::min(name.size(), reach.folder.string().size() + 1));
+  const fs::file_status status = fs::status(real, fault);
+  reach.refusal = "its buffer " + in_quotes(uri, 200) +
+                  (!below || uri.starts_with('/') ? " lies outside of the model's folder"
+                   : fs::is_directory(status)     ? " is a folder"
+                   : fs::exists(status)           ? " is no plain file"
+                                                  : " is not there");
+  return false;
 }
 
 std::string same_path(const std::string& name, void*) { return name; }
@@ -187,6 +203,9 @@ void check_buffers(const json& root, bool packed, const std::string& where) {
     if (uri != buffer.end() && (!uri->is_string() || uri->get_ref<const std::string&>().empty()))
       fail(where, fmt::format("buffer {} has a uri that is not a name", i));
     if (uri == buffer.end() && (!packed || i != 0)) fail(where, fmt::format("buffer {} has no uri", i));
+    if (uri != buffer.end() && uri->get_ref<const std::string&>().find("://") != std::string::npos)
+      fail(where, fmt::format("buffer {} is at the address {}", i, in_quotes(uri->get_ref<const std::string&>(), 200)),
+           "copy it beside the model and name that file");
     if (size == buffer.end() || !size->is_number_unsigned() || size->get<std::uint64_t>() == 0 ||
         size->get<std::uint64_t>() > most_buffer_bytes)
       fail(where, fmt::format("buffer {} has a byteLength that is not 1 to {}", i, most_buffer_bytes));
@@ -203,7 +222,7 @@ std::string first_line(const std::string& text) {
 
 tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& folder, const std::string& where) {
   const Chunks chunks = split(bytes, where);
-  json root = parse_json(chunks.text, where);
+  json root = parse_json(chunks.text, where, chunks.packed);
   check_asset(root, where);
   check_buffers(root, chunks.packed, where);
   // What is not used is not parsed a second time.
@@ -249,7 +268,9 @@ tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& 
   } catch (const std::exception& exception) {
     errors = exception.what();
   }
-  if (!good) fail(where, "is a broken model: " + first_line(errors), "put its buffers beside it, or export it again");
+  if (!good)
+    fail(where, "is a broken model: " + (reach.refusal.empty() ? first_line(errors) : reach.refusal),
+         "put its buffers beside it, or export it again");
   return document;
 }
 

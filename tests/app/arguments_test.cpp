@@ -97,6 +97,17 @@ TEST(Arguments, OverridesComeInOrderAndReachTheScene) {
   EXPECT_EQ(scene_from(parse("--stereo per-eye --debug lod"), "low").settings.render.debug, DebugView::lod);
 }
 
+// A setting of an effect that a scene lacks gives nothing, which is told. Control seen: set_over_file() without its
+// remark.
+TEST(Arguments, ASettingOfAnEffectThatTheSceneLacksIsARemark) {
+  const auto remarks = [](const std::string& line) { return scene_from(parse(line), "low").remarks; };
+  EXPECT_EQ(remarks("--scene open_sea --set level.height_m=2 --set waves.chop=0.5 --set place.texel_m=1 --seed 3"),
+            std::vector<std::string>{"--set: level.height_m gives nothing, for the scene does not name the effect "
+                                     "'level'; add \"level\" to its \"effects\""});
+  EXPECT_TRUE(remarks("--scene rivers --set level.height_m=2 --set flow.speed_mps=1 --set foam.life_s=3").empty());
+  EXPECT_EQ(remarks("--scene storm --set level.height_m=2 --set flow.speed_mps=1").size(), 2u);
+}
+
 // What presets are on a device comes before what the command line says. Controls seen: the device left out; the device
 // after the overrides.
 TEST(Arguments, PresetsSuitTheDevice) {
@@ -126,6 +137,9 @@ TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
       {"replay --size -5x5", "--size: '-5x5' is out of range; give two whole numbers from 1 to 16384, as 1280x720"},
       {"replay --size 9999999999999999999999x1",
        "--size: '9999999999999999999999x1' is not WIDTHxHEIGHT; give two whole numbers from 1 to 16384, as 1280x720"},
+      {"query --time= --out o --points p", "--time: no value follows '--time='; leave --time out or give it a value"},
+      {"replay --out= 7", "--out: no value follows '--out='; leave --out out or give it a value"},
+      {"doctor --json=", "--json: no value follows '--json='; leave --json out or give it a value"},
       {"replay --fps 0", "--fps: '0' is out of range; give a number from 0.1 to 1000 1/s"},
       {"replay --fps x", "--fps: 'x' is not a number; give a number from 0.1 to 1000 1/s"},
       {"replay --fps nan", "--fps: 'nan' is not a number; give a number from 0.1 to 1000 1/s"},

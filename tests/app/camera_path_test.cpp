@@ -200,6 +200,20 @@ TEST(CameraPathFile, ASavedPathReadsBackToTheBit) {
   }
 }
 
+// Control seen: a key that takes the place of one whose time is out of range, as 0, is told not to come after it.
+TEST(CameraPathFile, ATimeOutOfRangeIsOneFault) {
+  const std::string keys = R"({"time_s": 5, "position_m": [0, 1, 0]}, {"time_s": -5, "position_m": [0, 1, 0]},
+    {"time_s": "x", "position_m": [0, 1, 0]}, {"time_s": 1e10, "position_m": [0, 1, 0]},
+    {"time_s": 6, "position_m": [0, 1, 0]}, {"time_s": 6, "position_m": [0, 1, 0]})";
+  Faults faults(true);
+  (void)parse_camera_path(R"({"version": 1, "keys": [)" + keys + "]}", "p.json", faults);
+  std::vector<std::string> told;
+  for (const Error& fault : faults.list()) told.push_back(fault.fault());
+  EXPECT_EQ(told, (std::vector<std::string>{"keys[1].time_s: -5 is out of range", "keys[2].time_s: 'x' is not a number",
+                                            "keys[3].time_s: 10000000000 is out of range",
+                                            "keys[5].time_s: 6 does not come after 6 of the key before"}));
+}
+
 TEST(CameraPathFile, FaultsNamePlaceKeyValueAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({"version": 1})",

@@ -49,6 +49,44 @@ TEST(Scene, TheScenesOwnValuesWinOverThePreset) {
   EXPECT_EQ(scene.effects, std::vector<std::string>{"waves"});
 }
 
+// Control seen: read_scene() without its remark; without the look at the effects' own faults foam is told of too.
+TEST(Scene, SettingsOfAnEffectThatItLacksAreARemark) {
+  const std::string text = "{\"version\": 1, \"effects\": [\"waves\"],\n\"level\": {\"height_m\": 2},\n\"sky\": {}}";
+  EXPECT_EQ(
+      parse_scene(text, "s.json", "low").remarks,
+      std::vector<std::string>{"s.json:2: level gives nothing, for the scene does not name the effect 'level'; add "
+                               "\"level\" to its \"effects\""});
+  Faults faults(true);
+  const Scene slip =
+      parse_scene(R"({"version": 1, "effects": ["waves", "fome"], "foam": {"life_s": 3}})", "s.json", "low", faults);
+  EXPECT_EQ(faults.list().size(), 1u);
+  EXPECT_TRUE(slip.remarks.empty());
+}
+
+// A set along splines whose only input has a fault: that is told, and not that there is none. Control seen: the remarks
+// of gerstner in spite of faults.
+TEST(Scene, NoRemarkComesOfAFault) {
+  Faults faults(true);
+  const Scene scene = parse_scene(R"({"version": 1, "effects": ["waves", "gerstner"],
+    "gerstner": {"set1_shore": true, "set1_height_m": 0.3},
+    "inputs": [{"to": "gerstner", "kind": "spline", "points": [[0, 0], [9, 0]], "value": 1, "blend": "scale"}]})",
+                                  "s.json", "low", faults);
+  ASSERT_EQ(faults.list().size(), 1u);
+  EXPECT_EQ(faults.list()[0].fault().substr(0, 6), "blend:");
+  EXPECT_TRUE(scene.remarks.empty());
+}
+
+// Control seen: without the look for it the parser takes a zero byte for the file's end.
+TEST(Scene, NothingMayFollowItsEnd) {
+  const std::string scene = "{\"version\": 1}\n";
+  EXPECT_EQ(fault_of(scene), "");
+  EXPECT_EQ(fault_of(scene + std::string("\0", 1)),
+            "s.json:2: a zero byte where text should be; save the file as UTF-8 text, without what follows its end");
+  EXPECT_EQ(fault_of(scene + std::string("\0 garbage", 9)).substr(0, 20), "s.json:2: a zero byt");
+  EXPECT_NE(fault_of(scene + "garbage").find("s.json:2: not valid JSON"), std::string::npos);
+  EXPECT_NE(fault_of(scene + "{}").find("s.json:2: not valid JSON"), std::string::npos);
+}
+
 // Control: Place::line_of_number without its correction puts this fault on line 4.
 TEST(Scene, FaultsNameTheirLine) {
   EXPECT_EQ(fault_of("{\n\"version\": 1,\n\"waves\": {\"chop\":\n3\n}\n}"),

@@ -43,8 +43,8 @@ std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Control: inside() answering yes to every regular file reads the buffer above the folder, and the one through the
-// link.
+// Controls: inside() answering yes to every regular file reads the buffer above the folder, and the one through the
+// link; without its refusal tinygltf's own "File not found" is told of all.
 TEST(GltfFaults, BuffersOnlyFromTheModelsFolder) {
   const TemporaryFolder folder;
   const GltfMaker maker = triangle();
@@ -62,9 +62,20 @@ TEST(GltfFaults, BuffersOnlyFromTheModelsFolder) {
   EXPECT_EQ(load("beside%20it.bin").parts.size(), 1u);
   EXPECT_EQ(load("below/b.bin").name, "a");
   EXPECT_EQ(load("data:application/octet-stream;base64," + test::base64(maker.data)).parts[0].positions[1].z, 1.0f);
-  for (const char* uri : {"../above.bin", "link.bin", "pipe.bin", "none.bin", "below", "/etc/passwd",
-                          "file:///etc/passwd", "http://localhost/a.bin", "..%2Fabove.bin"})
-    EXPECT_THAT(error_of([&] { load(uri); }), HasSubstr("a.gltf: is a broken model: File not found")) << uri;
+  const std::string outside = "' lies outside of the model's folder; put its buffers beside it";
+  const std::pair<const char*, std::string> refused[] = {
+      {"../above.bin", "is a broken model: its buffer '../above.bin" + outside},
+      {"../none.bin", "is a broken model: its buffer '../none.bin" + outside},
+      {"..%2Fabove.bin", "is a broken model: its buffer '../above.bin" + outside},
+      {"link.bin", "is a broken model: its buffer 'link.bin" + outside},
+      {"/etc/passwd", "is a broken model: its buffer '/etc/passwd" + outside},
+      {"pipe.bin", "is a broken model: its buffer 'pipe.bin' is no plain file"},
+      {"none.bin", "is a broken model: its buffer 'none.bin' is not there"},
+      {"below", "is a broken model: its buffer 'below' is a folder"},
+      {"file:///etc/passwd", "buffer 0 is at the address 'file:///etc/passwd'; copy it beside the model"},
+      {"http://localhost/a.bin", "buffer 0 is at the address 'http://localhost/a.bin'; copy it beside the model"}};
+  for (const auto& [uri, told] : refused)
+    EXPECT_THAT(error_of([&, uri = uri] { load(uri); }), HasSubstr("a.gltf: " + told)) << uri;
   write_atomically(folder / "model/short.bin", data.substr(1));
   EXPECT_THAT(error_of([&] { load("short.bin"); }), HasSubstr("File size mismatch"));
   write_atomically(folder / "model/empty.bin", std::string_view());
@@ -90,6 +101,7 @@ TEST(GltfFaults, WhatIsNoModel) {
   EXPECT_THAT(fault_of(std::string(R"({"asset":{"version":"1.0"}})")), HasSubstr("version 1.0, not 2"));
   EXPECT_THAT(fault_of(std::string(R"({"asset":{"version":"2.1","minVersion":"2.1"}})")), HasSubstr("newer glTF"));
   EXPECT_THAT(fault_of(std::string(R"({"asset":{"version":"2.0"}})")), HasSubstr("no triangles"));
+  EXPECT_THAT(fault_of(R"({"asset":{"version":"2.0"}})" + std::string("\0{", 2)), HasSubstr("a zero byte in its JSON"));
   GltfMaker maker = triangle();
   maker.extra = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
   EXPECT_THAT(fault_of(maker), HasSubstr("requires the extension KHR_draco_mesh_compression"));
