@@ -34,7 +34,7 @@ Commands:
   doctor     Say which devices there are, what is missing and how to get it
 
 Options of every command: --help, --seed, --set key=value, --log-level. Settings: docs/settings.md
-Exit status: 0 done, 1 a fault, 2 wrong usage.
+Exit status: 0 done, 1 a fault, 2 wrong usage; a signal ends it as that signal does, with a line.
 
 Examples:
   seascape

@@ -13,6 +13,7 @@
 #include "engine/error.h"
 #include "engine/files.h"
 #include "engine/image_file.h"
+#include "engine/output_folder.h"
 #include "ocean/effects.h"
 
 namespace seascape {
@@ -27,7 +28,7 @@ int run_bake(const Arguments& arguments) {
       if (entry.name == source) spdlog::warn("{} has a tile of its own and is not in the loop", entry.name);
   const LoopRequest& request = recorder.request();
   const fs::path out = arguments.out;
-  make_output_directory(out);
+  const OutputFolder held(out);
   std::error_code ignored;
   // While frames are of two loops there is no manifest, so that nobody plays them.
   fs::remove(out / loop_manifest, ignored);

@@ -20,6 +20,8 @@
 #include "app/trace.h"
 #include "engine/error.h"
 #include "engine/files.h"
+#include "engine/output_folder.h"
+#include "engine/text.h"
 #include "platform/window.h"
 
 namespace seascape {
@@ -27,6 +29,8 @@ namespace seascape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* partial_csv = "capture.partial.csv";
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -37,6 +41,7 @@ double ms_since(Clock::time_point start) {
 struct Measured {
   CaptureRun run;
   std::vector<double> interval_ms;
+  std::size_t whole = 0;  // frames so far that have all their times
 };
 
 // Adds times by name to a frame's. Those of one name count together.
@@ -79,8 +84,8 @@ std::unique_ptr<Display> make_display(const HeadlessOptions& options, WindowSyst
   return window;
 }
 
-// `windows`: null to measure without a screen.
-Measured measure(const Arguments& arguments, Program& program, WindowSystem* windows) {
+// Into `result`, which holds what was measured so far where this throws. `windows`: null to measure without a screen.
+void measure(const Arguments& arguments, Program& program, WindowSystem* windows, Measured& result) {
   Device& device = *program.device;
   const RenderSettings& render = program.scene.settings.render;
   const CameraPath path = path_from(arguments, program.scene);
@@ -91,7 +96,6 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
                         {options.width, options.height, options.views, per_eye, false});
   Frame& frame = experience.frame();
 
-  Measured result;
   CaptureRun& run = result.run;
   run.scene = program.scene.name;
   run.path = path.name;
@@ -119,6 +123,7 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
                   "let it be, or measure headless");
     if (!shown.should_render) {  // hidden or minimised: nothing is measured meanwhile
       display->end(frame, nullptr);
+      progress.step(std::size_t(i));
       continue;
     }
     experience.resize(shown.width, shown.height);
@@ -143,8 +148,11 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
       now.dispatches = frame.counts().dispatches;
     }
     if (device.facts().timestamps && first_number && frame.timed_frame() >= first_number &&
-        frame.timed_frame() < first_number + std::uint64_t(count))
-      take_gpu_times(frame, run, run.frames[std::size_t(frame.timed_frame() - first_number)]);
+        frame.timed_frame() < first_number + std::uint64_t(count)) {
+      result.whole = std::size_t(frame.timed_frame() - first_number);
+      take_gpu_times(frame, run, run.frames[result.whole++]);
+    }
+    if (measured && !device.facts().timestamps) result.whole = std::size_t(number) + 1;
     progress.step(std::size_t(++i));
     if (measured) result.interval_ms[std::size_t(number)] = ms_since(interval);
   }
@@ -156,7 +164,26 @@ Measured measure(const Arguments& arguments, Program& program, WindowSystem* win
   run.height = int(experience.options().height);
   run.memory = memory_of(device);
   expect_no_validation_messages(device);
-  return result;
+}
+
+// Keeps the rows of a capture that did not come to its end, under a name that says so, and says what it kept.
+std::string keep_whole_rows(const std::filesystem::path& out, std::vector<Measured>& all) {
+  std::vector<CaptureRun> runs;
+  std::size_t rows = 0;
+  for (Measured& measured : all) {
+    if (measured.whole == 0) continue;
+    rows += measured.whole;
+    runs.push_back(std::move(measured.run));
+    runs.back().frames.resize(measured.whole);
+  }
+  if (rows == 0) return "before a row was whole";
+  const std::filesystem::path file = out / partial_csv;
+  try {
+    write_capture_csv(file, runs);
+  } catch (const Error& fault) {
+    return fmt::format("{} rows were measured and are lost: {}", rows, fault.what());
+  }
+  return fmt::format("the {} rows measured so far are kept in {}", rows, file.string());
 }
 
 void print_table(const std::vector<Measured>& all) {
@@ -184,6 +211,9 @@ int run_capture(const Arguments& arguments) {
   const std::filesystem::path out = arguments.out;
   std::vector<CaptureRun> before;
   if (!arguments.against.empty()) {
+    if (same_file(arguments.against, out / "capture.csv"))
+      throw Error("--out", in_quotes(arguments.against, 400) + " of --against would be replaced",
+                  "give another folder, or copy the file first", 2);
     before = parse_capture_csv(read_text(arguments.against), arguments.against);
     expect_repeats(before, arguments.against);
     if (arguments.repeat < least_repeats)
@@ -201,21 +231,31 @@ int run_capture(const Arguments& arguments) {
   }
   std::vector<Measured> all;
   Machine machine;
-  for (const std::string& preset : presets) {
-    Program program = make_program(arguments, preset, options);
-    if (all.empty()) {  // every fault that can be known is told before the long work
-      (void)path_from(arguments, program.scene);
-      make_output_directory(out);
-      machine = machine_of(program.device->facts(), program.scene.settings.sea.seed);
+  std::optional<OutputFolder> held;
+  std::optional<StopLater> while_measured;  // a signal may come while the next preset's scene is made
+  try {
+    for (const std::string& preset : presets) {
+      Program program = make_program(arguments, preset, options);
+      if (all.empty()) {  // every fault that can be known is told before the long work
+        (void)path_from(arguments, program.scene);
+        held.emplace(out);
+        while_measured.emplace();
+        machine = machine_of(program.device->facts(), program.scene.settings.sea.seed);
+      }
+      for (int n = 0; n < arguments.repeat; ++n)
+        measure(arguments, program, windows ? &*windows : nullptr, all.emplace_back());
     }
-    for (int n = 0; n < arguments.repeat; ++n)
-      all.push_back(measure(arguments, program, windows ? &*windows : nullptr));
+  } catch (const Error& fault) {
+    if (all.empty()) throw;
+    throw Error(fault.where(), fault.fault() + ", " + keep_whole_rows(out, all), fault.remedy(), fault.exit_code());
   }
   std::vector<CaptureRun> runs;
   for (const Measured& measured : all) runs.push_back(measured.run);
   write_capture_csv(out / "capture.csv", runs);
   write_trace(out / "trace.json", runs);
   write_report(out / "report.html", machine, runs);
+  std::error_code ignored;
+  std::filesystem::remove(out / partial_csv, ignored);  // of an earlier run
   print_table(all);
   // Both as files hold them.
   if (!arguments.against.empty())

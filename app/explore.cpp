@@ -10,7 +10,7 @@
 #include "app/progress.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
-#include "engine/files.h"
+#include "engine/output_folder.h"
 #include "platform/headless.h"
 
 namespace seascape {
@@ -48,7 +48,7 @@ void explore_in_window(const Arguments& arguments) {
 // Draws as many frames as asked for, one by default, and keeps the last as pictures.
 void explore_headless(const Arguments& arguments) {
   Program program = make_program(arguments, device_options());
-  make_output_directory(arguments.out);
+  const OutputFolder held(arguments.out);
   const Settings& settings = program.scene.settings;
   HeadlessOptions options;
   if (arguments.width) options.width = std::uint32_t(arguments.width);

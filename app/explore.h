@@ -1,5 +1,7 @@
 // Explore in a window: the loop that turns keys, mouse and panel into the camera's and the sea's movement.
 #pragma once
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,7 +44,9 @@ class Explorer {
   // On the terminal and, for a few seconds, in the window.
   void tell(const std::string& line);
   void tell_fault(const std::string& line);
-  std::filesystem::path free_name(const std::string& stem, const std::string& ending) const;
+  // Makes a file of a free name, has it written, and tells of it; no empty one is left by a fault.
+  void keep(const std::string& what, const std::string& stem, const std::string& ending,
+            const std::function<void(const std::filesystem::path&)>& write);
 
   double sea_time_s() const;
   void begin_time();  // as a scene begins

@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/files.h"
 #include "engine/multiview_check.h"
+#include "engine/signals.h"
 
 namespace seascape {
 
@@ -103,11 +104,17 @@ void Explorer::tell_fault(const std::string& line) {
   message_until_s_ = now_s_ + 2.0 * message_s;
 }
 
-std::filesystem::path Explorer::free_name(const std::string& stem, const std::string& ending) const {
-  for (int number = 1;; ++number) {
-    const std::filesystem::path file =
-        std::filesystem::path(arguments_.out) / fmt::format("{}_{:03}{}", stem, number, ending);
-    if (!std::filesystem::exists(file)) return file;
+void Explorer::keep(const std::string& what, const std::string& stem, const std::string& ending,
+                    const std::function<void(const std::filesystem::path&)>& write) {
+  std::filesystem::path file;
+  try {
+    file = make_numbered_file(arguments_.out, stem, ending);
+    write(file);
+    tell(what + ": " + file.string());
+  } catch (const Error& fault) {
+    std::error_code ignored;
+    if (std::filesystem::is_empty(file, ignored)) std::filesystem::remove(file, ignored);
+    tell_fault(fault.what());
   }
 }
 
@@ -193,21 +200,15 @@ void Explorer::next_debug_view() {
 }
 
 void Explorer::take_screenshot() {
-  try {
-    make_output_directory(arguments_.out);
+  const int views = window_.views();
+  keep("screenshot", "screenshot", views == 1 ? ".png" : "_left.png", [&](const std::filesystem::path& file) {
     experience_->frame().finish();
-    const int views = window_.views();
-    std::filesystem::path file = free_name("screenshot", views == 1 ? ".png" : "_left.png");
-    const std::string first = file.string();
     write_png(file, picture_of(*program_.device, *experience_, 0));
-    if (views == 2) {
-      file = first.substr(0, first.size() - std::string_view("_left.png").size()) + "_right.png";
-      write_png(file, picture_of(*program_.device, *experience_, 1));
-    }
-    tell("screenshot: " + first);
-  } catch (const Error& fault) {
-    tell_fault(fault.what());
-  }
+    if (views == 1) return;
+    const std::string first = file.string();
+    write_png(first.substr(0, first.size() - std::string_view("_left.png").size()) + "_right.png",
+              picture_of(*program_.device, *experience_, 1));
+  });
 }
 
 void Explorer::toggle_recording() {
@@ -217,14 +218,9 @@ void Explorer::toggle_recording() {
     tell("path: recording");
     return;
   }
-  try {
-    make_output_directory(arguments_.out);
-    const std::filesystem::path file = free_name("recorded", ".json");
+  keep("path", "recorded", ".json", [&](const std::filesystem::path& file) {
     save_camera_path(recorder_.stop(now_s_, camera_.pose(), scene_time_s(), file.stem().string()), file);
-    tell("path: " + file.string());
-  } catch (const Error& fault) {
-    tell_fault(fault.what());
-  }
+  });
 }
 
 void Explorer::keys(const Input& input) {
@@ -401,7 +397,8 @@ void Explorer::run() {
   std::fflush(stdout);
   double last_s = window_.begin().time_s;
   window_.end(experience_->frame(), nullptr);
-  for (int drawn = 0; !leaving_ && (arguments_.frames == 0 || drawn < arguments_.frames);) {
+  const StopLater between_frames;  // a signal ends the loop, and what was recorded is kept
+  for (int drawn = 0; !leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn < arguments_.frames);) {
     const DisplayFrame shown = window_.begin();
     if (shown.closed) break;
     const double passed_s = shown.time_s - last_s, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
@@ -426,6 +423,7 @@ void Explorer::run() {
   }
   if (recorder_.recording()) toggle_recording();  // what was recorded is kept
   experience_->frame().finish();
+  throw_if_stopped("explore");
 }
 
 }  // namespace seascape

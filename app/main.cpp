@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "engine/error.h"
+#include "engine/signals.h"
 
 namespace {
 
@@ -50,6 +51,7 @@ int report(const std::string& line, int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  take_signals();
   try {
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
     const Arguments arguments = parse_arguments(words);
@@ -61,7 +63,9 @@ int main(int argc, char** argv) {
       throw Error("standard output", "it cannot be written to", "check the disk or the pipe it goes to");
     return exit_code;
   } catch (const Error& fault) {
-    return report(fault.what(), fault.exit_code());
+    report(fault.what(), fault.exit_code());
+    if (fault.exit_code() > 128) end_by_signal(fault.exit_code() - 128);
+    return fault.exit_code();
   } catch (const std::bad_alloc&) {
     return report("out of memory; close other programs, or take a smaller --size or a lower --preset", 1);
   } catch (const std::exception& fault) {

@@ -17,6 +17,7 @@
 #include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/files.h"
+#include "engine/output_folder.h"
 #include "ocean/effects.h"
 
 namespace seascape {
@@ -212,7 +213,7 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
 int run_plan(const Arguments& arguments) {
   if (!arguments.matrix.empty()) {  // a faulty scene is told before a folder is made
     (void)scene_from(arguments, "high");
-    make_output_directory(arguments.matrix);
+    const OutputFolder held(arguments.matrix);
     Progress progress("plan: preset", preset_names().size());
     std::size_t done = 0;
     for (const std::string_view preset : preset_names()) {

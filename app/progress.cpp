@@ -18,6 +18,7 @@ Progress::~Progress() {
 }
 
 void Progress::step(std::size_t done) {
+  if (stop_is_asked()) throw_if_stopped(what_ + " " + std::to_string(done) + "/" + std::to_string(total_));
   if (!on_terminal_ || Clock::now() < next_) return;
   next_ = Clock::now() + pause;
   shown_ = true;

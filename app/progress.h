@@ -1,8 +1,10 @@
-// Progress on a terminal for whatever takes over a second.
+// Progress of whatever takes over a second: told on a terminal, and ended by a signal between two steps.
 #pragma once
 #include <chrono>
 #include <cstddef>
 #include <string>
+
+#include "engine/signals.h"
 
 namespace seascape {
 
@@ -15,11 +17,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void step(std::size_t done);  // of `total`, so far
+  void step(std::size_t done);  // of `total`, so far; throws where a signal asks to stop (throw_if_stopped)
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  StopLater between_steps_;
   std::string what_;
   std::size_t total_;
   bool on_terminal_;

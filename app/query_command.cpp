@@ -147,6 +147,23 @@ std::string query_csv(const Scene& scene, const QueryRequest& request, std::span
 }
 
 namespace {
+// A table in the place of what it is made from cannot be made again.
+void refuse_to_replace(const Arguments& arguments, const Scene& scene) {
+  std::vector<std::filesystem::path> read{arguments.points, scene.file};
+  for (const InputSpec& input : scene.inputs) {
+    if (const auto* shape = std::get_if<ShapeInput>(&input.shape))
+      read.push_back(scene.file.parent_path() / shape->file);
+    if (const auto* texture = std::get_if<TextureInput>(&input.shape))
+      read.push_back(scene.file.parent_path() / texture->file);
+  }
+  for (const std::filesystem::path& file : read)
+    if (same_file(file, arguments.out))
+      throw Error(
+          "--out",
+          in_quotes(arguments.out, 400) + " is the file " + in_quotes(file.string(), 400) + " that the query reads",
+          "name another file", 2);
+}
+
 std::vector<QueryRay> parse_rays(const std::string& file) {
   constexpr std::array<std::string_view, 6> columns{"x", "y", "z", "direction_x", "direction_y", "direction_z"};
   const std::vector<double> numbers = parse_table(read_text(file), file, columns);
@@ -164,6 +181,7 @@ std::vector<QueryRay> parse_rays(const std::string& file) {
 int run_query(const Arguments& arguments) {
   const Scene scene = scene_from(arguments, arguments.preset);
   tell_remarks(scene);
+  refuse_to_replace(arguments, scene);
   QueryRequest request{.times_s = {arguments.time_s},
                        .time_column = arguments.times.has_value(),
                        .all_columns = arguments.all_columns,

@@ -10,7 +10,7 @@
 #include "app/report_replay.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
-#include "engine/files.h"
+#include "engine/output_folder.h"
 
 namespace seascape {
 
@@ -69,7 +69,7 @@ int run_replay(const Arguments& arguments) {
                 "choose an earlier one", 2);
   const int count = arguments.frames > 0 ? arguments.frames : path_frames - arguments.start;
   const std::filesystem::path out = arguments.out;
-  make_output_directory(out);
+  const OutputFolder held(out);
 
   const RenderSettings& render = program.scene.settings.render;
   const HeadlessOptions options = headless_options(arguments, render);

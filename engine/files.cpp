@@ -4,31 +4,22 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <system_error>
 
-#include <fmt/format.h>
-
-#include "engine/error.h"
-
-#if defined(_WIN32)
-#include <process.h>
-#include <windows.h>
-#else
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#endif
+
+#include "engine/descriptors.h"
+#include "engine/error.h"
+#include "engine/signals.h"
 
 namespace seascape {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
 
 struct Advice {
   std::string what, remedy;
@@ -82,40 +73,37 @@ template <class Bytes>
 Bytes read_whole(const fs::path& file, std::size_t most_bytes) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) fail(file, EISDIR, false);
-  const File in(std::fopen(file.string().c_str(), "rb"));
-  if (!in) fail(file, errno, false);
+  const Descriptor in = open_to_read(file);
+  struct stat status {};
+  if (!in || fstat(in.number(), &status) != 0) fail(file, errno, false);
+  const bool plain = S_ISREG(status.st_mode);
   const auto too_large = [&] {
-    throw Error(file.string(), fmt::format("is larger than {} MiB", most_bytes >> 20), "use a smaller file");
+    throw Error(file.string(), fmt::format("is larger than {} MiB", most_bytes >> 20),
+                plain ? "use a smaller file" : "end the input sooner");
   };
   Bytes bytes;
-  const std::uintmax_t stated = fs::is_regular_file(file, ignored) ? fs::file_size(file, ignored) : 0;
-  if (!ignored && stated != static_cast<std::uintmax_t>(-1)) {
-    if (stated > most_bytes) too_large();
-    bytes.reserve(static_cast<std::size_t>(stated));
+  if (plain) {
+    if (std::uintmax_t(status.st_size) > most_bytes) too_large();
+    bytes.reserve(static_cast<std::size_t>(status.st_size));
   }
+  InputWait wait(file, in);
   std::vector<char> block(std::size_t{1} << 16);
   for (;;) {
-    const std::size_t got = std::fread(block.data(), 1, block.size(), in.get());
-    if (bytes.size() + got > most_bytes) too_large();
-    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(got));
-    if (got < block.size()) break;
+    if (!plain) wait.until_ready();
+    const ssize_t got = read(in.number(), block.data(), block.size());
+    if (got == 0) break;
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (got < 0) fail(file, errno, false);
+    if (bytes.size() + std::size_t(got) > most_bytes) too_large();
+    bytes.insert(bytes.end(), block.begin(), block.begin() + got);
   }
-  if (std::ferror(in.get())) fail(file, errno, false);
   return bytes;
-}
-
-long process_number() {
-#if defined(_WIN32)
-  return _getpid();
-#else
-  return static_cast<long>(getpid());
-#endif
 }
 
 fs::path temporary_name(const fs::path& file) {
   static std::atomic<unsigned> counter{0};  // two threads may write the same file at once
   fs::path name = file;
-  name += fmt::format(".tmp-{}-{}", process_number(), counter.fetch_add(1));
+  name += fmt::format(".tmp-{}-{}", long(getpid()), counter.fetch_add(1));
   return name;
 }
 
@@ -155,9 +143,16 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
   std::error_code fault;
   const fs::file_status status = fs::status(file, fault);
   if (status.type() == fs::file_type::directory) fail(file, EISDIR, true);
-  if (fs::exists(status) && status.type() != fs::file_type::regular) {  // a device or a pipe: nothing to rename over
-    std::FILE* out = std::fopen(file.string().c_str(), "wb");
+  const bool descriptor = leads_to_descriptor(file);
+  if (descriptor || (fs::exists(status) && status.type() != fs::file_type::regular)) {  // nothing to rename over
+    if (descriptor) std::fflush(stdout);  // what was printed before comes before
+    Descriptor opened = open_to_write(file);
+    if (!opened && descriptor && (errno == EBADF || errno == ENOENT))
+      throw Error(file.string(), "no such descriptor is open", "open it, as in 3> file, or name a file");
+    if (!opened) fail(file, errno, true);
+    std::FILE* out = fdopen(opened.number(), "wb");
     if (!out) fail(file, errno, true);
+    (void)opened.release();
     if (const int code = write_whole(out, bytes)) fail(file, code, true);
     return;
   }
@@ -166,10 +161,9 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
     target = fs::canonical(file, fault);
     if (fault) fail(file, fault.value(), true);
   }
-#if !defined(_WIN32)
   // A rename needs no right on the old file itself; a file that its owner protected is still refused.
   if (fs::exists(status) && faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(file, errno, true);
-#endif
+  const StopLater whole;  // a signal leaves no temporary file
   const fs::path temporary = temporary_name(target);
   std::FILE* out = std::fopen(temporary.string().c_str(), "wbx");
   if (!out) fail(file, errno, true);
@@ -207,17 +201,28 @@ void make_output_directory(const fs::path& directory) {
   if (code) fail(folder, code, true);
 }
 
+fs::path make_numbered_file(const fs::path& folder, const std::string& stem, const std::string& ending) {
+  make_output_directory(folder);
+  for (int number = 1;; ++number) {
+    fs::path file = folder / fmt::format("{}_{:03}{}", stem, number, ending);
+    if (std::FILE* made = std::fopen(file.string().c_str(), "wbx")) {
+      std::fclose(made);
+      return file;
+    }
+    if (errno != EEXIST) fail(file, errno, true);
+  }
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored) && fs::is_regular_file(a, ignored);
+}
+
 fs::path executable_directory() {
-#if defined(_WIN32)
-  wchar_t name[32768];
-  const DWORD length = GetModuleFileNameW(nullptr, name, 32768);
-  return fs::path(std::wstring_view(name, length)).parent_path();
-#else
   std::error_code fault;
   const fs::path program = fs::read_symlink("/proc/self/exe", fault);
   if (fault) throw Error("/proc/self/exe", "cannot tell where the program lies", "mount /proc");
   return program.parent_path();
-#endif
 }
 
 }  // namespace seascape

@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "engine/error.h"
 #include "engine/files.h"
+#include "engine/output_folder.h"
 
 namespace seascape {
 
@@ -123,7 +124,7 @@ int run_lab(const Arguments& arguments) {
       return recommend(rows.points, arguments.budget_ms);
     }
   }
-  make_output_directory(out);
+  const OutputFolder held(out);
   LabOptions options;
   options.quick = arguments.quick;
   options.seed = settings.sea.seed;

@@ -2,6 +2,7 @@
 // test; each was seen to fail.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <set>
 #include <thread>
 
@@ -249,6 +250,17 @@ TEST_F(OnADesktop, hard_42_a_hidden_window_draws_nothing_and_comes_back) {
   EXPECT_LT(load_camera_path(file).duration_s(), all_s - 2.5);
   manager.close_button(window);
   expect_clean_end();
+}
+
+// Control seen: a loop of frames that does not look for a signal is ended by it, without recorded_001.json.
+TEST_F(OnADesktop, ASignalKeepsWhatWasRecorded) {
+  start();
+  key("r");
+  ASSERT_EQ(line("path: ", 0), "recording") << program_->err();
+  program_->send(SIGTERM);
+  EXPECT_EQ(program_->exit_code(), 128 + SIGTERM);
+  EXPECT_NE(program_->err().find("seascape: explore: stopped by SIGTERM; "), std::string::npos) << program_->err();
+  EXPECT_FALSE(load_camera_path((folder_ / "out/recorded_001.json").string()).keys.empty());
 }
 
 // What the window itself shows: on the left the left eye's picture and on the right the right one's, which are what a

@@ -1,5 +1,6 @@
 #include "engine/files.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -8,6 +9,8 @@
 
 #include <csignal>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <thread>
 
 #include "tests/support/expect_error.h"
@@ -174,6 +177,85 @@ TEST(Files, MakesOutputDirectories) {
   const SmallDisk disk(0);
   error_of([&] { make_output_directory(folder / "a b/c"); });
   EXPECT_TRUE(std::filesystem::is_empty(folder / "a b/c"));
+}
+
+// Control seen: without leads_to_descriptor() in write_atomically the file behind it is replaced, and what was there
+// before is gone.
+TEST(Files, ADescriptorIsWrittenToAndTheFileBehindItStays) {
+  const TemporaryFolder folder;
+  const int log = open((folder / "log").c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
+  ASSERT_EQ(write(log, "before\n", 7), 7);
+  const std::string name = "/dev/fd/" + std::to_string(log);
+  std::filesystem::create_symlink(name, folder / "link");
+  write_atomically(name, std::string_view("now\n"));
+  write_atomically("/proc/self/fd/" + std::to_string(log), std::string_view("again\n"));
+  write_atomically(folder / "link", std::string_view("by a link\n"));
+  ASSERT_EQ(write(log, "after\n", 6), 6);
+  close(log);
+  EXPECT_EQ(read_text(folder / "log"), "before\nnow\nagain\nby a link\nafter\n");
+  EXPECT_THAT(error_of([&] { write_atomically(name, std::string_view("x")); }),
+              HasSubstr("no such descriptor is open"));
+  EXPECT_THAT(folder.names(), ElementsAre("link", "log"));
+}
+
+// Controls seen: a reader that does not ask poll() first finds the end before the writer comes; one that does not try
+// again at EAGAIN says that reading failed; a writer opened but once says that there is no such device.
+TEST(Files, PipesAreReadAndWrittenWhenTheOtherSideComes) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe", text(300000, 'x');
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto later = [](const std::function<void()>& work) {
+    return std::thread([work] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      work();
+    });
+  };
+  const auto in_parts = [&] {
+    std::ofstream writer(pipe);
+    for (int i = 0; i < 3; ++i) {
+      writer << text << std::flush;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  };
+  std::thread writer = later(in_parts);
+  EXPECT_EQ(read_text(pipe), text + text + text);
+  writer.join();
+  std::string got;
+  const auto take = [&] { got = read_text(pipe); };
+  std::thread reader = later(take);
+  write_atomically(pipe, text);
+  reader.join();
+  EXPECT_EQ(got, text);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+// Control seen: names alone compared.
+TEST(Files, KnowsTwoNamesOfOneFile) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) write_atomically(folder / name, std::string_view("x"));
+  std::filesystem::create_symlink("a", folder / "soft");
+  std::filesystem::create_hard_link(folder / "a", folder / "hard");
+  for (const std::filesystem::path& other :
+       {folder / "a", folder / "soft", folder / "hard", folder.path() / ".." / folder.path().filename() / "a"}) {
+    EXPECT_TRUE(same_file(folder / "a", other)) << other;
+    EXPECT_FALSE(same_file(folder / "b", other)) << other;
+  }
+  EXPECT_FALSE(same_file("/dev/null", "/dev/null")) << "nothing of a device is lost";
+  EXPECT_FALSE(same_file(folder / "none", folder / "none"));
+}
+
+// Control seen: names that are looked for and not made are given to several threads.
+TEST(Files, ANumberedNameIsGivenOnce) {
+  const TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int n = 0; n < 5; ++n) make_numbered_file(folder / "out", "shot", ".png");
+    });
+  for (std::thread& thread : threads) thread.join();
+  const auto files = std::filesystem::directory_iterator(folder / "out");
+  EXPECT_EQ(std::distance(begin(files), end(files)), 20);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/shot_020.png"));
 }
 
 // Control: without the check of the magic number, text of the right size passes.

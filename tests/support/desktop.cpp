@@ -74,6 +74,8 @@ bool Background::running() {
   return false;
 }
 
+void Background::send(int signal) { kill(child_, signal); }
+
 int Background::exit_code(double patience_s) {
   wait_until([this] { return !running(); }, patience_s);
   return exit_code_;

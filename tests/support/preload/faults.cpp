@@ -2,10 +2,11 @@
 // without memory, a device that is lost, a process killed while it writes. The program itself knows nothing of it.
 //   SEASCAPE_FAIL_FROM=n       the n-th object or allocation asked of the device, and all after it, get
 //   VK_ERROR_OUT_OF_DEVICE_MEMORY SEASCAPE_FAIL_ONCE=n       the n-th alone SEASCAPE_LOSE_AT=n         the n-th
-//   submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST SEASCAPE_KILL_AT_WRITE=n   SIGKILL in the middle
-//   of the n-th write into a file of a temporary name SEASCAPE_KILL_AT_RENAME=n  SIGKILL just before the n-th such file
-//   gets its own name SEASCAPE_COUNTS=FILE       written at the end: how many objects, submissions, writes and renames
-//   there were
+//   submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST SEASCAPE_STOP_AT=n         SIGTERM at the n-th
+//   submission SEASCAPE_CRASH_AT=n         SIGSEGV there SEASCAPE_STOP_AT_WRITE=n   SIGTERM at the n-th such write
+//   SEASCAPE_KILL_AT_WRITE=n   SIGKILL in the middle of the n-th write into a file of a temporary name
+//   SEASCAPE_KILL_AT_RENAME=n  SIGKILL just before the n-th such file gets its own name SEASCAPE_COUNTS=FILE written at
+//   the end: how many objects, submissions, writes and renames there were
 #include <dlfcn.h>
 #include <signal.h>
 #include <unistd.h>
@@ -27,7 +28,8 @@ long number(const char* name) {
 
 const long fail_from = number("SEASCAPE_FAIL_FROM"), fail_once = number("SEASCAPE_FAIL_ONCE"),
            lose_at = number("SEASCAPE_LOSE_AT"), kill_at_write = number("SEASCAPE_KILL_AT_WRITE"),
-           kill_at_rename = number("SEASCAPE_KILL_AT_RENAME");
+           kill_at_rename = number("SEASCAPE_KILL_AT_RENAME"), stop_at = number("SEASCAPE_STOP_AT"),
+           stop_at_write = number("SEASCAPE_STOP_AT_WRITE"), crash_at = number("SEASCAPE_CRASH_AT");
 std::atomic<long> objects{0}, submissions{0}, writes{0}, renames{0};
 std::atomic<bool> lost{false};
 
@@ -117,7 +119,10 @@ extern "C" {
 
 __attribute__((visibility("default"))) VkResult vkQueueSubmit(VkQueue queue, uint32_t count,
                                                               const VkSubmitInfo* submits, VkFence fence) {
-  if (++submissions == lose_at) lost = true;
+  const long n = ++submissions;
+  if (n == lose_at) lost = true;
+  if (n == stop_at) raise(SIGTERM);
+  if (n == crash_at) raise(SIGSEGV);
   if (lost) return VK_ERROR_DEVICE_LOST;
   static const auto real = next<PFN_vkQueueSubmit>("vkQueueSubmit");
   return real(queue, count, submits, fence);
@@ -166,11 +171,13 @@ __attribute__((visibility("default"))) size_t fwrite(const void* from, size_t si
     const std::lock_guard lock(mutex);
     ours = opened().count(file) != 0;
   }
-  if (ours && ++writes == kill_at_write) {
+  const long n = ours ? ++writes : 0;
+  if (ours && n == kill_at_write) {
     real(from, 1, size * count / 2, file);
     std::fflush(file);
     raise(SIGKILL);
   }
+  if (ours && n == stop_at_write) raise(SIGTERM);
   return real(from, size, count, file);
 }
 
