@@ -11,6 +11,8 @@
 #include <malloc.h>
 #endif
 
+#include "engine/address_space.h"
+#include "engine/driver_files.h"
 #include "engine/error.h"
 
 namespace seascape {
@@ -56,6 +58,17 @@ VkResult check(VkResult result, const char* call) {
   throw Error("Vulkan", fmt::format("{} failed: {} ({})", call, result_name(result), int(result)), remedy);
 }
 
+static void expect_driver_files() {
+  const std::string fault = driver_files_fault();
+  if (!fault.empty())
+    throw Error("Vulkan", "no driver answers: " + fault,
+                "correct or unset the variable, or install mesa-vulkan-drivers or your GPU's driver");
+}
+
+[[noreturn]] static void throw_no_driver() {
+  throw Error("Vulkan", "no driver answers", "install mesa-vulkan-drivers or your GPU's driver");
+}
+
 // A software driver allocates and frees some 12 MB a frame. What glibc gives back to the system in between costs a page
 // fault, and a page to clear, for every 4 KiB of the next frame: 3,000 a frame of open_sea (docs/performance.md).
 static void keep_freed_memory() {
@@ -75,6 +88,7 @@ VkBool32 Device::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtils
 }
 
 Device::Device(const DeviceOptions& options) {
+  expect_address_space();
   try {
     create_instance(options);
     choose_physical(options);
@@ -127,9 +141,8 @@ void Device::create_instance(const DeviceOptions& options) {
   info.enabledExtensionCount = std::uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-    throw Error("Vulkan", "no driver answers",
-                "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_OUT_OF_HOST_MEMORY) expect_driver_files();
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw_no_driver();
   if (result == VK_ERROR_LAYER_NOT_PRESENT)
     throw Error("Vulkan", "the validation layer is not installed", "apt-get install vulkan-validationlayers");
   check(result, "vkCreateInstance");
@@ -164,9 +177,8 @@ void Device::choose_physical(const DeviceOptions& options) {
     }
   }
   if (!physical_) {
-    if (count == 0)
-      throw Error("Vulkan", "no driver answers",
-                  "install mesa-vulkan-drivers or your GPU's driver, and unset VK_DRIVER_FILES");
+    if (count == 0) expect_driver_files();
+    if (count == 0) throw_no_driver();
     throw Error(
         "Vulkan",
         fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),

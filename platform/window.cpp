@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/address_space.h"
 #include "engine/error.h"
 
 namespace seascape {
@@ -112,6 +113,7 @@ struct WindowEvents {
 };
 
 WindowSystem::WindowSystem() {
+  expect_address_space();  // it loads a driver
   if (!glfwInit())
     throw Error("display", "no display can be reached: " + desktop_fault(),
                 "check DISPLAY and that a desktop runs, or use --display headless");

@@ -250,6 +250,54 @@ TEST(KilledWhile, BakingLeavesTheOldLoopOrNone) {
   EXPECT_EQ(none, 7);
 }
 
+// Less address space than a driver needs to start, of the sizes with which Mesa 25's software driver crashed, threw or
+// never came back: one line, exit status 1. Control seen: without expect_address_space().
+TEST(FaultsOfTheMachine, AnAddressSpaceThatIsTooSmallIsToldInOneLine) {
+  for (const char* kib : {"200000", "256000", "300000", "400000", "500000", "600000", "700000", "1000000"})
+    for (const char* option : {"-v", "-d"}) {
+      SCOPED_TRACE(std::string(option) + " " + kib);
+      const ProgramResult result =
+          test::run_command({"sh", "-c", "ulimit $2 $1 && exec \"$0\" plan --scene calm --preset low --size 16x16",
+                             test::program_file(), kib, option});
+      expect_clear(result, {std::string("(ulimit ") + option + ") leaves less than the "});
+      EXPECT_EQ(result.out, "");
+    }
+}
+
+// A crash of the driver. Control seen: without take_crashes() no line is said.
+TEST(FaultsOfTheMachine, ACrashIsToldInOneLine) {
+  const auto crash = [](const std::string& limit) {
+    const fs::path library = SEASCAPE_FAULTS_LIBRARY;
+    return test::run_command(
+        {"sh", "-c", limit + "exec \"$0\" plan --scene calm --preset low --size 16x16", test::program_file()},
+        {"SEASCAPE_CRASH_AT=4", "LD_LIBRARY_PATH=" + library.parent_path().string(),
+         "LD_PRELOAD=" + library.filename().string()});
+  };
+  const ProgramResult plain = crash("ulimit -c 0 && ");
+  EXPECT_EQ(plain.exit_code, 128 + SIGSEGV);
+  EXPECT_EQ(plain.err,
+            "seascape: crashed by SIGSEGV, in the program or in its driver; please report it with the command line\n");
+  expect_clear(crash("ulimit -v 8000000 && "), {"crashed by SIGSEGV, with a limit on its memory; raise the limit"});
+}
+
+// Control seen: without expect_driver_files() the first is told as "out of host memory", with the remedy of a smaller
+// --size, and the second as if none were installed.
+TEST(FaultsOfTheMachine, ABrokenDriverFileIsNamed) {
+  const TemporaryFolder folder;
+  const std::string broken = folder / "broken.json", lost = folder / "lost.json";
+  std::ofstream(broken) << "{ broken";
+  std::ofstream(lost)
+      << R"({"file_format_version": "1.0.0", "ICD": {"api_version": "1.3.0", "library_path": "/none.so"}})";
+  for (const auto& [file, fault] : {std::pair{broken, "which is not JSON"}, std::pair{lost, "/none.so"}}) {
+    const std::vector<std::string> named{"VK_DRIVER_FILES=" + file, "VK_ICD_FILENAMES=" + file};
+    const std::string told = "no driver answers: VK_DRIVER_FILES names " + file + ", ";
+    const ProgramResult plan = run_program({"plan", "--scene", "calm", "--preset", "low"}, named);
+    expect_clear(plan, {told});
+    EXPECT_THAT(plan.err, HasSubstr(fault));
+    EXPECT_THAT(run_program({"doctor"}, named).out, HasSubstr(told));
+  }
+}
+
 // A quota that a frame passes: the frame is named, and neither a manifest nor a part of a file is left. Control seen:
 // files written under their own names.
 TEST(FaultsOfTheMachine, ALoopThatMayNotGrowLeavesNoManifest) {
