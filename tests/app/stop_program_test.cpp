@@ -86,8 +86,7 @@ TEST(TwoRuns, TheSecondIsToldWhoWritesIntoTheFolder) {
   EXPECT_EQ(next.exit_code, 0) << next.err;
 }
 
-// Controls seen: without take_signals() in main no line is said; a handler that ends the program in the middle of
-// a write leaves frame_NNNN.exr.tmp-PID-N.
+// Control seen: a handler that ends the program at once, whatever postpones it, tells of no frame.
 TEST(Stopped, ABakeEndsWithALineAndWholeFrames) {
   const TemporaryFolder folder;
   for (const int signal : {SIGTERM, SIGHUP, SIGINT}) {
@@ -171,7 +170,7 @@ TEST(Stopped, ACaptureKeepsItsWholeRows) {
   EXPECT_FALSE(fs::exists(partial));
 }
 
-// Control seen: without Progress::step() asking, all 6 frames are drawn.
+// Control seen: the same.
 TEST(Stopped, AReplayLeavesWholePictures) {
   const TemporaryFolder folder;
   const ProgramResult result =

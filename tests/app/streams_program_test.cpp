@@ -55,7 +55,7 @@ TEST(Streams, ATableForStandardOutputIsAppendedToTheFileBehindIt) {
   EXPECT_THAT(text, testing::EndsWith("\nlast\n"));
 }
 
-// Control seen: run_query() without refuse_to_replace() overwrites all but the hard link.
+// Control seen: run_query() without refuse_to_replace() overwrites in.csv.
 TEST(Streams, AQueryDoesNotOverwriteWhatItReads) {
   const TemporaryFolder folder;
   const std::string in = write(folder / "in.csv", points);

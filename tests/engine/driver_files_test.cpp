@@ -31,7 +31,7 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-// Controls seen: without its line each check lets its file pass, and the one after it is named or none.
+// Control seen: without the look at is_discarded() what is not JSON is told as no driver's.
 TEST(DriverFiles, TheVariableAndTheFileAreNamed) {
   const TemporaryFolder folder;
   const auto file = [&](const char* name, const std::string& text) {

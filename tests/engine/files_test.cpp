@@ -179,8 +179,8 @@ TEST(Files, MakesOutputDirectories) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "a b/c"));
 }
 
-// Control seen: without leads_to_descriptor() in write_atomically the file behind it is replaced, and what was there
-// before is gone.
+// Control seen: without leads_to_descriptor() in write_atomically the first write replaces the file, and the next finds
+// it gone.
 TEST(Files, ADescriptorIsWrittenToAndTheFileBehindItStays) {
   const TemporaryFolder folder;
   const int log = open((folder / "log").c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);

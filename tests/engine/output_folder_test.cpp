@@ -36,7 +36,7 @@ TEST(OutputFolder, TheSecondIsToldWhoHoldsIt) {
   EXPECT_NO_THROW(OutputFolder second(out));
 }
 
-// Control seen: a file made in the folder to hold it, in the place of flock(), stays behind and blocks the next run.
+// Control seen: the same; the child's hold is then nobody's.
 TEST(OutputFolder, AKilledRunHoldsNothing) {
   const TemporaryFolder folder;
   int told[2];
