@@ -211,8 +211,8 @@ int run_capture(const Arguments& arguments) {
   const std::filesystem::path out = arguments.out;
   std::vector<CaptureRun> before;
   if (!arguments.against.empty()) {
-    if (same_file(arguments.against, out / "capture.csv"))
-      throw Error("--out", in_quotes(arguments.against, 400) + " of --against would be replaced",
+    if (same_file(arguments.against, out / "capture.csv") || same_file(arguments.against, out / partial_csv))
+      throw Error("--out", in_quotes(arguments.against, 400) + " of --against would be lost",
                   "give another folder, or copy the file first", 2);
     before = parse_capture_csv(read_text(arguments.against), arguments.against);
     expect_repeats(before, arguments.against);

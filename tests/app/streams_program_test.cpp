@@ -76,12 +76,14 @@ TEST(Streams, AQueryDoesNotOverwriteWhatItReads) {
   EXPECT_EQ(read_text(in), points);
   EXPECT_EQ(read_bytes(folder / "bed.exr"), bytes);
   EXPECT_EQ(read_text(scene).substr(0, 12), "{\"version\": ");
-  const std::string capture = write(folder / "capture.csv", "as it was");
-  const ProgramResult against =
-      run_program({"capture", "--scene", "calm", "--repeat", "8", "--against", capture, "--out", folder.path()});
-  EXPECT_EQ(against.exit_code, 2);
-  EXPECT_THAT(against.err, HasSubstr("--out: '" + capture + "' of --against would be replaced; "));
-  EXPECT_EQ(read_text(capture), "as it was");
+  for (const char* name : {"capture.csv", "capture.partial.csv"}) {
+    const std::string capture = write(folder / name, "as it was");
+    const ProgramResult against =
+        run_program({"capture", "--scene", "calm", "--repeat", "8", "--against", capture, "--out", folder.path()});
+    EXPECT_EQ(against.exit_code, 2);
+    EXPECT_THAT(against.err, HasSubstr("--out: '" + capture + "' of --against would be lost; "));
+    EXPECT_EQ(read_text(capture), "as it was");
+  }
 }
 
 // Controls seen: without InputWait nothing is said, and neither of a writer without open_to_write()'s line.
