@@ -220,7 +220,8 @@ int run_capture(const Arguments& arguments) {
       throw Error("--against", fmt::format("takes {} runs of the path and more on either side", least_repeats),
                   "add --repeat 8");
   }
-  (void)scene_from(arguments, presets.front() == "auto" ? "high" : presets.front());  // a fault in it is told first
+  // Faults in it are told first, and what gives nothing once for all presets.
+  tell_remarks(scene_from(arguments, presets.front() == "auto" ? "high" : presets.front()));
 
   std::optional<WindowSystem> windows;
   DeviceOptions options = device_options();

@@ -211,8 +211,8 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
 }
 
 int run_plan(const Arguments& arguments) {
-  if (!arguments.matrix.empty()) {  // a faulty scene is told before a folder is made
-    (void)scene_from(arguments, "high");
+  tell_remarks(scene_from(arguments, "high"));  // a faulty scene is told before a folder is made
+  if (!arguments.matrix.empty()) {
     const OutputFolder held(arguments.matrix);
     Progress progress("plan: preset", preset_names().size());
     std::size_t done = 0;

@@ -54,7 +54,9 @@ DeviceOptions device_options() {
 }
 
 Program make_program(const Arguments& arguments, const DeviceOptions& options) {
-  return make_program(arguments, arguments.preset, options);
+  Program program = make_program(arguments, arguments.preset, options);
+  tell_remarks(program.scene);
+  return program;
 }
 
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options) {
@@ -66,7 +68,6 @@ Program make_program(const Arguments& arguments, const std::string& preset, cons
   const DeviceClass device = device_class(program.device->facts());
   program.preset = resolve_preset(preset, device);
   program.scene = scene_from(arguments, program.preset, device);
-  tell_remarks(program.scene);
   return program;
 }
 

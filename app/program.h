@@ -28,6 +28,7 @@ struct Program {
 // validation layer on, which a debug build has on unless it is 0; SEASCAPE_CORE_ONLY=1 uses nothing beyond Vulkan 1.1's
 // floor.
 DeviceOptions device_options();
+// With the preset of the command line it tells what in the scene gives nothing; who goes through presets tells it once.
 Program make_program(const Arguments& arguments, const DeviceOptions& options);
 Program make_program(const Arguments& arguments, const std::string& preset, const DeviceOptions& options);
 

@@ -69,6 +69,23 @@ TEST(Capture, PresetsTakeOneSampleAPixelInSoftware) {
   EXPECT_THAT(page("high", {}), HasSubstr(software ? "1 view, 1 × MSAA" : "1 view, 4 × MSAA"));
 }
 
+// Control seen: told by make_program() of each preset there are four lines more, and one more of plan.
+TEST(Capture, WhatGivesNothingIsToldOnceForAllPresets) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> scene{"--scene", "calm", "--size", "16x16",
+                                       "--views", "1",    "--set",  "level.height_m=2"};
+  const auto warnings = [&](std::vector<std::string> words) {
+    words.insert(words.end(), scene.begin(), scene.end());
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("warning: --set: level.height_m gives nothing"));
+    return std::count(result.err.begin(), result.err.end(), '\n');
+  };
+  EXPECT_EQ(warnings({"capture", "--preset", "all", "--frames", "1", "--warmup", "0", "--out", folder / "out"}), 1);
+  EXPECT_EQ(warnings({"plan", "--preset", "low"}), 1);
+  EXPECT_EQ(warnings({"replay", "--preset", "low", "--frames", "1", "--out", folder / "out"}), 1);
+}
+
 class CaptureOfAllPresets : public testing::Test {
  protected:
   static void SetUpTestSuite() {

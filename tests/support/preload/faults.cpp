@@ -1,12 +1,15 @@
 // Loaded before the program's libraries (LD_PRELOAD), makes its machine fail where the environment says: a device
 // without memory, a device that is lost, a process killed while it writes. The program itself knows nothing of it.
-//   SEASCAPE_FAIL_FROM=n       the n-th object or allocation asked of the device, and all after it, get
-//   VK_ERROR_OUT_OF_DEVICE_MEMORY SEASCAPE_FAIL_ONCE=n       the n-th alone SEASCAPE_LOSE_AT=n         the n-th
-//   submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST SEASCAPE_STOP_AT=n         SIGTERM at the n-th
-//   submission SEASCAPE_CRASH_AT=n         SIGSEGV there SEASCAPE_STOP_AT_WRITE=n   SIGTERM at the n-th such write
-//   SEASCAPE_KILL_AT_WRITE=n   SIGKILL in the middle of the n-th write into a file of a temporary name
-//   SEASCAPE_KILL_AT_RENAME=n  SIGKILL just before the n-th such file gets its own name SEASCAPE_COUNTS=FILE written at
-//   the end: how many objects, submissions, writes and renames there were
+//
+// - SEASCAPE_FAIL_FROM=n: the n-th object or allocation asked of the device, and all after it, get
+//   VK_ERROR_OUT_OF_DEVICE_MEMORY
+// - SEASCAPE_FAIL_ONCE=n: the n-th alone
+// - SEASCAPE_LOSE_AT=n: the n-th submission, and whatever waits after it, get VK_ERROR_DEVICE_LOST
+// - SEASCAPE_STOP_AT=n, SEASCAPE_CRASH_AT=n: SIGTERM or SIGSEGV at the n-th submission
+// - SEASCAPE_KILL_AT_WRITE=n: SIGKILL in the middle of the n-th write into a file of a temporary name
+// - SEASCAPE_STOP_AT_WRITE=n: SIGTERM before it
+// - SEASCAPE_KILL_AT_RENAME=n: SIGKILL just before the n-th such file gets its own name
+// - SEASCAPE_COUNTS=FILE: written at the end: how many objects, submissions, writes and renames there were
 #include <dlfcn.h>
 #include <signal.h>
 #include <unistd.h>
