@@ -56,6 +56,10 @@ Advice advice_for(int code, bool writing) {
       return {"its name is too long", "choose a shorter name"};
     case ELOOP:
       return {"its symbolic links go round in a circle", "name the file itself"};
+    case EPIPE:
+      return {"its reader went before the end", "keep the reader until it has all"};
+    case EBADF:
+      return {"is not open for writing", "open it so, as in 3> file, or name a file"};
     default:
       return {fmt::format("{} failed: {}", writing ? "writing" : "reading", std::generic_category().message(code)),
               "check the disk and the path"};
@@ -151,7 +155,7 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
       throw Error(file.string(), "no such descriptor is open", "open it, as in 3> file, or name a file");
     if (!opened) fail(file, errno, true);
     std::FILE* out = fdopen(opened.number(), "wb");
-    if (!out) fail(file, errno, true);
+    if (!out) fail(file, errno == EINVAL ? EBADF : errno, true);  // its word for one that is open for reading
     (void)opened.release();
     if (const int code = write_whole(out, bytes)) fail(file, code, true);
     return;

@@ -126,6 +126,15 @@ TEST(Files, SaysWhatIsWrong) {
   EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain"); }), HasSubstr("is a file"));
   EXPECT_THAT(error_of([&] { make_output_directory(folder / "plain/below"); }), HasSubstr("is a file"));
   EXPECT_THAT(error_of([&] { read_text("/dev/zero", 1 << 20); }), HasSubstr("is larger than 1 MiB"));
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const auto to = [](int end) { write_atomically("/dev/fd/" + std::to_string(end), std::string_view("x")); };
+  EXPECT_THAT(error_of([&] { to(ends[0]); }), HasSubstr("is not open for writing"));
+  const auto handler = std::signal(SIGPIPE, SIG_IGN);  // as main has it
+  close(ends[0]);
+  EXPECT_THAT(error_of([&] { to(ends[1]); }), HasSubstr("its reader went before the end"));
+  std::signal(SIGPIPE, handler);
+  close(ends[1]);
   EXPECT_THAT(folder.names(), ElementsAre("plain"));
 }
 
