@@ -208,7 +208,7 @@ TEST(Files, ADescriptorIsWrittenToAndTheFileBehindItStays) {
 }
 
 // Controls seen: a reader that does not ask poll() first finds the end before the writer comes; one that does not try
-// again at EAGAIN says that reading failed; a writer opened but once says that there is no such device.
+// again at EAGAIN throws; a writer that is opened but once says that there is no such device.
 TEST(Files, PipesAreReadAndWrittenWhenTheOtherSideComes) {
   const TemporaryFolder folder;
   const std::string pipe = folder / "pipe", text(300000, 'x');
