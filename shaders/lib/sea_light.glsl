@@ -66,98 +66,87 @@ vec3 light_through_crest(float height, vec3 v, vec3 l, vec3 normal) {
          exp(-(absorption + 2.0 * backscatter) * 2.5 * thickness);
 }
 
-// What is known of the place and the light of one pixel.
-struct SeaPixel {
-  float above;  // the drawn water over the still one, m
-  vec3 v;       // to the eye
-  float range;
-  vec2 sunlit;  // within the water, on its surface
-  SeaPlace here;
-  SeaFootprint over;
-  float longest;      // of the pixel's axes, metres
-  Bed sea_bed_below;  // the bed there
-};
-
-// Radiance of water towards the eye, with what covers it; `white`: what a white cloth on it would send there.
-vec3 wet_light(SurfacePoint p, SeaPixel x, CarriedSlopes have, out vec3 normal, out vec3 white) {
-  const float height = clamp(x.above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
-  const vec3 v = x.v, l = frame.sun.xyz;
-  const SeaSlopes s = sea_slopes(x.here, x.over, have);
-  // Slopes are over the still sea, which itself leans away with the earth's curve.
-  const vec2 slope = sea_slope(s) - p.relative.xz * frame.viewer.w;
-  normal = normalize(vec3(-slope.x, 1.0, -slope.y));
-
-  // The facets that the eye sees, by two of them in the plane of sight: this lifts the horizon as the sea does.
+// The sky in the facets that the eye sees, by two of them in the plane of sight: this lifts the horizon as the sea
+// does. `var`: the slopes' variances and covariance; `mirrored`: the share of light that they mirror; `seen`: of the
+// facets, what the eye sees.
+vec3 sky_in_facets(vec3 v, vec2 slope, vec3 var, out float mirrored, out float seen) {
   const float level = max(length(v.xz), 1e-4);
   const vec2 sight = v.xz / level;
-  const vec3 var = max(s.variance, vec3(2e-6, 2e-6, -1.0));
   const float spread2 =
       max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 2e-6);
   const float lean = dot(slope, sight);
   const vec3 facets = visible_facets(v.y / level, lean, sqrt(spread2));
-  vec3 reflected = vec3(0.0);
-  float mean_fresnel = 0.0;
+  seen = level * facets.z;
+  mirrored = 0.0;
+  vec3 sky = vec3(0.0);
   for (int i = 0; i < 2; ++i) {
     const vec2 q = slope + (facets[i] - lean) * sight;
     const vec3 n = normalize(vec3(-q.x, 1.0, -q.y));
     const float f = 0.5 * fresnel(dot(v, n));
     vec3 r = reflect(-v, n);
     r.y = abs(r.y);  // a ray that goes down meets another wave, which shows the sky in turn
-    reflected += f * textureLod(sky_map, sky_coordinate(r), 0.0).rgb;
-    mean_fresnel += f;
+    sky += f * textureLod(sky_map, sky_coordinate(r), 0.0).rgb;
+    mirrored += f;
   }
-  const vec3 glitter = sun_glitter(v, l, slope, var, level * facets.z);
-
-  // Light from below: irradiance that enters, scattered back and out again.
-  const vec3 down = light.sky_irradiance.rgb * 0.93 + x.sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;
-  vec3 below = frame.water_reflectance.rgb * down;
-  if (sea_bed)
-    below = bed_through_water(x.sea_bed_below, x.here.level.x, below, down, p.place, v, normal, x.above, x.longest);
-  const vec3 through = light_through_crest(height, v, l, normal);
-
-  vec3 lit = reflected + (1.0 - mean_fresnel) * (below + x.sunlit.x * through) + x.sunlit.y * glitter;
-  white = (light.sky_irradiance.rgb + x.sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
-  FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
-  if (foam_kept && sea_flow)
-    foam_way =
-        FoamWay(x.here.flow * frame.sea.place.flow.x, x.here.flow * frame.sea.place.flow.y, frame.sea.place.flow.z);
-  if (foam) lay_foam(lit, p, s, var, normal, x.sunlit.y, white, foam_way);
-  return lit;
+  return sky;
 }
 
 // Radiance towards the eye, haze included; `normal` is the one it was lit by.
 vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
-  SeaPixel x;
-  const vec3 to_eye = view.eye.xyz - p.relative;
-  x.range = length(to_eye);
-  x.v = to_eye / x.range;
-  x.over = sea_footprint(p.along, p.across);
-  x.here = sea_place(p.rest, x.over.blur);
-  x.above = p.height_shear.x - x.here.level.x;
-  x.longest = max(length(p.along), length(p.across));
-  x.sunlit = vec2(1.0);
+  const vec3 to_eye = view.eye.xyz - p.relative, l = frame.sun.xyz;
+  const float range = length(to_eye);
+  const vec3 v = to_eye / range;
+  const SeaFootprint over = sea_footprint(p.along, p.across);
+  const SeaPlace here = sea_place(p.rest, over.blur);
+  const float above = p.height_shear.x - here.level.x;  // the drawn water over the still one, metres
+  vec2 sunlit = vec2(1.0);                              // within the water, on its surface
   if (water_shadow > 0)
-    x.sunlit = max(x.sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
-  if (sea_bed) x.sea_bed_below = bed_at(p, x.here, x.above, x.v, x.range * view.eye.w, x.longest);
+    sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
+  const float sea_bed_footprint = max(length(p.along), length(p.across));
+  Bed sea_bed_below;
+  if (sea_bed) sea_bed_below = bed_at(p, here, above, v, range * view.eye.w, sea_bed_footprint);
   if (sea_bed && water_clip &&
-      water_clipped(
-          p.rest,
-          vec3(p.place.x, x.above < 0.02 - x.sea_bed_below.still_depth ? x.here.level.x : p.height_shear.x, p.place.y)))
-    x.sea_bed_below.water = 0.0;
+      water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? here.level.x : p.height_shear.x,
+                                 p.place.y)))
+    sea_bed_below.water = 0.0;
   float water = 1.0;  // the share of the pixel that is no land
-  if (sea_bed) water = x.sea_bed_below.water;
+  if (sea_bed) water = sea_bed_below.water;
 
-  vec3 white = (light.sky_irradiance.rgb + x.sunlit.y * light.sun_irradiance.rgb * max(frame.sun.y, 0.0)) / pi;
-  vec3 lit = vec3(0.0);
+  vec3 lit = vec3(0.0), white = vec3(0.0);  // white: what a white cloth on the water would send to the eye
   normal = vec3(0.0, 1.0, 0.0);
   if (water > 0.0) {
     const CarriedSlopes have =
         CarriedSlopes(p.derivatives, p.height_shear.y, mesh_spacing(p.rest), level_blur(to_eye, view.eye.w));
-    lit = wet_light(p, x, have, normal, white);
+    const SeaSlopes s = sea_slopes(here, over, have);
+    // Slopes are over the still sea, which itself leans away with the earth's curve.
+    const vec2 slope = sea_slope(s) - p.relative.xz * frame.viewer.w;
+    normal = normalize(vec3(-slope.x, 1.0, -slope.y));
+    const vec3 var = max(s.variance, vec3(2e-6, 2e-6, -1.0));
+    float mirrored, seen;
+    const vec3 sky = sky_in_facets(v, slope, var, mirrored, seen);
+    const vec3 glitter = sun_glitter(v, l, slope, var, seen);
+
+    // Light from below: irradiance that enters, scattered back and out again.
+    const vec3 down = light.sky_irradiance.rgb * 0.93 + sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;
+    vec3 below = frame.water_reflectance.rgb * down;
+    if (sea_bed)
+      below = bed_through_water(sea_bed_below, here.level.x, below, down, p.place, v, normal, above, sea_bed_footprint);
+    const float height = clamp(above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
+    const vec3 through = light_through_crest(height, v, l, normal);
+    lit = sky + (1.0 - mirrored) * (below + sunlit.x * through) + sunlit.y * glitter;
+
+    white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
+    FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
+    if (foam_kept && sea_flow)
+      foam_way =
+          FoamWay(here.flow * frame.sea.place.flow.x, here.flow * frame.sea.place.flow.y, frame.sea.place.flow.z);
+    if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, white, foam_way);
   }
-  if (sea_bed && water < 1.0) lit = mix(bed_land(x.sea_bed_below, p.place, x.v, x.sunlit.y, x.longest), lit, water);
+  if (sea_bed && water <= 0.0)
+    white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(l.y, 0.0)) / pi;
+  if (sea_bed && water < 1.0) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, water);
 
   if (water_albedo > 0) lay_albedo(lit, p.place, p.rest, white);
-  return through_air(lit, x.v, x.range);
+  return through_air(lit, v, range);
 }
 #endif
