@@ -51,6 +51,10 @@ Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float across, flo
   float wall = smoothstep(crest, 1.2 * crest, abs(above)) * smoothstep(0.1, 0.5, bed.still_depth + above) *
                clamp(2.0 - 5.0 * across, 0.0, 1.0);
   if (bed.still_depth <= 0.0) wall = 0.0;
+  if (wall > 0.0 && above > 0.0 && v.y > 0.05) {  // the line of sight may go on to the water behind it
+    const vec2 behind = p.place - v.xz / v.y * above;
+    wall *= clamp((sea_bed_height(place_read(behind, footprint), behind).x - here.level.x) / 0.2, 0.0, 1.0);
+  }
   bed.water *= 1.0 - wall;
   bed.slope = mix(bed.slope, -1.5 * v.xz,
                   wall * smoothstep(1.0, 3.0, bed.still_depth) * clamp(1.0 - length(bed.slope), 0.0, 1.0));

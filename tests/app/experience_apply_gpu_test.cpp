@@ -31,7 +31,7 @@ bool of_an_absent_effect(const Scene& scene, std::string_view key) {
   return std::find(names.begin(), names.end(), group) != names.end() && !calls_for(scene.effects, group);
 }
 
-// Each setting (those of effects that the scene does not have with SEASCAPE_LONG=1) goes to another value and back.
+// Each setting goes to another value and back: all with SEASCAPE_LONG=1, else half of those of the scene's effects.
 // Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail
 // here.
 TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
@@ -53,11 +53,12 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
     if (key.starts_with("foam.") || key.starts_with("spray.") || key == "waves.resolution" || key == "waves.cascades")
       live.draw(head, time_s + 60.0);
   };
-  int changed_pictures = 0;
+  int changed_pictures = 0, number = 0;
   for (const Setting& row : settings_table()) {
     SCOPED_TRACE(row.key);
     if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
-    if (std::getenv("SEASCAPE_LONG") == nullptr && of_an_absent_effect(live.scene(), row.key)) continue;
+    const bool all = std::getenv("SEASCAPE_LONG") != nullptr;
+    if (!all && (of_an_absent_effect(live.scene(), row.key) || number++ % 2 != 0)) continue;
     const std::string before = value_text(live.scene().settings, row),
                       value = test::another(live.scene().settings, row);
     live.set(std::string(row.key), value);
@@ -72,7 +73,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
     EXPECT_EQ(test::differing_pixels(live.picture(head, time_s), plain), 0) << "and back";
     changed_pictures += test::differing_pixels(picture, plain) > 0;
   }
-  EXPECT_GE(changed_pictures, 25);  // else nothing was compared
+  EXPECT_GE(changed_pictures, 12);  // else nothing was compared
 }
 
 // Rows that the caller of the next frame reads, and not the ocean.
@@ -146,6 +147,7 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
+    if (std::getenv("SEASCAPE_LONG") == nullptr && live % 2 == 0) continue;  // half of them unless all are wanted
     const test::ShotOptions options = test::where_it_acts(row.key);
     const std::string shown = options.scene + std::to_string(options.set.size());
     if (!plain.contains(shown)) {
