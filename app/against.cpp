@@ -20,7 +20,7 @@ namespace seascape {
 namespace {
 
 constexpr std::size_t fixed_columns = 12;
-constexpr double least_ms = 0.02, least_noise = 0.06, least_noise_ms = 0.02, deviations = 2.0;
+constexpr double least_ms = 0.02, long_ms = 0.1, least_noise = 0.06, least_noise_ms = 0.02, deviations = 2.0;
 
 const CaptureTimes& kind_of(const std::string& column) { return column.starts_with("gpu_") ? gpu_passes : cpu_stages; }
 
@@ -74,17 +74,22 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 struct Pair {
   std::string name;
   Times before, now;
+  bool is_long;  // long_ms and more a frame
   double log_ratio(std::size_t without_before, std::size_t without_now) const {
     return std::log(shortest_ms(now, without_now) / shortest_ms(before, without_before));
   }
 };
 
-// How each stage has changed beyond what all have in common, which `common` gets.
+// How each stage has changed beyond what all have in common, which `common` gets: the median of the long ones, where
+// there are three, for what takes some microseconds varies by half.
 std::vector<double> changes_of(const std::vector<Pair>& pairs, std::size_t without_before, std::size_t without_now,
                                double& common) {
-  std::vector<double> logs;
-  for (const Pair& pair : pairs) logs.push_back(pair.log_ratio(without_before, without_now));
-  common = median_of(logs);
+  std::vector<double> logs, of_long;
+  for (const Pair& pair : pairs) {
+    logs.push_back(pair.log_ratio(without_before, without_now));
+    if (pair.is_long) of_long.push_back(logs.back());
+  }
+  common = median_of(of_long.size() < 3 ? logs : of_long);
   for (double& one : logs) one -= common;
   return logs;
 }
@@ -114,10 +119,10 @@ RunChange compare(const Runs& before, const Runs& now) {
   std::vector<Pair> pairs;
   for (const std::string& name : now.front()->stage_names) {
     if (name == "waiting") continue;  // for the GPU
-    Pair pair{name, times_of(before, frames, name), times_of(now, frames, name)};
-    const double least_sum = least_ms * run.frames;
-    if (shortest_ms(pair.before, none) >= least_sum && shortest_ms(pair.now, none) >= least_sum)
-      pairs.push_back(std::move(pair));
+    Pair pair{name, times_of(before, frames, name), times_of(now, frames, name), false};
+    const double mean_ms = std::min(shortest_ms(pair.before, none), shortest_ms(pair.now, none)) / run.frames;
+    pair.is_long = mean_ms >= long_ms;
+    if (mean_ms >= least_ms) pairs.push_back(std::move(pair));
   }
   double common = 0.0, unused = 0.0;
   const std::vector<double> changes = changes_of(pairs, none, none, common);
@@ -202,7 +207,7 @@ void expect_repeats(const std::vector<CaptureRun>& runs, const std::string& wher
       throw Error(where,
                   fmt::format("{} / {}: {} runs of the path, and a comparison takes {} on either side", run.scene,
                               run.preset, count, least_repeats),
-                  "capture both with --repeat 8");
+                  "capture both with --repeat 16");
 }
 
 std::vector<RunChange> compare_captures(const std::vector<CaptureRun>& before, const std::vector<CaptureRun>& now) {

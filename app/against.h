@@ -36,10 +36,10 @@ void expect_repeats(const std::vector<CaptureRun>& runs, const std::string& wher
 // out. Both have been through expect_repeats().
 //
 // Of each frame the shortest time of a stage over the runs counts: what else a machine does only adds to it. Sums of
-// these over the frames are compared; the median over the stages of how they have changed is what they have in common.
-// The noise is twice the deviation that leaving out one run after another shows (the jackknife: Efron and Stein 1981,
-// "The jackknife estimate of variance", equation 1.3), and no less than 6 % and 0.02 ms: a stage may gain or lose as
-// much by where its memory lies.
+// these over the frames are compared. The median of how the stages of 0.1 ms and more have changed is what all have in
+// common. The noise is twice the deviation that leaving out one run after another shows (the jackknife: Efron and Stein
+// 1981, "The jackknife estimate of variance", equation 1.3), and no less than 6 % and 0.02 ms: a stage may gain or lose
+// as much by where its memory lies.
 std::vector<RunChange> compare_captures(const std::vector<CaptureRun>& before, const std::vector<CaptureRun>& now);
 
 // A line for each scene and preset, and one for each change.

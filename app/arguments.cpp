@@ -171,7 +171,7 @@ void add_capture(Options& options, Arguments& arguments) {
                 "How often the path is measured; from 2 on CPU and GPU take turns, so that neither disturbs the other");
   options.text("--out", "DIR", arguments.out, "Folder of capture.csv, trace.json and report.html");
   options.text("--against", "FILE", arguments.against,
-               "The capture.csv of another build, of the same path: says which stage has changed; with --repeat 8");
+               "The capture.csv of another build, of the same path: says which stage has changed; with --repeat 16");
 }
 
 void add_lab(Options& options, Arguments& arguments) {
@@ -297,7 +297,7 @@ constexpr CommandRow commands[] = {
     {Command::capture, "Measure frame times along a camera path.",
      "  seascape capture --preset all --views 2 --frames 300 --out out\n"
      "  seascape capture --scene swell --size 1280x720 --views 1 --set msaa=1\n"
-     "  seascape capture --scene storm --repeat 8 --against before/capture.csv",
+     "  seascape capture --scene storm --repeat 16 --against before/capture.csv",
      add_capture},
     {Command::lab,
      "Measure what accuracy costs in time: errors against references in double precision, beside the time they take, "

@@ -218,7 +218,7 @@ int run_capture(const Arguments& arguments) {
     expect_repeats(before, arguments.against);
     if (arguments.repeat < least_repeats)
       throw Error("--against", fmt::format("takes {} runs of the path and more on either side", least_repeats),
-                  "add --repeat 8");
+                  "add --repeat 16");
   }
   // Faults in it are told first, and what gives nothing once for all presets.
   tell_remarks(scene_from(arguments, presets.front() == "auto" ? "high" : presets.front()));
