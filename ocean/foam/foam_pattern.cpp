@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <numeric>
 
 #include "ocean/waves/gaussian.h"
@@ -45,10 +46,52 @@ double noise(glm::dvec2 at, int cells, std::uint32_t seed) {
   return glm::mix(glm::mix(value(0, 0), value(1, 0), s.x), glm::mix(value(0, 1), value(1, 1), s.x), s.y);
 }
 
+// Waves of a tile, in bands, from all directions: none so long that the tile is seen to come again, as noise on a
+// lattice has.
+struct Band {
+  double least, most, weight;  // periods along the tile; the deviation
+};
+constexpr std::array<Band, 3> bands{{{4.0, 9.0, 0.076}, {10.0, 20.0, 0.066}, {22.0, 44.0, 0.048}}};
+constexpr int waves_a_band = 40;
+
+// Adds a field of mean 0 to the texels of a tile, row after row.
+class Patches {
+ public:
+  explicit Patches(int side) : side_(side) {
+    for (int i = 0; i < side; ++i) cosine_.push_back(float(std::cos(2.0 * std::numbers::pi * i / side)));
+    for (std::size_t b = 0; b < bands.size(); ++b)
+      for (std::uint32_t i = 0; i < waves_a_band; ++i) {
+        const std::uint32_t key = 3 * (waves_a_band * std::uint32_t(b) + i);
+        const double turn = std::numbers::pi * (double(i) + uniform_number(seed, key)) / waves_a_band,
+                     periods = std::lerp(bands[b].least, bands[b].most, uniform_number(seed, key + 1));
+        waves_.push_back({int(std::lround(periods * std::cos(turn))), int(std::lround(periods * std::sin(turn))),
+                          int(double(side) * uniform_number(seed, key + 2)),
+                          float(bands[b].weight * std::sqrt(2.0 / waves_a_band))});
+      }
+  }
+  double at(int x, int z) const {
+    float sum = 0.0f;
+    for (const Wave& wave : waves_)
+      sum += wave.height * cosine_[std::size_t(((wave.x * x + wave.z * z + wave.phase) % side_ + side_) % side_)];
+    return double(sum);
+  }
+
+ private:
+  static constexpr std::uint32_t seed = 14u;
+  struct Wave {
+    int x, z, phase;  // periods along the tile; of the tile's side
+    float height;
+  };
+  int side_;
+  std::vector<float> cosine_;
+  std::vector<Wave> waves_;
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> foam_pattern(int side) {
   const auto n = std::size_t(side), texels = n * n;
+  const Patches patches(side);
   std::vector<float> value(texels), fine(texels);
   tbb::parallel_for(0, side, [&](int z) {
     for (int x = 0; x < side; ++x) {
@@ -57,10 +100,9 @@ std::vector<std::uint8_t> foam_pattern(int side) {
       at += 0.05 * (glm::dvec2(noise(at, 9, 21u), noise(at, 9, 22u)) - 0.5) +
             0.018 * (glm::dvec2(noise(at, 31, 23u), noise(at, 31, 24u)) - 0.5);
       const double large = wall(at, 12, 11u), small = wall(at, 29, 12u), least = wall(at, 71, 13u);
-      const double patches = 0.4 * noise(at, 8, 14u) + 0.35 * noise(at, 17, 15u) + 0.25 * noise(at, 37, 16u);
       const std::size_t i = std::size_t(z) * n + std::size_t(x);
       // Large cells hold small ones, and in places the foam is closed.
-      value[i] = float(0.8 * std::min(large, 0.22 + 0.85 * small) + 0.2 * least + 0.85 * patches);
+      value[i] = float(0.8 * std::min(large, 0.22 + 0.85 * small) + 0.2 * least + 0.85 * patches.at(x, z));
       fine[i] = float(std::clamp(1.6 * least, 0.0, 1.0));
     }
   });
