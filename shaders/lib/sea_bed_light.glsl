@@ -25,8 +25,8 @@ float bed_noise(vec2 place, float size, float footprint) {
   return mix(value, 0.5, clamp(2.0 * footprint / size - 0.5, 0.0, 1.0));
 }
 
-// `above`: the drawn water over the still one, m; `v`: to the eye; `across`: what a pixel is wide there, m.
-Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float across, float footprint) {
+// `above`: the drawn water over the still one, m.
+Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   Bed bed;
   const LodRead read = place_read(p.place, footprint);
   bed.still_depth = here.level.x - sea_bed_height(read, p.place).x;
@@ -44,20 +44,6 @@ Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float across, flo
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
   bed.water = clamp(0.5 + bed.film / (length(bed.slope) * footprint + 0.01), 0.0, 1.0);
-  // A triangle from the water up to steep land beside it, or down to the dry bed of a dock, is no water: it is a wall,
-  // of which nothing is known but that it faces the eye. Far off, triangles are too large to tell.
-  const vec4 share = here.bed.share;
-  const float crest = frame.sea.footprint.w * max(max(share.x, share.y), max(share.z, here.bed.more.y)) + shore;
-  float wall = smoothstep(crest, 1.2 * crest, abs(above)) * smoothstep(0.1, 0.5, bed.still_depth + above) *
-               clamp(2.0 - 5.0 * across, 0.0, 1.0);
-  if (bed.still_depth <= 0.0) wall = 0.0;
-  if (wall > 0.0 && above > 0.0 && v.y > 0.05) {  // the line of sight may go on to the water behind it
-    const vec2 behind = p.place - v.xz / v.y * above;
-    wall *= clamp((sea_bed_height(place_read(behind, footprint), behind).x - here.level.x) / 0.2, 0.0, 1.0);
-  }
-  bed.water *= 1.0 - wall;
-  bed.slope = mix(bed.slope, -1.5 * v.xz,
-                  wall * smoothstep(1.0, 3.0, bed.still_depth) * clamp(1.0 - length(bed.slope), 0.0, 1.0));
   return bed;
 }
 
@@ -104,22 +90,25 @@ BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprin
   const float film = max(bed.film, 0.0), tried = min(film, 20.0);
   BedSeen seen = BedSeen(tried, place + sideways * tried, bed.slope);
   const float depth = water - sea_bed_height(place_read(seen.place, footprint), seen.place).x;
-  // Where the bed rises on the way it is a plane, and where it is steep it is found by the rule of false position: a
-  // wall is met below the water, and what stands above the water behind it is not seen through it.
+  // Where the bed rises on the way it is a plane, and where it is steep it is found by the rule of false position (of
+  // Illinois: Dowell and Jarratt 1971): a wall is met below the water, and what stands above the water behind it is not
+  // seen through it.
   float above = 0.0, above_by = film, below = tried, below_by = max(tried - depth, 0.0);
   seen.way = depth < tried ? tried * film / (film + below_by) : depth;
-  if (depth < 0.5 * tried) {
-    for (int i = 0; i < 4; ++i) {
+  if (depth < 0.85 * tried) {
+    for (int i = 0; i < 5; ++i) {
       const vec2 at = place + sideways * seen.way;
       const float by = water - sea_bed_height(place_read(at, footprint), at).x - seen.way;
       if (by > 0.0) {
         above = seen.way;
         above_by = by;
+        below_by *= 0.5;
       } else {
         below = seen.way;
         below_by = -by;
+        above_by *= 0.5;
       }
-      seen.way = mix(above, below, clamp(above_by / max(above_by + below_by, 1e-6), 0.1, 0.9));
+      seen.way = mix(above, below, above_by / max(above_by + below_by, 1e-6));
     }
     seen.slope = sea_bed_slope(place_read(place + sideways * seen.way, footprint), place + sideways * seen.way).xy;
   }

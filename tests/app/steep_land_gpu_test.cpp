@@ -160,7 +160,7 @@ TEST_F(SteepLand, IsLitByTheGroundAroundIt) {
 }
 
 // From the floor of a dry dock the edge of the sea beyond its mouth is a wall of stone and not of water. Control seen:
-// a surface of water wherever the bed says water (bluer than red at each point).
+// wet walls that mirror the sky in rays that go down.
 TEST_F(SteepLand, EndsTheSeaAtADockInAWall) {
   SeaShot shot({.scene = "harbour_clip", .preset = "high", .width = 240, .height = 160, .set = {{"msaa", "1"}}});
   const Pose head = pose({40.0, 1.0, -300.0}, 180.0, -5.0);

@@ -201,8 +201,7 @@ TEST_F(ThinThings, GlitterOnARoughSeaEndsWhereItsSlopesDo) {
 
 // A bank rises through still water as steep as a wall. What another water's colour changes is water, what it leaves as
 // it is is land: the two meet where the bed comes to y = 0, within a tenth of a degree. Seen from above the land.
-// Controls seen: a bed half a metre lower (the planted fault waterline_low), and read a metre aside; triangles between
-// water and land taken for land though the line of sight goes on to water.
+// Controls seen: a bed half a metre lower (the planted fault waterline_low), and read a metre aside.
 TEST_F(ThinThings, TheWaterlineIsWhereTheBedComesThroughTheWater) {
   constexpr double depth_m = 10.0, land_m = 8.0, feather_m = 4.0, edge_z = -12.0;
   // The share of the land is smooth, u^2 (3 - 2u), over the feather within its edge.
