@@ -142,6 +142,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
           FoamWay(here.flow * frame.sea.place.flow.x, here.flow * frame.sea.place.flow.y, frame.sea.place.flow.z);
     if (foam) lay_foam(lit, p, s, var, normal, sunlit.y, white, foam_way);
   }
+  if (sea_bed && water <= 0.0) normal = normalize(vec3(-sea_bed_below.slope.x, 1.0, -sea_bed_below.slope.y));
   if (sea_bed && water <= 0.0)
     white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(l.y, 0.0)) / pi;
   if (sea_bed && water < 1.0) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, water);

@@ -170,6 +170,38 @@ TEST_F(DebugViews, NormalsAreTheSurfaces) {
   }
 }
 
+// The still water's level and the bed above it lean as their inputs do, along x and along z. Controls seen: either's
+// slopes with x and z changed about, and with another sign.
+TEST_F(DebugViews, NormalsLeanWithTheLevelAndTheLand) {
+  for (const InputTarget kind : {InputTarget::level, InputTarget::sea_depth})
+    for (const glm::dvec2 middle : {glm::dvec2(40.0, 0.0), glm::dvec2(0.0, 40.0), glm::dvec2(-25.0, 25.0)}) {
+      InputSpec hill;
+      hill.to = kind;
+      hill.blend = InputBlend::replace;
+      hill.value.x = kind == InputTarget::level ? -6.0f : 30.0f;
+      hill.feather_m = 75.0;
+      hill.shape = AreaInput{.round = true, .at_m = middle, .size_m = glm::dvec2(150.0)};
+      const std::string effect = kind == InputTarget::level ? "level" : "sea_depth";
+      SeaShot shot({.scene = "calm",
+                    .preset = "high",
+                    .width = 64,
+                    .height = 48,
+                    .set = {{"waves.wind_speed_mps", "0"}, {"waves.depth_m", "2"}, {"debug.view", "normals"}},
+                    .effects = {{"waves", effect}},
+                    .inputs = {hill}});
+      const Image8 picture = shot.picture(pose({0.0, 60.0, 0.0}, 0.0, -90.0), time_s);
+      const Inputs inputs(kind, std::span(&hill, 1));
+      const glm::vec4 none(kind == InputTarget::level ? 0.0f : -2.0f, 0.0f, 0.0f, 0.0f);
+      const auto rise = [&](glm::dvec2 way) {
+        return double(inputs.value(way, 0.0, 0.0, none).x - inputs.value(-way, 0.0, 0.0, none).x);
+      };
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(-rise({0.5, 0.0}), 1.0, -rise({0.0, 0.5}))),
+                       painted = 2.0 * light_at(picture, 24 * 64 + 32) - 1.0;
+      EXPECT_GT(glm::length(glm::dvec2(normal.x, normal.z)), 0.1);
+      EXPECT_LT(glm::distance(painted, normal), 0.03) << effect << " at " << middle.x << ", " << middle.y;
+    }
+}
+
 // Squares of 16 m, in stripes along z one of each cascade's tile: what lies 16 m to the north is the same, what lies 16
 // m to the east, another cascade's, is not; on still water all is middle grey. Control seen: squares of 15 m.
 TEST_F(DebugViews, SlicesRepeatEverySixteenMetres) {

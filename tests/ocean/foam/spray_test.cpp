@@ -246,7 +246,7 @@ double half_size(const gpu::SprayPuff& seen) {
 
 // Near the eye spray fades, however large and many the puffs and however hard the wind blows: none that hides anything
 // is more than 0.6 radians across, drawn out or not, nor longer than four of its breadths. Controls seen: a fade by
-// distance alone (1.8 radians); a way as long as the wind makes it.
+// distance alone (2.5 radians to either side); a way as long as the wind makes it (19 breadths).
 TEST(Spray, FadesNearTheEye) {
   for (const auto& [size, wind] : {std::pair{4.0, 23.0}, {1.0, 64.0}, {0.25, 64.0}}) {
     SpraySettings settings = plenty();
