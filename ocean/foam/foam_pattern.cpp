@@ -54,7 +54,7 @@ struct Band {
 constexpr std::array<Band, 3> bands{{{4.0, 9.0, 0.076}, {10.0, 20.0, 0.066}, {22.0, 44.0, 0.048}}};
 constexpr int waves_a_band = 40;
 
-// Adds a field of mean 0 to the texels of a tile, row after row.
+// The sum of these waves at a texel of a tile, of mean 0.
 class Patches {
  public:
   explicit Patches(int side) : side_(side) {
