@@ -46,15 +46,18 @@ vec4 foam_laying(vec2 rest, vec2 origin, float side, float footprint) {
 // Of the first laying and, as a pixel takes in more, of the second, none or the third. `covered`: the third has more of
 // it here and less there, so that no tile is seen to come again.
 vec4 foam_lacing(vec2 place, float footprint, inout float covered) {
+  float b = 0.55 * clamp(footprint / 0.12 - 1.0, 0.0, 1.0) + 0.45 * clamp(footprint / 0.4 - 1.0, 0.0, 1.0),
+        turn = -foam_turn_sin, taken = frame.foam.wind.w;
   const vec2 rest = foam_drawn_out(place, frame.foam.wind.z);
-  vec4 first = foam_laying(rest, frame.foam.origin.xy, foam_side_m, footprint);
-  first.yz = foam_drawn_out(first.yz, frame.foam.wind.z);
+  vec4 first = vec4(0.0);
+  if (b < 1.0) {
+    first = foam_laying(rest, frame.foam.origin.xy, foam_side_m, footprint);
+    first.yz = foam_drawn_out(first.yz, frame.foam.wind.z);
+  }
   const vec2 wide = foam_drawn_out(place, frame.foam.wind.w);
   const vec2 one_way =
       vec2(foam_turn_cos * wide.x - foam_turn_sin * wide.y, foam_turn_cos * wide.y + foam_turn_sin * wide.x);
   vec4 second = foam_laying(one_way, frame.foam.look.xy, foam_wide_side_m, max(footprint, 0.2));
-  float b = 0.55 * clamp(footprint / 0.12 - 1.0, 0.0, 1.0) + 0.45 * clamp(footprint / 0.4 - 1.0, 0.0, 1.0),
-        turn = -foam_turn_sin, taken = frame.foam.wind.w;
   covered *= mix(0.4 + 1.2 * second.x, 1.0, clamp(b * 2.0, 0.0, 1.0));
   if (footprint < 0.12) {
     const vec2 other_way =

@@ -13,9 +13,11 @@ vec4 sea_bed_layers(LodRead read, vec2 place, int number, vec4 outside) {
 vec4 sea_bed_slope(LodRead read, vec2 place) { return sea_bed_layers(read, place, 2, vec4(0.0)); }
 
 SeaBed sea_bed_read(LodRead read, vec2 place) {
-  return SeaBed(sea_bed_height(read, place), sea_bed_layers(read, place, 0, vec4(1.0)),
-                sea_bed_layers(read, place, 1, vec4(1.0, 1.0, 0.0, 1.0)), sea_bed_slope(read, place),
-                sea_bed_layers(read, place, 3, vec4(0.0)));
+  SeaBed bed = SeaBed(sea_bed_height(read, place), sea_bed_layers(read, place, 0, vec4(1.0)),
+                      sea_bed_layers(read, place, 1, vec4(1.0, 1.0, 0.0, 1.0)), sea_bed_slope(read, place), vec4(0.0));
+  // Where no shift is, none changes.
+  if (bed.here.z != 0.0 || bed.here.w != 0.0) bed.bend = sea_bed_layers(read, place, 3, vec4(0.0));
+  return bed;
 }
 
 // Numbers: 0 to 4 the cascades, 5 the other sources, 6 what has the bed's share by other ways.

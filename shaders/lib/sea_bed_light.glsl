@@ -17,20 +17,22 @@ float bed_hash(vec2 cell) {
 // Smooth noise of mean 0.5 over cells of a size that divides ground_pattern_m, after which it comes again; faded to its
 // mean as the footprint comes to the size.
 float bed_noise(vec2 place, float size, float footprint) {
+  const float faded = clamp(2.0 * footprint / size - 0.5, 0.0, 1.0);
+  if (faded >= 1.0) return 0.5;
   const vec2 at = place / size, cell = floor(at), f = at - cell, t = f * f * (3.0 - 2.0 * f);
   const float period = ground_pattern_m / size;
   const vec2 low = mod(cell, period), high = mod(cell + 1.0, period);
   const float value = mix(mix(bed_hash(low), bed_hash(vec2(high.x, low.y)), t.x),
                           mix(bed_hash(vec2(low.x, high.y)), bed_hash(high), t.x), t.y);
-  return mix(value, 0.5, clamp(2.0 * footprint / size - 0.5, 0.0, 1.0));
+  return mix(value, 0.5, faded);
 }
 
 // `above`: the drawn water over the still one, m.
 Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   Bed bed;
-  const LodRead read = place_read(p.place, footprint);
-  bed.still_depth = here.level.x - sea_bed_height(read, p.place).x;
-  bed.slope = sea_bed_slope(read, p.place).xy;
+  // A plane through where the water rests: waves carry it less far than beds bend.
+  bed.slope = here.bed.slope.xy;
+  bed.still_depth = here.level.x - here.bed.here.x - dot(bed.slope, p.place - p.rest);
   // Near the shore the water is where the long waves have run up to; what is drawn there may be the bed itself.
   const float shore = 2.0 * frame.sea.place.shift_along[0].z + 0.05;
   bed.film = bed.still_depth + max(above, -0.9 * max(bed.still_depth, 0.0));
@@ -87,15 +89,15 @@ struct BedSeen {
 // Where the line that goes `sideways` a metre of depth meets the bed under `water` (m, its height). From `place` there
 // are `film` metres straight down.
 BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprint) {
-  const float film = max(bed.film, 0.0), tried = min(film, 20.0);
+  // First the bed is taken for a plane, and then for what lies below the place that this leads to.
+  const float film = max(bed.film, 0.0), tried = min(film / clamp(1.0 + dot(bed.slope, sideways), 1.0, 8.0), 20.0);
   BedSeen seen = BedSeen(tried, place + sideways * tried, bed.slope);
-  const float depth = water - sea_bed_height(place_read(seen.place, footprint), seen.place).x;
-  // Where the bed rises on the way it is a plane, and where it is steep it is found by the rule of false position (of
-  // Illinois: Dowell and Jarratt 1971): a wall is met below the water, and what stands above the water behind it is not
-  // seen through it.
-  float above = 0.0, above_by = film, below = tried, below_by = max(tried - depth, 0.0);
-  seen.way = depth < tried ? tried * film / (film + below_by) : depth;
-  if (depth < 0.85 * tried) {
+  const float left = water - sea_bed_height(place_read(seen.place, footprint), seen.place).x - tried;
+  seen.way = left > 0.0 ? tried + left : tried * film / max(film - left, 1e-6);
+  // Where it rises more than that it is found by the rule of false position (of Illinois: Dowell and Jarratt 1971): a
+  // wall is met below the water, and what stands above the water behind it is not seen through it.
+  if (left < -0.1 * film) {
+    float above = 0.0, above_by = film, below = tried, below_by = -left;
     for (int i = 0; i < 5; ++i) {
       const vec2 at = place + sideways * seen.way;
       const float by = water - sea_bed_height(place_read(at, footprint), at).x - seen.way;
@@ -112,7 +114,7 @@ BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprin
     }
     seen.slope = sea_bed_slope(place_read(place + sideways * seen.way, footprint), place + sideways * seen.way).xy;
   }
-  if (depth < tried) seen.place = place + sideways * seen.way;
+  seen.place = place + sideways * min(seen.way, 20.0);
   return seen;
 }
 
