@@ -28,7 +28,7 @@ glm::dvec3 tile_moments(const WaveBins& bins, int index) {
 
 WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
                        const SeaStatistics& statistics, double anisotropy, Filled filled)
-    : ladder_(bins.ladder), statistics_(statistics), chop_(sea.chop), filled_(filled) {
+    : ladder_(bins.ladder), warp_(bins.ladder), statistics_(statistics), chop_(sea.chop), filled_(filled) {
   const EffectScope scope(device, "waves");
   half_ = quality.half_storage || !device.facts().float32_linear;
   if (half_ && !quality.half_storage)
@@ -95,6 +95,7 @@ void WaveImages::describe(gpu::SeaData& data, glm::dvec2 grid_origin_m) const {
                          float(shortest_wave(cascade)));
     d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), float(longest_wave(cascade)));
   }
+  data.warp = warp_.from(grid_origin_m);
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(chop_));
   data.footprint.z = float(statistics_.largest_height_m);
 }

@@ -54,10 +54,12 @@ class WaveImages {
   VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
   bool half_storage() const { return half_; }
   int cascades() const { return int(cascade_moments_.size()); }
+  bool bent() const { return bool(warp_); }  // the first cascade's pattern
 
  private:
   friend class WaveCompute;  // which stores into views of their levels
   Ladder ladder_;
+  PatternWarp warp_;
   SeaStatistics statistics_;
   double chop_;
   bool half_ = false;

@@ -141,6 +141,15 @@ void Breaking::add(const FoamRow& row, float per_s, const BreakingWater& water, 
   const Slice& slice = slices_[std::size_t(row.slice)];
   std::array<BreakingLayer, most_breaking_layers> layers;
   std::size_t count = 0;
+  // Bent derivatives count as straight ones here: the strain, a twentieth at most, is far less than the Jacobian's own
+  // deviation.
+  const PatternWarp& warp = field().warp();
+  WarpRow bent{};
+  for (std::size_t i = 0; warp && i < bent.waves.size(); ++i) {
+    const PatternWarp::Wave& wave = warp.waves()[i];
+    bent.waves[i] = {glm::dot(wave.along, row.first_m) + wave.phase, wave.along.x * row.texel_m, float(wave.way.x),
+                     float(wave.way.y)};
+  }
   for (const Reading& r : slice.readings)
     layers[count++] = {tiles().texels(r.tile, WavePlane::slope, r.level),
                        tiles().texels(r.tile, WavePlane::shift, r.level),
@@ -153,7 +162,8 @@ void Breaking::add(const FoamRow& row, float per_s, const BreakingWater& water, 
                        float(r.along_x.x),
                        float(r.along_x.y),
                        float(2.0 * std::numbers::pi / std::sqrt(r.longest_m * r.shortest_m)),
-                       r.share};
+                       r.share,
+                       warp && r.tile == 0 ? &bent : nullptr};
   const BreakingLaw law{float(thinner),        float(least_sigma),    float(least_threshold),
                         float(most_threshold), float(lowest_),        float(threshold_),
                         float(variance_),      float(slice.variance), float(least_flow_mps)};

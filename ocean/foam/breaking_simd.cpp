@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "ocean/sea/formulas-inl.h"
+#include "ocean/waves/turns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace seascape {
@@ -68,6 +69,27 @@ HWY_INLINE void locate(const BreakingLayer& layer, const Start& start, Terms& te
   hn::Store(hn::Mul(share, hn::Sub(x, floor_x)), d, terms.right[term] + i);
 }
 
+// How far the pattern at texels i to i + lanes - 1 of a group is shifted, in the level's texels.
+HWY_INLINE void shift_pattern(const BreakingLayer& layer, int first, int i, Vector& off_x, Vector& off_z) {
+  const Lanes d;
+  const hn::RebindToSigned<Lanes> di;
+  auto x = hn::Zero(d), z = hn::Zero(d);
+  for (const WarpRow::Wave& wave : layer.warp->waves) {
+    const auto whole = [](double turns) {  // times 2^32, of which 32 bits count
+      return std::int32_t(std::uint32_t(std::int64_t((turns - std::floor(turns)) * 4294967296.0)));
+    };
+    const auto turns = hn::Add(hn::Set(di, whole(wave.turns + first * wave.step)),
+                               hn::Mul(hn::Iota(di, i), hn::Set(di, whole(wave.step))));
+    Vector cosine, sine;
+    cos_sin_turns(d, turns, cosine, sine);
+    x = hn::Add(x, hn::Mul(hn::Set(d, wave.way_x), sine));
+    z = hn::Add(z, hn::Mul(hn::Set(d, wave.way_z), sine));
+  }
+  const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine);
+  off_x = hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z));
+  off_z = hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x));
+}
+
 // A layer as water that stands reads it, or with `flow_x` and `flow_z` (a group's, m/s) the two patterns of it that the
 // flow carries along in turn.
 HWY_INLINE void add_terms(const BreakingLayer& layer, const BreakingLaw& law, const FlowPhase& phase,
@@ -83,8 +105,10 @@ HWY_INLINE void add_terms(const BreakingLayer& layer, const BreakingLaw& law, co
   const auto zero = hn::Zero(d), whole = hn::Set(d, layer.share);
   const auto way_s = hn::Set(d, float(std::abs(phase.second_s - phase.first_s)) * layer.middle_per_m);
   for (int i = 0; i < group; i += int(hn::Lanes(d))) {
+    auto bent_x = zero, bent_z = zero;
+    if (layer.warp != nullptr) shift_pattern(layer, first, i, bent_x, bent_z);
     if (patterns == 1) {
-      locate(layer, start, terms, term, i, zero, zero, whole);
+      locate(layer, start, terms, term, i, bent_x, bent_z, whole);
       continue;
     }
     const auto x = hn::Load(d, flow_x + i), z = hn::Load(d, flow_z + i);
@@ -96,8 +120,8 @@ HWY_INLINE void add_terms(const BreakingLayer& layer, const BreakingLaw& law, co
     const auto u = hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z)), v = hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x));
     const auto put = [&](int at, double way, double counts, Vector standing) HWY_ATTR {
       const auto back = hn::Set(d, float(-way));
-      locate(layer, start, terms, at, i, hn::IfThenElse(stands, zero, hn::Mul(back, u)),
-             hn::IfThenElse(stands, zero, hn::Mul(back, v)),
+      locate(layer, start, terms, at, i, hn::Add(bent_x, hn::IfThenElse(stands, zero, hn::Mul(back, u))),
+             hn::Add(bent_z, hn::IfThenElse(stands, zero, hn::Mul(back, v))),
              hn::IfThenElse(stands, standing, hn::Mul(whole, hn::Mul(height, hn::Set(d, float(counts))))));
     };
     put(term, phase.first_s, phase.first, whole);

@@ -1,5 +1,6 @@
 // Where the waves break, for a row of texels at once: what Breaking makes of its readings, vectorised.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -8,6 +9,15 @@
 #include "ocean/waves/wave_field.h"
 
 namespace seascape {
+
+// The bend of a row's texels.
+struct WarpRow {
+  struct Wave {
+    double turns, step;  // its phase at the row's first texel, and from one to the next
+    float way_x, way_z;  // how far it shifts, m
+  };
+  std::array<Wave, gpu::warp_waves> waves;
+};
 
 // A level of a place's tile, as a row's texels read it. Rows are read in groups, each from its own place in double:
 // what floats take of it is the same a thousand kilometres out.
@@ -19,6 +29,7 @@ struct BreakingLayer {
   float cosine, sine;              // from the world to the tile, times texels a metre
   float middle_per_m;              // wave number in the middle of the waves' band (flow_height)
   float share;                     // that counts
+  const WarpRow* warp = nullptr;   // by which its pattern is bent; null: it lies straight
 };
 
 // What waves do besides, of each of a row's texels; null where nothing does. Water that nothing moves does not break.

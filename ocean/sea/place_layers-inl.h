@@ -80,6 +80,18 @@ struct Laid {
   V x_s, z_s, there_s;  // what these grow by in a second of a current, where there are derivatives
 };
 
+// The bend at the rest positions of points i to i + lanes - 1.
+template <int count, class D>
+HWY_INLINE void bend(D d, const PlacePlan& plan, const Group& g, int i, Dual<hn::Vec<D>, count>& x,
+                     Dual<hn::Vec<D>, count>& z) {
+  const auto by = warped(d, plan.waves, g, hn::Load(d, g.way_x + i), hn::Load(d, g.way_z + i), i);
+  x.value = by.x, z.value = by.z;
+  if constexpr (count > 0) {
+    x.by[by_x] = by.x_by_x, x.by[by_z] = by.x_by_z;
+    z.by[by_x] = by.z_by_x, z.by[by_z] = by.z_by_z;
+  }
+}
+
 // All layers at the rest positions of points i to i + lanes - 1: put(l, laid) for each.
 template <int count, class D, class Put>
 HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, int i, const Put& put) {
@@ -134,6 +146,8 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
       put(l + int(pattern), laid);
     }
   };
+  N warp_x = zero, warp_z = zero;  // what the pattern that lies bent is shifted by
+  if (plan.waves.warp != nullptr) bend<count>(d, plan, g, i, warp_x, warp_z);
   Carried<N> by;
   if (plan.flow) by = carried(flow_x, flow_z, plan.phase);
   const auto not_x = hn::Neg(flow_x.value), not_z = hn::Neg(flow_z.value);
@@ -160,6 +174,7 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
         off_z = times(bend, plan.along[std::size_t(layer.bent)].y);
       }
     }
+    if (plan.waves.layers[std::size_t(l)].bent) off_x = off_x + warp_x, off_z = off_z + warp_z;
     if (plan.flow) {
       put_carried(l, off_x, off_z, there, sideways, by, way_x, way_z, not_x, not_z);
       l += 2;

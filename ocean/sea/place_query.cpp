@@ -169,6 +169,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
   plan.waves.velocity = waves.velocity;
   plan.waves.slopes = waves.slopes;
   plan.waves.depth_m = waves.depth_m;
+  plan.waves.warp = waves.warp;
   plan.waves.left_out_m = beside.left_out_m;
   plan.places = this;
   plan.pages = pages_.get();

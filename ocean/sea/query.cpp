@@ -22,6 +22,7 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
   plan.velocity = tiles.has_velocity() && (options.fields & query_velocity) != 0;
   plan.slopes = plan.velocity || (options.fields & query_slopes) != 0;
   plan.depth_m = field.state().depth_m;
+  if (field.warp()) plan.warp = &field.warp();
   const std::size_t places = field.curved() + (curved && field.has_curved() ? 1 : 0);
   for (std::size_t c = 0; c < places; ++c) {
     const WaveField::Place& place = c == field.curved() ? field.curved_place() : field.places()[c];
@@ -45,6 +46,7 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
       const float laid = float(place.size);
       layer.laid = {laid, laid, laid, 1.0f};
       layer.plain = laid == 1.0f;
+      layer.bent = c == 0 && plan.warp != nullptr;
       layer.shift = plane(WavePlane::shift);
       layer.velocity = plan.velocity ? plane(WavePlane::velocity) : nullptr;
     }

@@ -21,8 +21,9 @@ struct QueryLayer {
   std::int32_t mask, stride;           // size - 1; texels from one row to the next
   float share;  // of what is read here that counts: the footprint's, and how near this level is to it
   std::array<float, 4>
-      laid;    // what the texels' displacements, velocities and their last number are to be multiplied with
-  bool plain;  // by 1: a cascade
+      laid;           // what the texels' displacements, velocities and their last number are to be multiplied with
+  bool plain;         // by 1: a cascade
+  bool bent = false;  // by QueryPlan::warp
   const float *shift, *velocity;  // first texel of each plane; velocity null where there is none
 };
 
@@ -31,6 +32,7 @@ struct QueryPlan {
   std::array<QueryLayer, most_query_layers> layers;
   std::array<std::int8_t, most_query_layers> place;  // of the field's places whose each is
   int count = 0;
+  const PatternWarp* warp = nullptr;  // of the field; null: all patterns lie straight
   int most_iterations = 0;
   float tolerance_m = 0.0f;
   bool velocity = false, slopes = true;

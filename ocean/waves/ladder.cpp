@@ -10,8 +10,14 @@ namespace seascape {
 namespace {
 constexpr double longest_side = 16937.0,
                  longest_last = 2.47;  // sides of the first and the last tile of the longest class
-constexpr int classes = 3;             // each half as long as the one before
-constexpr double most_left = 0.125;    // share of the variance that the shorter tiles may carry
+constexpr int classes = 8;             // each half as long as the one before
+constexpr int straight = 3;            // of them; the rest are laid bent
+// Share of the variance that the shorter tiles may carry. The last straight class may leave more: it has tiled no more
+// than is allowed with what the next one would take over, and a bent sea's copies add next to nothing.
+constexpr double most_left(int index) { return index + 1 < straight ? 0.125 : 0.15; }
+constexpr double no_help = 0.5;  // of ripples that even the last class leaves, and a tile of 4.2 km may as well
+// A bent tile has no place for waves that are long beside it: their copies are hardly shifted, and few bins hold them.
+constexpr double long_beside = 1.0 / 16.0, most_long = 0.02;
 // |m| between which a tile hands over to the next.
 constexpr std::array<double, 2> fade{25.0, 31.0}, long_fade{108.0, 127.0};
 constexpr double golden_quarter = 0.9708055193627733;  // 90 degrees divided by the golden ratio: lattices never line up
@@ -47,17 +53,21 @@ double share_above(double k, const std::array<double, 2>& edge) {
 }  // namespace
 
 Ladder ladder(const SeaState& sea) {
-  std::array<double, classes> hand_over;
-  for (int i = 0; i < classes; ++i)
-    hand_over[i] = std::numbers::pi * (long_fade[0] + long_fade[1]) * std::exp2(i) / longest_side;
-  int chosen = 0;
-  if (longest_peak_wave_m(sea) > 0.0) {
-    const auto below = share_below(sea, hand_over);
-    while (chosen + 1 < classes && 1.0 - below[chosen] > most_left) ++chosen;
-  } else {
-    chosen = classes - 1;
+  std::array<double, 2 * classes> edges;  // where each class hands over, and what is long beside it
+  for (int i = 0; i < classes; ++i) {
+    edges[i] = std::numbers::pi * (long_fade[0] + long_fade[1]) * std::exp2(i) / longest_side;
+    edges[classes + i] = 2.0 * std::numbers::pi * std::exp2(i) / (long_beside * longest_side);
   }
-  const double first = longest_side * std::exp2(-chosen), last = longest_last * std::pow(0.78, chosen);
+  int chosen = straight - 1;
+  if (longest_peak_wave_m(sea) > 0.0) {
+    const auto below = share_below(sea, edges);
+    const auto fits = [&](int index) { return index < straight || below[classes + index] <= most_long; };
+    chosen = 0;
+    while (chosen + 1 < classes && 1.0 - below[chosen] > most_left(chosen) && fits(chosen + 1)) ++chosen;
+    if (1.0 - below[chosen] > no_help) chosen = straight - 1;
+  }
+  const double first = longest_side * std::exp2(-chosen),
+               last = longest_last * std::pow(0.78, std::min(chosen, straight - 1));
   // The wave at which each tile hands over falls by one ratio.
   const auto middle = [](const std::array<double, 2>& edge) { return 0.5 * (edge[0] + edge[1]); };
   const double longest = first / middle(long_fade), shortest = last / middle(fade);
@@ -72,6 +82,7 @@ Ladder ladder(const SeaState& sea) {
     const auto& edge = i == 0 ? long_fade : fade;
     c.k_out = {edge[0] * step, edge[1] * step};
     c.k_in = i == 0 ? std::array<double, 2>{0.0, 0.0} : result[i - 1].k_out;
+    c.bent = i == 0 && chosen >= straight;
   }
   return result;
 }

@@ -75,13 +75,14 @@ struct PlaneSum {
   HWY_INLINE void resolved(const LevelSpot& spot) {
     to += double(spot.share) * spot.size * glm::dvec3(sample(tiles, spot, plane));
   }
-  void unresolved(int) {}
+  void unresolved(std::size_t, int) {}
 };
 
 // Sums everything.
 struct SeaSum {
   const WaveTiles& tiles;
   SeaSample& to;
+  const PatternWarp::Bend* bend;  // of the first place; null: it lies straight
   HWY_INLINE void resolved(const LevelSpot& spot) {
     const double share = spot.share;
     const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift),
@@ -89,20 +90,33 @@ struct SeaSum {
     const glm::dvec4 all(*tiles.texels(spot.tile, WavePlane::moments, tiles.levels(spot.tile) - 1));
     const glm::dvec4 moments = glm::mix(all, sample(tiles, spot, WavePlane::moments), share);
     to.displacement += spot.size * glm::dvec3(shift);
-    to.height_gradient += glm::dvec2(slope);
-    to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
+    const glm::dvec3 below(std::max(moments.x - slope.x * slope.x, 0.0), std::max(moments.y - slope.y * slope.y, 0.0),
+                           moments.z - slope.x * slope.y);
+    if (bend != nullptr && spot.number == 0) {
+      add_bent(slope, shift.w);
+      to.slope_moments += bend->of_moments(below);
+    } else {
+      to.height_gradient += glm::dvec2(slope);
+      to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
+      to.slope_moments += below;
+    }
     const double divergence = slope.z + slope.w;
-    to.slope_moments += glm::dvec3(std::max(moments.x - slope.x * slope.x, 0.0),
-                                   std::max(moments.y - slope.y * slope.y, 0.0), moments.z - slope.x * slope.y);
     to.divergence_moment += std::max(moments.w - divergence * divergence, 0.0);
   }
-  void unresolved(int tile) {
+  void unresolved(std::size_t number, int tile) {
     const glm::dvec4 moments(*tiles.texels(tile, WavePlane::moments, tiles.levels(tile) - 1));
-    to.slope_moments += glm::dvec3(moments);
+    to.slope_moments += bend != nullptr && number == 0 ? bend->of_moments(glm::dvec3(moments)) : glm::dvec3(moments);
     to.divergence_moment += moments.w;
   }
+  // The two halves of a bent pattern's shear differ by less than its strain times the shift's, and have their mean.
+  void add_bent(const glm::dvec4& slope, double shear) {
+    const glm::dvec2 of_x = bend->of({slope.z, shear}), of_z = bend->of({shear, slope.w});
+    to.height_gradient += bend->of(glm::dvec2(slope));
+    to.shift_gradient += glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
+  }
 };
-// Calls visit.resolved(spot) for each place that the footprint resolves and visit.unresolved(tile) for each other.
+// Calls visit.resolved(spot) for each place that the footprint resolves and visit.unresolved(number, tile) for each
+// other.
 template <class Visit>
 HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
   if (places.places.empty()) return;
@@ -117,8 +131,10 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
     if (!resolved(n)) continue;
     const hn::FixedTag<double, 1> d;
     const WaveField::Place& place = places.places[n];
+    glm::dvec2 from = places.rest_m;
+    if (n == 0 && places.bent) from += places.bend.shift_m;
     const auto at = in_tile(d, hn::Set(d, place.cosine), hn::Set(d, place.sine), hn::Set(d, place.inverse_side),
-                            hn::Set(d, places.rest_m.x), hn::Set(d, places.rest_m.y));
+                            hn::Set(d, from.x), hn::Set(d, from.y));
     const int level = filter.level[n];
     find_corner(tiles, place, level, at, int(n), fine);
     if (filter.between[n] > 0.0f) find_corner(tiles, place, level + 1, at, int(n), coarse);
@@ -126,7 +142,7 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
   for (std::size_t n = 0; n < places.places.size(); ++n) {
     const WaveField::Place& place = places.places[n];
     if (!resolved(n))
-      visit.unresolved(place.tile);
+      visit.unresolved(n, place.tile);
     else
       visit.resolved(
           {int(n), place.tile, filter.level[n], filter.between[n], filter.share[n], place.size, fine, coarse});
@@ -135,7 +151,9 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
 
 }  // namespace
 
-void sum_sea(const SampledPlaces& places, SeaSample& to) { visit_places(places, SeaSum{places.tiles, to}); }
+void sum_sea(const SampledPlaces& places, SeaSample& to) {
+  visit_places(places, SeaSum{places.tiles, to, places.bent ? &places.bend : nullptr});
+}
 void sum_plane(const SampledPlaces& places, WavePlane plane, glm::dvec3& to) {
   visit_places(places, PlaneSum{places.tiles, plane, to});
 }

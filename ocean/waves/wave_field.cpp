@@ -77,6 +77,7 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
                        cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade), shortest_wave(cascade)});
   }
+  if (quality.cascades > 0) warp_ = PatternWarp(bins_.ladder);
   feed(std::move(others));
 }
 

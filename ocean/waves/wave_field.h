@@ -10,6 +10,7 @@
 
 #include "ocean/waves/fft.h"
 #include "ocean/waves/ladder.h"
+#include "ocean/waves/pattern_warp.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/tile_source.h"
 #include "shaders/shared/wave_bin.h"
@@ -207,6 +208,8 @@ class WaveField {
   const Place& curved_place() const { return places_[laid_]; }
   std::size_t curved() const { return laid_; }
   const TileSources& others() const { return others_; }
+  // How the first cascade's pattern is bent, which is the first place; none where it lies straight.
+  const PatternWarp& warp() const { return warp_; }
 
  private:
   SeaState sea_;
@@ -216,6 +219,7 @@ class WaveField {
   std::vector<FftPlan> plans_;  // these three a cascade
   std::vector<WaveTable> tables_;
   std::vector<Place> places_;
+  PatternWarp warp_;
   std::size_t laid_ = 0;  // of them over the sea; what follows is laid along curves
   TileSources others_;
   SampledPlaces sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter) const;

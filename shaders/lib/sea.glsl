@@ -23,6 +23,9 @@ layout(constant_id = value_cascades) const int cascade_count = max_cascades;
 // Of the samplers of slopes; 1 where the driver has no other.
 layout(constant_id = value_anisotropy) const float anisotropy = 1.0;
 
+// Whether the first cascade's pattern lies bent, as in light seas; false: nothing of it is left here.
+layout(constant_id = value_warp) const bool sea_warp = false;
+
 // A recorded loop's tile (the effect baked); 0: there is none, and nothing of it is left here.
 layout(constant_id = value_baked) const int baked_layings = 0;
 layout(binding = slot_baked) uniform texture2DArray baked_displacement;  // as those above
@@ -73,6 +76,7 @@ float kept(CascadeData c, float footprint) { return clamp(2.0 - 2.0 * footprint 
 #include "lib/sea_place.glsl"
 #include "lib/flow.glsl"
 #include "lib/sea_bed.glsl"
+#include "lib/sea_warp.glsl"
 #include "lib/shore.glsl"
 
 // What is known of a rest position for a footprint in metres.
@@ -83,6 +87,7 @@ SeaPlace sea_place(vec2 rest, float footprint) {
   if (sea_flow) place.flow = place_value(sea_flow_windows, place.read, rest, frame.sea.place.outside.zwzw).xy;
   if (sea_bed) place.bed = sea_bed_read(place.read, rest);
   if (shore_waves) place.shore = shore_read(place.read, rest);
+  if (sea_warp) place.warp = sea_warp_at(rest);
   return place;
 }
 
@@ -102,6 +107,7 @@ void add_displacement(inout vec4 sum, texture2DArray tiles, CascadeData c, int n
   const float level = log2(max(footprint / c.origin.z, 1.0));
   vec2 at = tile_vector(c, place.rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(place.bed, c, number);
+  if (sea_warp) at += sea_warp_shift(place.warp, c, number);
   vec4 texel = vec4(0.0);
   if (stands(place)) texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, layer), level);
   if (sea_flow && !stands(place)) texel = flow_texel(tiles, c, place.flow, vec3(at, layer), level);
@@ -175,11 +181,17 @@ void add_carried(inout vec4 sum, texture2DArray tiles, int i, SeaPlace place, fl
   if (share <= 0.0) return;
   vec2 at = tile_vector(c, place.rest) + c.origin.xy;
   if (sea_bed) at += sea_bed_shift(place.bed, c, i);
+  if (sea_warp) at += sea_warp_shift(place.warp, c, i);
   vec4 texel = vec4(0.0);
   if (stands(place)) texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_flow && !stands(place)) texel = flow_texel(tiles, c, place.flow, vec3(at, float(max(i - 1, 0))), 0.0);
-  if (sea_bed) texel = sea_bed_derivatives(place.bed, texel, i);
-  sum += share * texel;
+  vec4 drawn = texel;
+  if (sea_bed) drawn = sea_bed_derivatives(place.bed, texel, i);
+  vec4 grown = vec4(0.0);
+  if (sea_warp) grown = sea_warp_growth(place.warp, texel, i);
+  if (sea_bed) grown *= sea_bed_displaced(place.bed, i).yyxx;
+  if (sea_warp) drawn += grown;
+  sum += share * drawn;
 }
 
 // Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are
@@ -240,12 +252,14 @@ void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray mo
   const float share = kept(c, 2.0 * over.blur);  // at two to four pixels a wave
   if (share <= 0.0) {  // all of its waves lie below the footprint: mean zero, and all of its variance
     vec3 all = c.moments.xyz;
+    if (sea_warp) all = sea_warp_moments(place.warp, all, number);
     if (sea_bed) all *= sea_bed_energy(place.bed, number);
     s.variance += all;
     return;
   }
   vec3 at = vec3(tile_vector(c, place.rest) + c.origin.xy, layer);
   if (sea_bed) at.xy += sea_bed_shift(place.bed, c, number);
+  if (sea_warp) at.xy += sea_warp_shift(place.warp, c, number);
   const vec2 du = 0.5 * tile_vector(c, over.along), dv = 0.5 * tile_vector(c, over.across);
   const float level = mip_level(0.5 * over.blur / c.origin.z);
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel
@@ -253,6 +267,10 @@ void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray mo
   const vec4 d = share * pattern_mean(derivatives, c, place, at, du, dv, level);
   vec4 drawn = d;
   if (sea_bed) drawn = sea_bed_derivatives(place.bed, d, number);
+  vec4 grown = vec4(0.0);
+  if (sea_warp) grown = sea_warp_growth(place.warp, d, number);
+  if (sea_bed) grown *= sea_bed_displaced(place.bed, number).yyxx;
+  if (sea_warp) drawn += grown;
   s.gradient += left * drawn.xy;
   s.shift.xy += left * drawn.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to
@@ -261,6 +279,7 @@ void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray mo
   if (coarse <= 0.0) return;
   const vec3 m = mix(c.moments.xyz, tile_mean(moments, at, du, dv, level).xyz, share);
   vec3 rough = coarse * max(m - vec3(d.xy * d.xy, d.x * d.y), vec3(0.0, 0.0, -1.0));
+  if (sea_warp) rough = sea_warp_moments(place.warp, rough, number);
   if (sea_bed) rough *= sea_bed_energy(place.bed, number);
   s.variance += rough;
 }

@@ -17,6 +17,13 @@ struct SeaShore {
   vec2 bent;      // the place in the pattern, m
 };
 
+// The bend of the first cascade's pattern: how far it is shifted, m, and what that grows by in a metre: (x by x, x by
+// z, z by x, z by z).
+struct SeaWarp {
+  vec2 shift;
+  vec4 growth;
+};
+
 struct SeaPlace {
   vec2 rest;     // rest position, metres from the grid origin
   LodRead read;  // where the windows of places are read
@@ -24,10 +31,12 @@ struct SeaPlace {
   vec2 flow;     // the water's velocity, m/s
   SeaBed bed;
   SeaShore shore;
+  SeaWarp warp;
 };
 
 // The open sea, which keeps what a scene has no data for.
 SeaPlace plain_place(vec2 rest, LodRead read) {
   const SeaBed bed = SeaBed(vec4(0.0), vec4(1.0), vec4(1.0, 1.0, 0.0, 1.0), vec4(0.0), vec4(0.0));
-  return SeaPlace(rest, read, vec3(0.0), vec2(0.0), bed, SeaShore(0.0, 0.0, vec2(0.0), vec2(0.0)));
+  return SeaPlace(rest, read, vec3(0.0), vec2(0.0), bed, SeaShore(0.0, 0.0, vec2(0.0), vec2(0.0)),
+                  SeaWarp(vec2(0.0), vec4(0.0)));
 }

@@ -3,6 +3,7 @@
 #define SEASCAPE_SEA_DATA_H
 #include "gpu_types.h"
 #include "lod_windows.h"
+#include "pattern_warp.h"
 #include "wave_bin.h"
 #include "wave_particles.h"
 SEASCAPE_SHARED_BEGIN
@@ -59,6 +60,7 @@ struct SeaData {
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   DynamicData dynamic;                          // of dynamic waves
   PlaceData place;                              // of what belongs to places
+  WarpData warp;   // of the first cascade's pattern; nothing is there where it lies straight
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop
   vec4 footprint;  // x: no water is further from its rest position than this, metres; y: one over the distance at which
                    // a recorded loop has faded, 1/m, 0 for none; z: highest crest in metres, w: significant height of

@@ -27,7 +27,7 @@ SEASCAPE_CONST int slot_sea_depths = 36;
 SEASCAPE_CONST int value_multiview = 0;
 SEASCAPE_CONST int value_tile_shape = 2, value_debug = 4, value_sky_ray = 6;
 SEASCAPE_CONST int value_deferred = 10, value_anisotropy = 5, value_probe = 1;
-SEASCAPE_CONST int value_cascades = 7;
+SEASCAPE_CONST int value_cascades = 7, value_warp = 20;
 SEASCAPE_CONST int value_particles = 8, value_gerstner = 11, value_baked = 12, value_shore_waves = 28;  // layings
 SEASCAPE_CONST int value_dynamic_levels = 13;
 SEASCAPE_CONST int value_level = 14, value_bed = 15, value_flow = 16;

@@ -141,6 +141,26 @@ TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
     }
 }
 
+// A light sea, whose longest tile is laid bent, at the world's origin and a thousand kilometres out, and in a current
+// and over a bed. Controls seen: the bend's phases taken at the world's origin and not the grid's; the bend left out of
+// the shaders.
+TEST_P(DrawnSurface, StandsThereInLightSeas) {
+  for (const char* wind : {"3", "7"}) {
+    const std::vector<std::pair<std::string, std::string>> set{{"waves.wind_speed_mps", wind},
+                                                               {"waves.swell_height_m", "0"}};
+    for (const Pose& head : {near_water, pose({1e6 + 0.37, 2.0, -1e6 - 0.81}, 200.0, -10.0)}) {
+      const Errors e = errors(GetParam(), "open_sea", "high", set, head, 33.3, 500);
+      EXPECT_GT(e.resolved, 100);
+      EXPECT_LE(e.worst_m, std::min(1e-3 * e.hs_m, 5e-3)) << wind << ' ' << e.where;
+      RecordProperty(std::string(wind) + (head.position_m.x > 1e5 ? "_far" : "_near"), std::to_string(e.worst_m));
+    }
+  }
+  for (const char* scene : {"rivers", "whirlpool", "harbour_clip"}) {
+    const Errors e = errors(GetParam(), scene, "high", unfaded, head_of(scene), 33.3, 500);
+    EXPECT_LE(e.worst_m, std::min(1e-3 * e.hs_m, 5e-3)) << e.where;
+  }
+}
+
 // The control: a field that is a twentieth of a second late does not agree.
 TEST_P(DrawnSurface, AFieldAtAnotherTimeDoesNotAgree) {
   const Errors e = errors(GetParam(), "open_sea", "high", {}, near_water, 33.3, 1000, 0.05);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tests/support/bent_tile.h"
+
 namespace truth {
 
 namespace {
@@ -110,6 +112,7 @@ class Search {
       };
       fields_.emplace_back(tile.half, size, at);
       shares_.push_back(tile.total() / sum);
+      if (!tile.warp.empty()) bent_.emplace_back(tile, sum), kept_ = 10;
       for (int mz = -tile.half + 1; mz < tile.half; ++mz)
         for (int mx = -tile.half + 1; mx < tile.half; ++mx)
           waves_.push_back({tile.side_m / std::max(1e-9, std::hypot(double(mx), double(mz))), at(mx, mz)});
@@ -126,14 +129,19 @@ class Search {
   double tiles_at(double x, double z, bool cubic, double least_share = 0.0) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-      if (shares_[i] <= least_share) continue;
+      if (shares_[i] <= least_share || !tiles_[i].warp.empty()) continue;
       const double c = std::cos(tiles_[i].rotation_rad), s = std::sin(tiles_[i].rotation_rad);
       const double u = (c * x + s * z) / tiles_[i].side_m, v = (-s * x + c * z) / tiles_[i].side_m;
       sum += cubic ? fields_[i].cubic(u, v) : fields_[i].linear(u, v);
     }
     return sum;
   }
-  double excess(double x, double z) const { return tiles_at(x, z, true) - continuous_.at(x, z); }
+  double excess(double x, double z) const { return tiles_at(x, z, true) + bent_at(x, z) - continuous_.at(x, z); }
+  double bent_at(double x, double z) const {
+    double sum = 0.0;
+    for (const BentTile& tile : bent_) sum += tile.at(x, z);
+    return sum;
+  }
 
   Excess run() {
     const int count = int(to_ / step_) + 1;
@@ -144,7 +152,12 @@ class Search {
         propose({tiles_at(x, z, false, 0.002) - continuous_.at(x, z), x, z, 0.0, 0.0, -1});
       }
     settle();
+    std::size_t bent = 0;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
+      if (!tiles_[i].warp.empty()) {
+        search_bent(bent_[bent++], tiles_[i].side_m, int(i));
+        continue;
+      }
       if (shares_[i] < 0.002) continue;
       const double side = tiles_[i].side_m, c = std::cos(tiles_[i].rotation_rad), s = std::sin(tiles_[i].rotation_rad);
       const int most = int(to_ / side);
@@ -153,26 +166,51 @@ class Search {
           const double u = ix * side, v = iz * side, r2 = u * u + v * v;
           if (r2 < from_ * from_ || r2 > to_ * to_) continue;
           const double x = c * u - s * v, z = s * u + c * v;
-          propose({excess(x, z), x, z, 0.0, 0.0, int(i)});
+          // What the bent tiles add is far less than a share like this, and counts in the climb.
+          const double value = shares_[i] < 0.03 ? tiles_at(x, z, true) - continuous_.at(x, z) : excess(x, z);
+          propose({value, x, z, 0.0, 0.0, int(i)});
         }
       settle();
     }
-    best_.tiles = tiles_at(best_.x_m, best_.z_m, true);
+    best_.tiles = tiles_at(best_.x_m, best_.z_m, true) + bent_at(best_.x_m, best_.z_m);
     best_.continuous = continuous_.at(best_.x_m, best_.z_m);
     return best_;
   }
 
  private:
-  static constexpr std::size_t kept = 40;
   static bool more(const Excess& a, const Excess& b) { return a.value > b.value; }
   void propose(const Excess& e) {  // a heap whose first is the least of the best
-    if (candidates_.size() == kept && e.value <= candidates_.front().value) return;
-    if (candidates_.size() == kept) {
+    if (candidates_.size() == kept_ && e.value <= candidates_.front().value) return;
+    if (candidates_.size() == kept_) {
       std::pop_heap(candidates_.begin(), candidates_.end(), more);
       candidates_.pop_back();
     }
     candidates_.push_back(e);
     std::push_heap(candidates_.begin(), candidates_.end(), more);
+  }
+  void search_bent(const BentTile& tile, double side, int lattice) {
+    const double wave = tile.middle_wave_m();
+    const int most = int(to_ / side) + 1;
+    for (int iz = 0; iz <= most; ++iz)
+      for (int ix = iz == 0 ? 1 : -most; ix <= most; ++ix) {
+        const double r = side * std::hypot(double(ix), double(iz)), reach = tile.most_shift_m(ix, iz) + wave;
+        if (r + reach < from_ || r - reach > to_) continue;
+        tile.around(
+            ix, iz, reach, wave / 6.0,
+            [&] { return candidates_.size() < kept_ ? 0.0 : std::max(candidates_.front().value, 0.0); },
+            [&](double x, double z, double value) {
+              const double lag = std::hypot(x, z);
+              if (lag >= from_ && lag <= to_) propose({value, x, z, 0.0, 0.0, lattice});
+            });
+      }
+    settle();
+    for (int i = 0; i < 1000; ++i) {  // evenly over the half plane, by the golden ratio
+      const double r = std::sqrt(from_ * from_ + (to_ * to_ - from_ * from_) * (i + 0.5) / 1000.0),
+                   angle = std::fmod(i * 0.6180339887498949, 1.0) * std::numbers::pi;
+      propose({excess(r * std::cos(angle), r * std::sin(angle)), r * std::cos(angle), r * std::sin(angle), 0.0, 0.0,
+               lattice});
+    }
+    settle();
   }
   // Climbs from each candidate by the best of eight neighbours, the step halved when none is better.
   void settle() {
@@ -200,7 +238,9 @@ class Search {
   std::span<const SpectralTile> tiles_;
   const ContinuousAutocorrelation& continuous_;
   double from_, to_, step_ = 3.0;
+  std::size_t kept_ = 40;  // candidates; fewer where a climb is a long sum
   std::vector<PeriodicField> fields_;
+  std::vector<BentTile> bent_;
   std::vector<double> shares_;
   std::vector<std::pair<double, double>> waves_;  // length (m), share of the variance
   std::vector<Excess> candidates_;

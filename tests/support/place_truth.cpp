@@ -193,6 +193,14 @@ SeaSample PlaceTruth::sea(const WaveField& field, const WaveTiles& tiles, glm::d
   Here here;
   for (std::size_t of = 0; of < field.places().size(); ++of) here.parts.push_back({.of = of, .place = rest});
   SeaSample result;
+  if (field.warp()) {
+    Part& first = here.parts.front();
+    for (const PatternWarp::Wave& wave : field.warp().waves()) {
+      const double turn = 2.0 * M_PI * (glm::dot(wave.along, rest) + wave.phase);
+      first.place += std::sin(turn) * wave.way;
+      first.warp += 2.0 * M_PI * std::cos(turn) * glm::outerProduct(wave.way, wave.along);
+    }
+  }
   if (level_) {
     PlaceReader<glm::vec4> reader(*level_, inputs_.settings, asked.time_s);
     const PlaceReading at = reading(asked);
@@ -208,7 +216,9 @@ SeaSample PlaceTruth::sea(const WaveField& field, const WaveTiles& tiles, glm::d
     result.displacement += glm::dvec3(part.share, part.lift, part.share) * s.displacement;
     // A pattern's phase is bent by what its shift changes by; along x and z its shift's two halves of shear then
     // differ, and have their mean.
-    const auto bent = [&](glm::dvec2 gradient) { return gradient + glm::dot(gradient, part.along) * part.bend; };
+    const auto bent = [&](glm::dvec2 gradient) {
+      return gradient + glm::dot(gradient, part.along) * part.bend + gradient * part.warp;
+    };
     const glm::dvec3& d = s.shift_gradient;
     const glm::dvec2 of_x = bent({d.x, d.z}), of_z = bent({d.z, d.y});
     result.height_gradient += part.lift * bent(s.height_gradient) + s.displacement.y * part.lift_gradient;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,6 +28,7 @@ constexpr BreakingLaw law{.thinner = 0.94f,
 
 // A level of random waves; a row of it begins a thousand million texels out.
 struct Level {
+  std::optional<WarpRow> warp;
   std::vector<glm::vec4> slope, shift;
   BreakingLayer layer;
   double longest_m, shortest_m;
@@ -51,6 +53,11 @@ struct Level {
   }
   // dDx/dx, dDz/dz, dDx/dz of texel i, `off` metres beside it.
   glm::dvec3 gradient(std::size_t i, glm::dvec2 off) const {
+    for (std::size_t n = 0; warp && n < warp->waves.size(); ++n) {
+      const WarpRow::Wave& wave = warp->waves[n];
+      const double turns = wave.turns + double(i) * wave.step;
+      off += std::sin(2.0 * std::numbers::pi * (turns - std::floor(turns))) * glm::dvec2(wave.way_x, wave.way_z);
+    }
     const double c = double(layer.cosine), s = double(layer.sine);
     const double u = layer.u + double(i) * layer.step_u + c * off.x + s * off.y,
                  v = layer.v + double(i) * layer.step_v - s * off.x + c * off.y;
@@ -111,13 +118,16 @@ struct Waters {
 
 // Rows of all that can come together and of each alone; of each instruction set the same to the bit. Controls seen: the
 // left column's weight for the right one's; the second pattern at the first one's place; the texels past a row's end
-// not wrapped; the sea's threshold where other waves count; land that is not told from water.
+// not wrapped; the sea's threshold where other waves count; land that is not told from water; a group's bend begun at
+// the row's first texel.
 TEST(Breaking, RowsAreAsTexelByTexel) {
   std::mt19937 random(11);
   std::vector<Level> levels;
   levels.reserve(3);
   levels.emplace_back(64, 0.7, 0.4, random), levels.emplace_back(16, 1.3, 2.0, random);
   levels.emplace_back(32, 0.11, -1.0, random);
+  levels[1].warp = WarpRow{{{{3e5 + 0.2, 0.011, 9.0f, -4.0f}, {-7e5, -0.3, 2.0f, 12.0f}, {0.4, 0.0, 5.0f, 1.0f}, {}}}};
+  levels[1].layer.warp = &*levels[1].warp;
   const Waters all(random);
   const FlowPhase phase = flow_phase(3.1, 8.0);
   double worst = 0.0;
