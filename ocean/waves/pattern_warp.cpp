@@ -8,7 +8,8 @@
 namespace seascape {
 
 namespace {
-// A wave of the bend in the tile's own axes: its wave vector, the direction that it shifts in, its strain and its phase.
+// A wave of the bend in the tile's own axes: its wave vector, the direction that it shifts in, its strain and its
+// phase.
 struct Shape {
   bool by_side;  // the wave vector is in turns a side; else in turns in 10 km
   glm::dvec2 along;

@@ -10,10 +10,10 @@ namespace seascape {
 
 // The tile's pattern is taken at rest + shift(rest), where shift is a sum of long waves. At a whole tile r from x the
 // pattern is the same, but shifted by shift(x + r) - shift(x), which differs from place to place. Over the plane, the
-// mean of cos(k . (r + shift(x + r) - shift(x))) is cos(k . r) times the product of J0(2 k . way sin(pi along . r)) over
-// the waves (the mean of exp(i a sin) over a turn is J0(a)), near 0 where these arguments are 2 and more. Waves keep
-// their frequency and are stretched and turned a little, as a weak current does it. The directions, lengths and strains
-// were found by a search over all whole tiles up to 31 away (docs/accuracy.md, Repetition).
+// mean of cos(k . (r + shift(x + r) - shift(x))) is cos(k . r) times the product of J0(2 k . way sin(pi along . r))
+// over the waves (the mean of exp(i a sin) over a turn is J0(a)), near 0 where these arguments are 2 and more. Waves
+// keep their frequency and are stretched and turned a little, as a weak current does it. The directions, lengths and
+// strains were found by a search over all whole tiles up to 31 away (docs/accuracy.md, Repetition).
 class PatternWarp {
  public:
   struct Wave {

@@ -31,10 +31,7 @@ double bessel_j0(double x) {
 }
 
 BentTile::BentTile(const SpectralTile& tile, double all)
-    : side_m_(tile.side_m),
-      cosine_(std::cos(tile.rotation_rad)),
-      sine_(std::sin(tile.rotation_rad)),
-      warp_(tile.warp) {
+    : side_m_(tile.side_m), cosine_(std::cos(tile.rotation_rad)), sine_(std::sin(tile.rotation_rad)), warp_(tile.warp) {
   const int half = tile.half;
   const auto variance = [&](int mx, int mz) {
     return tile.variance[std::size_t(mz + half) * 2 * std::size_t(half) + std::size_t(mx + half)];

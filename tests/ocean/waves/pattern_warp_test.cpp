@@ -37,7 +37,9 @@ PatternWarp::Bend bend_of(const PatternWarp& warp, glm::dvec2 at) {
   return bend;
 }
 
-double distance(const glm::dmat2& a, const glm::dmat2& b) { return glm::length(a[0] - b[0]) + glm::length(a[1] - b[1]); }
+double distance(const glm::dmat2& a, const glm::dmat2& b) {
+  return glm::length(a[0] - b[0]) + glm::length(a[1] - b[1]);
+}
 
 const std::vector<glm::dvec2> corners{{0.0, 0.0}, {1e6, -1e6}, {-3e7, 2e7}};
 
@@ -172,9 +174,8 @@ TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
     };
     const glm::dvec2 want(along({4.0, 0.0}), along({0.0, 4.0}));
     const glm::dvec2 got = sea.bent.sea(sea.tiles, at, 0.0).height_gradient,
-                     straight = sea.straight
-                                    .sea(sea.straight_tiles, at + sea.bent.warp().at(at).shift_m, 0.0)
-                                    .height_gradient;
+                     straight =
+                         sea.straight.sea(sea.straight_tiles, at + sea.bent.warp().at(at).shift_m, 0.0).height_gradient;
     const auto square = [](glm::dvec2 v) { return glm::dot(v, v); };
     off += square(got - want), off_straight += square(straight - want), size += square(got);
   }
@@ -214,10 +215,9 @@ TEST(PatternWarp, QueriesSeeTheBentSea) {
       const SeaSample s = field.sea(tiles, rest, 0.0);
       EXPECT_LT(glm::length(s.displacement - a.displacement), 1e-4);
       EXPECT_LT(glm::length(field.velocity(tiles, rest, 0.0) - a.orbital_velocity_mps), 1e-4);
-      slopes_off.push_back(glm::length(-glm::dvec2(a.normal.x, a.normal.z) / a.normal.y -
-                                       glm::dvec2(east[i].height_m - west[i].height_m,
-                                                  south[i].height_m - north[i].height_m) /
-                                           (2.0 * e)));
+      slopes_off.push_back(glm::length(
+          -glm::dvec2(a.normal.x, a.normal.z) / a.normal.y -
+          glm::dvec2(east[i].height_m - west[i].height_m, south[i].height_m - north[i].height_m) / (2.0 * e)));
     }
     std::sort(slopes_off.begin(), slopes_off.end());
     EXPECT_LT(slopes_off[slopes_off.size() * 9 / 10], 3e-4);
