@@ -129,7 +129,8 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
     CarriedHeight<V, count> sum{one, zero.value};
     if (!all_still) sum = carried_height(by.square, plan.placed[std::size_t(l)].flow_height, plan.phase, share_per_s);
     for (std::size_t pattern = 0; pattern < (all_still ? 1u : 2u); ++pattern) {
-      const float share = pattern == 0 ? first : 1.0f - first;
+      // A pattern whose turn begins has no share yet, but the share grows: it has to count as there (locate_placed).
+      const float share = std::max(pattern == 0 ? first : 1.0f - first, 1e-20f);
       const N counts = select(still, pattern == 0 ? one : zero, times(sum.height, share));
       Laid<V, count> laid{way_of_x + (x - by.x[pattern]),
                           way_of_z + (z - by.z[pattern]),

@@ -215,6 +215,25 @@ TEST_F(PlaceSeaTest, ACurrentCarriesWhatFloats) {
   EXPECT_NEAR(mean.z, 0.0, 0.15);
 }
 
+// Where a pattern's turn begins its share is 0 and grows: velocities have that growth then as they do a moment later.
+// Control seen: such a pattern taken for one that is not there (velocities off by twice its height a period).
+TEST_F(PlaceSeaTest, VelocitiesHaveAPatternWhoseTurnBegins) {
+  const PlaceSea place(inputs_of({}, current(70.0, 1.5, 0.5)), field);
+  std::vector<glm::dvec2> asked;
+  for (int i = 0; i < 100; ++i) asked.emplace_back(7.3 * (i % 10), 9.1 * (i / 10));
+  for (const double time_s : {0.0, 12.0, 12.25}) {  // of the first pattern, again, and of the second
+    std::vector<QueryAnswer> begin(asked.size()), later(asked.size());
+    field.evaluate(ticks_from_seconds(time_s), tiles);
+    place.query(field, tiles, asked, begin);
+    field.evaluate(ticks_from_seconds(time_s) + 4, tiles);  // 4 microseconds
+    place.query(field, tiles, asked, later);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      EXPECT_LT(glm::distance(begin[i].orbital_velocity_mps, later[i].orbital_velocity_mps), 0.01) << time_s;
+      EXPECT_LT(glm::distance(begin[i].eulerian_velocity_mps, later[i].eulerian_velocity_mps), 0.02) << time_s;
+    }
+  }
+}
+
 // The waves stand as high at every moment of the two patterns' turn: their variance does not pulse. Controls seen: a
 // sum left at its height (in a fast current it swings by 1.7), and one raised as if the patterns had nothing in common
 // (slow water, 2.0).
