@@ -1,10 +1,13 @@
 #include "engine/error.h"
 
+#include "engine/text.h"
+
 namespace seascape {
 
 namespace {
+// Names of files may hold anything: a line stays a line, and no terminal obeys it.
 std::string sentence(const std::string& where, const std::string& what, const std::string& remedy) {
-  std::string text = where.empty() ? what : where + ": " + what;
+  std::string text = where.empty() ? what : one_line(where, where.size()) + ": " + what;
   if (!remedy.empty()) text += "; " + remedy;
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <system_error>
@@ -20,6 +21,8 @@ namespace seascape {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int most_links = 40;  // as Linux follows (path_resolution(7))
 
 struct Advice {
   std::string what, remedy;
@@ -106,9 +109,10 @@ Bytes read_whole(const fs::path& file, std::size_t most_bytes) {
 
 fs::path temporary_name(const fs::path& file) {
   static std::atomic<unsigned> counter{0};  // two threads may write the same file at once
-  fs::path name = file;
-  name += fmt::format(".tmp-{}-{}", long(getpid()), counter.fetch_add(1));
-  return name;
+  const std::string ending = fmt::format(".tmp-{}-{}", long(getpid()), counter.fetch_add(1));
+  std::string name = file.filename().string();  // cut, so that it may be as long as a file's may without the ending
+  if (name.size() + ending.size() > NAME_MAX) name.resize(NAME_MAX - ending.size());
+  return file.parent_path() / (name + ending);
 }
 
 // Writes and closes. Returns 0 or the errno of the first fault.
@@ -161,9 +165,11 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
     return;
   }
   fs::path target = file;
-  if (fs::is_symlink(fs::symlink_status(file, fault))) {
-    target = fs::canonical(file, fault);
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, fault)); ++links) {  // also one to a file yet to be
+    if (links == most_links) fail(file, ELOOP, true);
+    const fs::path leads_to = fs::read_symlink(target, fault);
     if (fault) fail(file, fault.value(), true);
+    target = target.parent_path() / leads_to;
   }
   // A rename needs no right on the old file itself; a file that its owner protected is still refused.
   if (fs::exists(status) && faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(file, errno, true);
@@ -190,9 +196,9 @@ void write_atomically(const fs::path& file, std::span<const std::uint8_t> bytes)
 
 void make_output_directory(const fs::path& directory) {
   const fs::path folder = directory.empty() ? fs::path(".") : directory;
-  std::error_code fault;
+  std::error_code fault, ignored;
   fs::create_directories(folder, fault);
-  if (!fs::is_directory(folder)) {
+  if (!fs::is_directory(folder, ignored)) {
     if (!fault || fault.value() == EEXIST || fault.value() == ENOTDIR)
       throw Error(folder.string(), "is a file, or lies below one", "name a folder");
     fail(folder, fault.value(), true);

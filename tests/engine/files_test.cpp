@@ -101,6 +101,46 @@ TEST(Files, LinksStayLinks) {
   EXPECT_THAT(folder.names(), ElementsAre("link.txt", "real.txt"));
 }
 
+// A link to a file that is yet to be makes that file; one whose folder is missing, or that leads round, is refused.
+// Controls seen: fs::canonical(), which takes no such link; the count of links left out (it ran until it was stopped).
+TEST(Files, ALinkToNoFileMakesIt) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("second", folder / "first");
+  std::filesystem::create_symlink("real.txt", folder / "second");
+  write_atomically(folder / "first", std::string_view("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "second"));
+  EXPECT_EQ(read_text(folder / "real.txt"), "new");
+  std::filesystem::create_symlink("none/real.txt", folder / "away");
+  EXPECT_THAT(error_of([&] { write_atomically(folder / "away", std::string_view("x")); }),
+              HasSubstr("/away: its folder does not exist"));
+  std::filesystem::create_symlink("round", folder / "round");
+  EXPECT_THAT(error_of([&] { write_atomically(folder / "round", std::string_view("x")); }),
+              HasSubstr("/round: its symbolic links go round in a circle"));
+  EXPECT_THAT(folder.names(), ElementsAre("away", "first", "real.txt", "round", "second"));
+}
+
+// What a name holds does not break the line of a message, nor command a terminal. Control seen: names as they are.
+TEST(Files, AMessageIsOneLineWhateverTheName) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of([&] { read_text(folder / "a\nb\x1b[31m"); }),
+              HasSubstr("/a\\x0ab\\x1b[31m: there is no such file"));
+}
+
+// A name may be as long as names may be, and no longer, of files and of folders. Controls seen: the temporary name not
+// cut; fs::is_directory() that throws what is no Error.
+TEST(Files, NamesMayBeLong) {
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  write_atomically(folder / longest, std::string_view("x"));
+  EXPECT_THAT(folder.names(), ElementsAre(longest));
+  EXPECT_THAT(error_of([&] { write_atomically(folder / (longest + "n"), std::string_view("x")); }),
+              HasSubstr("its name is too long; choose a shorter name"));
+  EXPECT_THAT(error_of([&] { make_output_directory(folder / (longest + "n")); }),
+              HasSubstr("its name is too long; choose a shorter name"));
+  EXPECT_THAT(folder.names(), ElementsAre(longest));
+}
+
 // Control: without fs::permissions the new file has the mode of any new file.
 TEST(Files, KeepsTheModeOfTheFileItReplaces) {
   const TemporaryFolder folder;
