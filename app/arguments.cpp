@@ -289,8 +289,7 @@ constexpr CommandRow commands[] = {
      "  seascape\n  seascape explore --scene storm --preset low\n  seascape --display headless --size 960x540 --out "
      "out",
      add_explore},
-    {Command::replay,
-     "Draw a camera path to numbered pictures: the same scene, path, preset and seed give the same bits.",
+    {Command::replay, "Draw a camera path to numbered pictures: the same command gives the same bits.",
      "  seascape replay --scene open_sea --frames 60 --out out\n"
      "  seascape replay --scene storm --views 1 --eye left --format exr --out out",
      add_replay},
@@ -361,6 +360,8 @@ Arguments parse_arguments(std::span<const std::string> words) {
   if (arguments.command == Command::query && (arguments.points.empty() || arguments.out.empty()))
     refuse(arguments.points.empty() ? "--points" : "--out", "a file is needed",
            "give both, as seascape query --points points.csv --out surface.csv");
+  if (arguments.times && options.app().count("--time") > 0)
+    refuse("--times", "it and --time are given", "leave one of them out");
   if (arguments.recommend != (arguments.budget_ms > 0.0))
     refuse(arguments.recommend ? "--budget" : "--recommend",
            arguments.recommend ? "a budget is needed" : "a budget needs it",

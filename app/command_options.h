@@ -1,6 +1,7 @@
 // One command's options, on CLI11.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -83,6 +84,7 @@ class Options {
 
   void flag(const std::string& name, bool& value, const std::string& sentence) {
     names_.push_back(name);
+    flags_.push_back(name);
     app_.add_flag_callback(
         name, [&value] { value = true; }, sentence);
   }
@@ -91,16 +93,23 @@ class Options {
 
   // Returns the help text where it was asked for, else "".
   std::string parse(std::span<const std::string> words) {
-    for (const std::string& word : words) {  // CLI11 would take the next word for its value
+    for (const std::string& word : words) {  // CLI11 would take the next word for its value, and some for a flag's
       if (word == "--") break;
+      const std::string name = word.substr(0, word.find('='));
       if (word.starts_with("--") && word.find('=') == word.size() - 1)
         refuse(word.substr(0, word.size() - 1), "no value follows " + in_quotes(word),
                "leave " + word.substr(0, word.size() - 1) + " out or give it a value");
+      if (name.size() < word.size() && std::find(flags_.begin(), flags_.end(), name) != flags_.end())
+        refuse(name, "takes no value", "write " + name + " alone");
     }
     try {
       app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::CallForHelp&) {
       return app_.help();
+    } catch (const CLI::ArgumentMismatch& fault) {
+      const std::string text = fault.what(), name = text.substr(0, text.find(':'));
+      if (text.find("missing") == std::string::npos) refuse(name, "is given more than once", "give it once");
+      refuse(name, "no value follows it", "leave " + name + " out or give it a value");
     } catch (const CLI::ParseError& fault) {
       refuse("", one_line(fault.what(), 200), "see " + app_.get_name() + " --help");
     }
@@ -117,7 +126,7 @@ class Options {
 
  private:
   CLI::App app_;
-  std::vector<std::string> names_{"--help", "--set"};
+  std::vector<std::string> names_{"--help", "--set"}, flags_{"--help"};
 };
 
 }  // namespace seascape
