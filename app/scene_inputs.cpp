@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "app/input_files.h"
 #include "engine/text.h"
@@ -91,6 +92,7 @@ class Reader {
     spline.closed = flag("closed"), spline.filled = flag("filled");
     const LocatedJson* value = reader_.optional("value");
     if (value != nullptr) spec.value = value_of(*value, reader_.key_name("value"));
+    bool told = false;  // once, however many points have none
     each("points", "[[x, z], [x, z]]", [&](const LocatedJson& json, const std::string& name) {
       SplinePoint point{{}, width, spec.value};
       const LocatedJson *at = &json, *own = nullptr;
@@ -104,7 +106,7 @@ class Reader {
       if (at == nullptr) return;
       point.at_m = pair_of(*at, at == &json ? name : name + ".at_m", input_place_range, "m");
       if (own != nullptr) point.value = value_of(*own, name + ".value");
-      if (own == nullptr && value == nullptr) missing_value();
+      if (own == nullptr && value == nullptr && !std::exchange(told, true)) missing_value();
       spline.points.push_back(point);
     });
     spec.shape = std::move(spline);

@@ -33,7 +33,7 @@ std::string json_summary(const std::string& text, const std::string& where, Faul
     return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s";
   }
   const Scene scene = parse_scene(text, where, "auto", faults);
-  remarks = remarks_of(scene);
+  if (faults.list().empty()) remarks = remarks_of(scene);  // which takes a scene without faults
   return "a scene with " + counted(scene.effects.size(), "effect") +
          (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
 }

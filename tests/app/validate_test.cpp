@@ -46,6 +46,19 @@ TEST(Validate, EveryFaultOfASceneIsTold) {
                            testing::HasSubstr(":6: camera.pitch_deg: 100 is out of range")));
 }
 
+// A fault is told once, with its file: those of settings that fit no sea are found again as remarks are looked for, and
+// every point of a spline lacks the same value. Controls seen: remarks of a scene with faults; missing_value() of each.
+TEST(Validate, AFaultIsToldOnce) {
+  EXPECT_THAT(faults_of(made("particles.json",
+                             "{\"version\": 1, \"effects\": [\"waves\", \"wave_particles\"],\n"
+                             "\"wave_particles\": {\"tile_m\": 4000}}")),
+              testing::ElementsAre(testing::HasSubstr("wave_particles.radius_m (of tile_m 4000): 0.25")));
+  EXPECT_THAT(faults_of(made("points.json",
+                             "{\"version\": 1, \"effects\": [\"foam\"], \"inputs\": [{\"to\": \"foam\",\n"
+                             "\"kind\": \"spline\", \"points\": [[0, 0], [1, 1], [2, 2]]}]}")),
+              testing::ElementsAre(testing::HasSubstr("the key 'inputs[0].value' is missing")));
+}
+
 TEST(Validate, EveryFaultOfAPathIsTold) {
   const auto file = made("bad_path.json",
                          "{\"keys\": [\n{\"time_s\": 0},\n{\"time_s\": 0, \"position_m\": [0, 1, 0], \"yaw\": 1},\n"
