@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/waves/dispersion.h"
+#include "ocean/waves/spectrum.h"
 
 namespace seascape {
 
@@ -56,6 +59,21 @@ void add_unlooped(const Scene& scene, std::vector<std::string>& remarks) {
                   "where all of the sea has to repeat",
                   text_from(s.sea.loop_s), listed(kept, "and")));
 }
+
+// A wave longer than the loop gets the loop for its period, and its water moves faster than gravity has it.
+void add_short_loop(const Scene& scene, std::vector<std::string>& remarks) {
+  const SeaState& sea = scene.settings.sea;
+  if (!(sea.loop_s > 0.0) || !(sea.depth_m > 0.0) || !calls_for(scene.effects, "waves")) return;
+  const double longest_m = longest_peak_wave_m(sea);
+  if (longest_m == 0.0) return;
+  const double peak_s =
+      2.0 * std::numbers::pi / airy_frequency(2.0 * std::numbers::pi / longest_m, sea.gravity_mps2, sea.depth_m);
+  if (sea.loop_s < peak_s)
+    remarks.push_back(
+        fmt::format("waves.loop_s: {} s is shorter than the {:.3g} s of the longest waves, which then move too fast; "
+                    "give several times that, or 0 for a sea that does not repeat",
+                    text_from(sea.loop_s), peak_s));
+}
 }  // namespace
 
 LimitedSea limited_sea(const Scene& scene) {
@@ -73,6 +91,7 @@ std::vector<std::string> remarks_of(const Scene& scene) {
         fmt::format("waves.depth_m: {} is dry land, which is drawn as flat water without the effect "
                     "sea_depth; add it to the scene's effects or deepen the water",
                     metres(scene.settings.sea.depth_m)));
+  add_short_loop(scene, remarks);
   add_unlooped(scene, remarks);
   return remarks;
 }

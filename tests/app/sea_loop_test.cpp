@@ -65,5 +65,21 @@ TEST(SeaLoop, WhatKeepsItsOwnTimeIsSaid) {
   EXPECT_THAT(remarks_of(open), testing::IsEmpty());
 }
 
+// A loop shorter than the longest waves makes them run too fast, which is said. Control seen: nothing said of 0.5 s, in
+// which open_sea's water moves at 28 m/s.
+TEST(SeaLoop, OneShorterThanTheWavesIsSaid) {
+  Scene scene = load_scene("open_sea", "low");
+  for (const double loop_s : {1e-300, 0.5, 10.9}) {
+    scene.settings.sea.loop_s = loop_s;
+    EXPECT_THAT(remarks_of(scene),
+                testing::ElementsAre(testing::HasSubstr("is shorter than the 11 s of the longest waves, which")));
+  }
+  scene.settings.sea.loop_s = 11.1;
+  EXPECT_THAT(remarks_of(scene), testing::IsEmpty());
+  scene.settings.sea.loop_s = 0.5;
+  scene.settings.sea.wind_speed_mps = scene.settings.sea.swell_height_m = 0.0;
+  EXPECT_THAT(remarks_of(scene), testing::IsEmpty()) << "there are no waves";
+}
+
 }  // namespace
 }  // namespace seascape
