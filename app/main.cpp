@@ -6,6 +6,8 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.h"
@@ -43,6 +45,13 @@ int run(const Arguments& arguments) {
   return 2;
 }
 
+// Whether pthread_create() had no room: std::thread says it by a code, oneTBB by a text alone.
+bool is_of_threads(const std::exception& fault) {
+  const auto* const coded = dynamic_cast<const std::system_error*>(&fault);
+  return (coded != nullptr && coded->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(fault.what()).starts_with("pthread_create has failed");
+}
+
 int report(const std::string& line, int exit_code) {
   std::fprintf(stderr, "seascape: %s\n", line.c_str());
   return exit_code;
@@ -69,6 +78,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report("out of memory; close other programs, or take a smaller --size or a lower --preset", 1);
   } catch (const std::exception& fault) {
+    if (is_of_threads(fault))
+      return report("no more threads can be made; close other programs, or raise the limit (ulimit -u)", 1);
     return report(std::string("unexpected fault: ") + fault.what() + "; please report it with the command line", 1);
   }
 }

@@ -23,7 +23,8 @@ struct Stop {
   int number;
   std::string_view name;
 };
-constexpr std::array stops{Stop{SIGINT, "SIGINT"}, Stop{SIGTERM, "SIGTERM"}, Stop{SIGHUP, "SIGHUP"}};
+constexpr std::array stops{Stop{SIGINT, "SIGINT"}, Stop{SIGTERM, "SIGTERM"}, Stop{SIGHUP, "SIGHUP"},
+                           Stop{SIGQUIT, "SIGQUIT"}, Stop{SIGXCPU, "SIGXCPU"}};
 
 std::atomic<int> postponed{0};  // objects of StopLater
 std::atomic<int> asked_by{0};   // the signal; 0: none yet
@@ -33,7 +34,21 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not w
 // What the program or its driver dies of.
 constexpr std::array crashes{Stop{SIGSEGV, "SIGSEGV"}, Stop{SIGBUS, "SIGBUS"}, Stop{SIGILL, "SIGILL"},
                              Stop{SIGFPE, "SIGFPE"}, Stop{SIGABRT, "SIGABRT"}};
-bool memory_is_limited = false;
+struct Limit {
+  int kind;
+  rlim_t enough;  // from here on it is none
+  std::string_view what;
+};
+constexpr std::string_view of_memory =
+    ", with a limit on its memory; raise the limit (ulimit -v, ulimit -d), or take a smaller --size or a lower "
+    "--preset\n";
+// What drivers and libraries do not survive: their allocations fail, their threads or files get no room.
+constexpr std::array limits{
+    Limit{RLIMIT_AS, RLIM_INFINITY, of_memory}, Limit{RLIMIT_DATA, RLIM_INFINITY, of_memory},
+    Limit{RLIMIT_STACK, rlim_t{1} << 20, ", with a limit on its stack; raise the limit (ulimit -s)\n"},
+    Limit{RLIMIT_FSIZE, rlim_t{1} << 30,
+          ", with a limit on the size of files, in which a driver keeps memory; raise the limit (ulimit -f)\n"}};
+std::string_view limited;               // the first limit in force, as a message ends
 std::array<char, 1 << 16> crash_stack;  // for when the stack is what cannot grow
 
 std::string_view name_of(int number) {
@@ -63,24 +78,22 @@ void on_signal(int number) {
   errno = kept;
 }
 
-// Drivers do not survive an allocation that fails. Under a limit that is what killed the program, and no core of it is
-// of use.
+// Under a limit that is what killed the program, and no core of it is of use.
 void on_crash(int number) {
   say("seascape: crashed by ");
   say(name_of(number));
-  say(memory_is_limited ? ", with a limit on its memory; raise the limit (ulimit -v, ulimit -d), or take a smaller "
-                          "--size or a lower --preset\n"
-                        : ", in the program or in its driver; please report it with the command line\n");
-  if (memory_is_limited) _exit(1);
+  say(limited.empty() ? ", in the program or in its driver; please report it with the command line\n" : limited);
+  if (!limited.empty()) _exit(1);
   end_by_signal(number);
 }
 
 void take_crashes() {
-  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
-    rlimit limit{};
-    memory_is_limited = memory_is_limited || (getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY);
+  for (const Limit& limit : limits) {
+    rlimit now{};
+    const auto kind = static_cast<__rlimit_resource_t>(limit.kind);
+    if (limited.empty() && getrlimit(kind, &now) == 0 && now.rlim_cur < limit.enough) limited = limit.what;
   }
-  if (memory_is_limited) std::set_terminate(std::abort);  // an exception that crosses C: one line, and not three
+  if (!limited.empty()) std::set_terminate(std::abort);  // an exception that crosses C: one line, and not three
   stack_t stack{};
   stack.ss_sp = crash_stack.data();
   stack.ss_size = crash_stack.size();

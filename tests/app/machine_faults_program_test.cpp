@@ -264,7 +264,8 @@ TEST(FaultsOfTheMachine, AnAddressSpaceThatIsTooSmallIsToldInOneLine) {
     }
 }
 
-// A crash of the driver. Control seen: without take_crashes() no line is said.
+// A crash of the driver, and under each limit that drivers do not survive. Controls seen: without take_crashes() no
+// line is said; without the rows of the stack and of files a limit on them asks for a report.
 TEST(FaultsOfTheMachine, ACrashIsToldInOneLine) {
   const auto crash = [](const std::string& limit) {
     const fs::path library = SEASCAPE_FAULTS_LIBRARY;
@@ -278,6 +279,19 @@ TEST(FaultsOfTheMachine, ACrashIsToldInOneLine) {
   EXPECT_EQ(plain.err,
             "seascape: crashed by SIGSEGV, in the program or in its driver; please report it with the command line\n");
   expect_clear(crash("ulimit -v 8000000 && "), {"crashed by SIGSEGV, with a limit on its memory; raise the limit"});
+  expect_clear(crash("ulimit -s 512 && "),
+               {"crashed by SIGSEGV, with a limit on its stack; raise the limit (ulimit -s)"});
+  expect_clear(crash("ulimit -f 1000000 && "), {"crashed by SIGSEGV, with a limit on the size of files, in which"});
+}
+
+// Control seen: without its catch in main() the fault is told as unexpected, to be reported.
+TEST(FaultsOfTheMachine, NoMoreThreadsIsToldInOneLine) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "points.csv") << "x,z\n0,0\n";
+  const ProgramResult result =
+      run_failing({"query", "--scene", "calm", "--points", folder / "points.csv", "--out", folder / "out.csv"},
+                  {"SEASCAPE_NO_THREADS=1"});
+  expect_clear(result, {"no more threads can be made; close other programs, or raise the limit (ulimit -u)"});
 }
 
 // Control seen: without expect_driver_files() the first is told as "out of host memory", with the remedy of a smaller

@@ -9,13 +9,16 @@
 // - SEASCAPE_KILL_AT_WRITE=n: SIGKILL in the middle of the n-th write into a file of a temporary name
 // - SEASCAPE_STOP_AT_WRITE=n: SIGTERM before it
 // - SEASCAPE_KILL_AT_RENAME=n: SIGKILL just before the n-th such file gets its own name
+// - SEASCAPE_NO_THREADS=1: no thread can be made
 // - SEASCAPE_COUNTS=FILE: written at the end: how many objects, submissions, writes and renames there were
 #include <dlfcn.h>
+#include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 #include <vulkan/vulkan.h>
 
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -119,6 +122,14 @@ FROM_DEVICE(vkCreateGraphicsPipelines,
             (device, cache, count, infos, callbacks, pipelines))
 
 extern "C" {
+
+__attribute__((visibility("default"))) int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                                                          void* (*run)(void*), void* with) {
+  static const bool none = number("SEASCAPE_NO_THREADS") != 0;
+  if (none) return EAGAIN;
+  static const auto real = next<decltype(&pthread_create)>("pthread_create");
+  return real(thread, attributes, run, with);
+}
 
 __attribute__((visibility("default"))) VkResult vkQueueSubmit(VkQueue queue, uint32_t count,
                                                               const VkSubmitInfo* submits, VkFence fence) {
