@@ -57,16 +57,22 @@ std::vector<fs::path> files_of(const fs::path& name) {
 }  // namespace
 
 std::string driver_files_fault() {
-  const char* main = std::getenv("VK_DRIVER_FILES");
-  const bool old_name = main == nullptr || *main == '\0';  // which the loader reads where the new one is not set
-  for (const char* variable : {old_name ? "VK_ICD_FILENAMES" : "VK_DRIVER_FILES", "VK_ADD_DRIVER_FILES"}) {
+  const bool old_name = std::getenv("VK_DRIVER_FILES") == nullptr;  // which the loader reads where the new one is unset
+  const char* const all = old_name ? "VK_ICD_FILENAMES" : "VK_DRIVER_FILES";  // empty: no driver is looked for
+  for (const char* variable : {all, "VK_ADD_DRIVER_FILES"}) {
     const char* value = std::getenv(variable);
     if (value == nullptr) continue;
     std::istringstream names(value);
+    bool any = false;
     for (std::string name; std::getline(names, name, ':');)
-      for (const fs::path& file : files_of(name))
-        if (const std::string fault = name.empty() ? "" : fault_of(file); !fault.empty())
+      for (const fs::path& file : name.empty() ? std::vector<fs::path>() : files_of(name)) {
+        any = true;
+        if (const std::string fault = fault_of(file); !fault.empty())
           return std::string(variable) + " names " + file.string() + ", " + fault;
+      }
+    if (!any && variable == all)
+      return std::string(variable) +
+             " names no driver's file: " + (*value == '\0' ? "it is empty" : in_quotes(value) + " holds none");
   }
   return "";
 }

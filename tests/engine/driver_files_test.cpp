@@ -31,7 +31,8 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-// Control seen: without the look at is_discarded() what is not JSON is told as no driver's.
+// Controls seen: an empty variable taken for one that is unset, and a folder without files passed over; without the
+// look at is_discarded() what is not JSON is told as no driver's.
 TEST(DriverFiles, TheVariableAndTheFileAreNamed) {
   const TemporaryFolder folder;
   const auto file = [&](const char* name, const std::string& text) {
@@ -68,6 +69,15 @@ TEST(DriverFiles, TheVariableAndTheFileAreNamed) {
     EXPECT_THAT(driver_files_fault(), StartsWith("VK_ICD_FILENAMES names " + broken));
     const Variable newer("VK_DRIVER_FILES", good.c_str());
     EXPECT_EQ(driver_files_fault(), "") << "the loader does not read the old name where the new one is set";
+  }
+  std::filesystem::create_directory(folder / "empty");
+  const std::string empty = folder / "empty";
+  for (const auto& [value, fault] : {std::pair<std::string, std::string>{"", "it is empty"},
+                                     {":", "':' holds none"},
+                                     {empty, "'" + empty.substr(0, 20)}}) {
+    const Variable set("VK_DRIVER_FILES", value.c_str());
+    const Variable unread("VK_ICD_FILENAMES", good.c_str());
+    EXPECT_THAT(driver_files_fault(), StartsWith("VK_DRIVER_FILES names no driver's file: " + fault)) << value;
   }
   const Variable set("VK_ADD_DRIVER_FILES", folder.path().c_str());
   EXPECT_THAT(driver_files_fault(), StartsWith("VK_ADD_DRIVER_FILES names " + beside));
