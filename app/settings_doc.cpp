@@ -58,7 +58,13 @@ std::string settings_document() {
   for (const std::string_view name : effect_names())
     (effect_is_built(name) ? built : planned) +=
         (effect_is_built(name) ? built : planned).empty() ? code(name) : ", " + code(name);
-  return text + "Built: " + built + ".\nNames kept for later versions, an error today: " + planned + ".\n";
+  std::string bring;
+  for (const std::string_view name : effect_names())
+    if (effect_is_built(name) && closure({std::string(name)}).size() > 1)
+      bring += bring.empty() ? code(name) : ", " + code(name);
+  return text + "Built: " + built + ".\nThese need `waves`, which is there with them: " + bring +
+         "; `waves.wind_speed_mps` 0 leaves out the wind sea.\nNames kept for later versions, an error today: " +
+         planned + ".\n";
 }
 
 }  // namespace seascape
