@@ -105,8 +105,27 @@ void add_variance(const std::vector<std::vector<double>>& left_out, std::vector<
   }
 }
 
+// The table says nothing of size, views, path and settings. Other times or triangles of the same frames betray them; a
+// build may change some triangles.
+std::string unlike(const Runs& before, const Runs& now, const std::set<int>& frames) {
+  double triangles_before = 0.0, triangles_now = 0.0;
+  for (const int number : frames) {
+    const auto frame_of = [&](const Runs& side) -> const CaptureFrame& {
+      const std::vector<CaptureFrame>& all = side.front()->frames;
+      return *std::find_if(all.begin(), all.end(), [&](const CaptureFrame& frame) { return frame.frame == number; });
+    };
+    const CaptureFrame &old_one = frame_of(before), &new_one = frame_of(now);
+    if (std::abs(old_one.time_s - new_one.time_s) > 2e-6)
+      return fmt::format("frame {} at {} s, {} before", number, new_one.time_s, old_one.time_s);
+    triangles_before += double(old_one.triangles), triangles_now += double(new_one.triangles);
+  }
+  if (std::abs(triangles_now - triangles_before) <= 0.02 * std::max(triangles_before, triangles_now)) return "";
+  return fmt::format("{:.0f} triangles a frame, {:.0f} before", triangles_now / double(frames.size()),
+                     triangles_before / double(frames.size()));
+}
+
 RunChange compare(const Runs& before, const Runs& now) {
-  RunChange run{now.front()->scene, now.front()->preset, 0, 1.0, {}};
+  RunChange run{now.front()->scene, now.front()->preset, 0, 1.0, {}, ""};
   std::map<int, std::size_t> having;
   for (const Runs* side : {&before, &now})
     for (const CaptureRun* one : *side)
@@ -116,6 +135,7 @@ RunChange compare(const Runs& before, const Runs& now) {
     if (count == before.size() + now.size()) frames.insert(frame);
   run.frames = int(frames.size());
   if (frames.empty()) return run;
+  run.unlike = unlike(before, now, frames);
   std::vector<Pair> pairs;
   for (const std::string& name : now.front()->stage_names) {
     if (name == "waiting") continue;  // for the GPU
@@ -160,7 +180,8 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
     const std::vector<std::string> cells = csv_cells(line);
     if (line_number == 1) {
       const bool ours = cells.size() > fixed_columns && cells[0] == "scene" && cells[1] == "preset" &&
-                        cells[2] == "frame" && cells[4] == "cpu_ms" && cells[5] == "gpu_ms";
+                        cells[2] == "frame" && cells[3] == "time_s" && cells[4] == "cpu_ms" && cells[5] == "gpu_ms" &&
+                        cells[7] == "triangles";
       if (!ours || std::none_of(cells.begin() + fixed_columns, cells.end(),
                                 [](const std::string& cell) { return cell.starts_with("cpu_"); }))
         throw Error(place, "has not the columns of a capture", remedy);
@@ -192,7 +213,9 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
     }
     CaptureFrame frame;
     frame.frame = frame_number;
+    frame.time_s = number(3, 0.0, 1e9);
     frame.cpu_ms = number(4, 0.0, 1e9);
+    frame.triangles = std::uint64_t(number(7, 0.0, 1e15));
     for (std::size_t i = fixed_columns; i < columns.size(); ++i)
       (frame.*kind_of(columns[i]).ms).push_back(number(i, 0.0, 1e9));
     runs.back().frames.push_back(std::move(frame));
@@ -226,6 +249,11 @@ std::string tell_changes(const std::vector<RunChange>& runs) {
   for (const RunChange& run : runs) {
     const std::string title = run.scene + " / " + run.preset;
     text += fmt::format("{}: {} frames, all stages together {:.2f} of before\n", title, run.frames, run.together);
+    if (!run.unlike.empty())
+      text += fmt::format(
+          "{}: these are other pictures than before ({}); capture both with the same --size, --views, "
+          "--path, --fps and settings\n",
+          title, run.unlike);
     bool any = false;
     for (const StageChange& time : run.stages) {
       if (!time.changed()) continue;

@@ -22,6 +22,7 @@ struct RunChange {
   int frames = 0;                   // that all have
   double together = 1.0;            // what the stages have in common: the machine's speed, or that of the whole build
   std::vector<StageChange> stages;  // of 0.02 ms and more
+  std::string unlike;               // by what one sees that the two drew other things; empty: by nothing
 };
 
 constexpr int least_repeats = 3;  // of a path, for a comparison

@@ -124,6 +124,25 @@ TEST(Against, TellsFasterAndTogether) {
   EXPECT_THAT(tell_changes(compare_captures(before, now)), HasSubstr("nothing to compare"));
 }
 
+// Captures of other pictures are compared, but that is said. Controls seen: neither times nor triangles looked at;
+// times alone.
+TEST(Against, OtherPicturesAreSaid) {
+  const auto with = [](double fps, std::uint64_t triangles) {
+    std::vector<CaptureRun> runs = noisy(11, "", 1.0, 3);
+    for (CaptureRun& run : runs)
+      for (CaptureFrame& frame : run.frames) frame.time_s = frame.frame / fps, frame.triangles = triangles;
+    return parse_capture_csv(capture_csv(runs), "a");
+  };
+  const auto told = [&](const std::vector<CaptureRun>& now) {
+    return tell_changes(compare_captures(with(30.0, 1000), now));
+  };
+  EXPECT_THAT(told(with(30.0, 1015)), testing::Not(HasSubstr("other pictures")));
+  EXPECT_THAT(told(with(7.0, 1000)),
+              HasSubstr("storm / high: these are other pictures than before (frame 1 at 0.142857 s, 0.033333 before); "
+                        "capture both with the same --size"));
+  EXPECT_THAT(told(with(30.0, 1030)), HasSubstr("(1030 triangles a frame, 1000 before)"));
+}
+
 // A stage that is never there, frames that a run lacks, too few runs.
 TEST(Against, LittleIsNoFault) {
   std::vector<CaptureRun> before = noisy(8);
