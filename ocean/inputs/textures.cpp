@@ -10,6 +10,10 @@ namespace seascape {
 
 namespace {
 
+// Values are cut to this, which no kind of data reaches, so that differences and means of texels are finite: rasters of
+// heights mark holes by -3.4e38.
+constexpr double most_value = 1e6;
+
 // Bilinear between texels' middles, level beyond the outer ones, and of the mean over 2^n texels a side where the
 // footprint is as wide (Williams 1983).
 class Texture final : public InputSource {
@@ -28,9 +32,10 @@ class Texture final : public InputSource {
     for (std::size_t i = 0; i < first.texels.size(); ++i) {
       glm::vec4 value{0.0f};
       for (int c = 0; c < channels; ++c)
-        value[c] =
-            float(texture.offset +
-                  texture.scale * double(image.pixels[4 * i + std::string_view("rgba").find(letters[std::size_t(c)])]));
+        value[c] = float(std::clamp(
+            texture.offset +
+                texture.scale * double(image.pixels[4 * i + std::string_view("rgba").find(letters[std::size_t(c)])]),
+            -most_value, most_value));
       first.texels[i] = plain_value(spec, value);
     }
     texel_m_ = std::max(texture.size_m.x / image.width, texture.size_m.y / image.height);

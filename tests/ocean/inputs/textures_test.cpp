@@ -1,6 +1,8 @@
 // Pictures on the sea: bilinear, turned, averaged over a footprint, and mapped to values.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/image_file.h"
 #include "ocean/inputs/inputs.h"
 
@@ -100,6 +102,31 @@ TEST(InputTextures, AreAveragedOverAFootprint) {
       for (double z = -reach + 0.5 * step; z < reach; z += step) sum += step * step * at(inputs, x, z, footprint).x;
     EXPECT_NEAR(sum / (0.5 * 64.0 * 64.0), 1.0, 5e-3) << footprint;
   }
+}
+
+// Holes of a raster of heights (-3.4e38), and a scale that takes texels out of a float's range, give the end of the
+// range everywhere and at any footprint, next to sound texels as well. Control seen: values as they come (differences
+// and means of texels are infinite, and no number in between).
+TEST(InputTextures, TexelsBeyondAnyRangeStayFinite) {
+  const auto holes = [](int x, int y) {
+    return (x + y) % 3 == 0   ? glm::vec4(-3.4e38f, 3.4e38f, 0, 0)
+           : (x + y) % 3 == 1 ? glm::vec4(3.4e38f, -2.0f, 0, 0)
+                              : glm::vec4(-5.0f);
+  };
+  for (const InputTarget to : {InputTarget::sea_depth, InputTarget::flow})
+    for (const double scale : {1.0, 1e6}) {
+      InputSpec spec = texture(to, picture(8, 8, holes), {0.0, 0.0}, {80.0, 80.0});
+      std::get<TextureInput>(spec.shape).scale = scale;
+      const Inputs inputs(to, std::vector{spec, spec});
+      for (double x = -39.0; x < 40.0; x += 1.7)
+        for (const double footprint : {0.0, 3.0, 15.0, 60.0, 500.0}) {
+          const glm::vec4 value = at(inputs, x, 0.6 * x, footprint);
+          ASSERT_TRUE(std::isfinite(value.x) && std::isfinite(value.y)) << x << " " << footprint << " " << scale;
+          ASSERT_LE(std::abs(value.x), 12000.0f);
+        }
+      const float deep = at(inputs, -35.0, -35.0).x;
+      EXPECT_EQ(deep, to == InputTarget::flow ? -100.0f : -12000.0f) << "the hole at the corner";
+    }
 }
 
 // Colours are mixed as light that passes what covers it: a texel that covers nothing has no colour to give. Control:
