@@ -46,5 +46,22 @@ TEST(Content, PathsStayAboveTheirSeas) {
   EXPECT_LT(least_clearance("open_sea", 3.0), 0.0);
 }
 
+// The harbour's dry dock is dry up to its walls: from the basin to the land behind it no water stands, nor from side to
+// side. Control seen: a clip that ends 3 m before the back wall, where a strip of water lay on the dock's floor.
+TEST(Content, TheDryDockIsDry) {
+  const Scene scene = load_scene("harbour_clip", "low");
+  const WaveField field(scene.settings.sea, WaveQuality{.resolution = 64, .cascades = 3});
+  const PlaceSea places(place_inputs(scene), field);
+  WaveTiles tiles;
+  field.evaluate(0, tiles);
+  std::vector<glm::dvec2> asked;
+  for (double z = -362.0; z <= -271.0; z += 0.5)  // beside its mouth lies the basin
+    for (double x = 20.0; x <= 60.0; x += 2.0) asked.emplace_back(x, z);
+  std::vector<QueryAnswer> answers(asked.size());
+  places.query(field, tiles, asked, answers);
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    EXPECT_TRUE(answers[i].clipped || answers[i].depth_m <= 0.05) << asked[i].x << " " << asked[i].y;
+}
+
 }  // namespace
 }  // namespace seascape
