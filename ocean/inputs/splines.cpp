@@ -207,10 +207,32 @@ std::vector<SplinePoint> points_apart(const InputSpec& spec, std::vector<std::st
   return points;
 }
 
+namespace {
+// Whether no point lies a micrometre off the line from the first one to the one farthest from it.
+bool on_one_line(const std::vector<SplinePoint>& points) {
+  const glm::dvec2 from = points.front().at_m;
+  const auto farther = [&](const SplinePoint& a, const SplinePoint& b) {
+    return glm::distance(a.at_m, from) < glm::distance(b.at_m, from);
+  };
+  const glm::dvec2 along = glm::normalize(std::max_element(points.begin(), points.end(), farther)->at_m - from);
+  return std::all_of(points.begin(), points.end(), [&](const SplinePoint& point) {
+    const glm::dvec2 way = point.at_m - from;
+    return std::abs(way.x * along.y - way.y * along.x) < 1e-6;
+  });
+}
+}  // namespace
+
 std::unique_ptr<const InputSource> make_spline(const InputSpec& spec, std::vector<std::string>& remarks) {
   const SplineInput& spline = std::get<SplineInput>(spec.shape);
   const std::vector<SplinePoint> points = points_apart(spec, remarks);
   if (points.empty()) return nullptr;
+  if (spline.filled && on_one_line(points)) {
+    remarks.push_back(
+        fmt::format("{}: a filled spline whose points lie on one line surrounds nothing and gives nothing; "
+                    "move one of them, or give \"filled\": false",
+                    spec.where));
+    return nullptr;
+  }
   return std::make_unique<Spline>(spec, points, spline.closed, spline.filled);
 }
 

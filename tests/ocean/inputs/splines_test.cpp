@@ -157,6 +157,22 @@ TEST(InputSplines, AFilledOneThatCrossesItselfKeepsBothItsLoops) {
   for (const double footprint : {2.0, 4.0, 8.0}) EXPECT_NEAR(integral(footprint), whole, 0.1 * whole) << footprint;
 }
 
+// One whose points lie on a line surrounds nothing, which is said; one that a micrometre opens, or that crosses itself,
+// is there. Control seen: nothing said.
+TEST(InputSplines, AFilledOneOnALineIsSaid) {
+  const auto remarks = [](double off, bool filled) {
+    const std::vector specs{
+        spline(InputTarget::level,
+               {point(7, -3, 5, 1), point(17, 2, 5, 1), point(-3, -8, 5, 1), point(37, 12 + off, 5, 1)}, true, filled)};
+    return remarks_of(specs);
+  };
+  ASSERT_EQ(remarks(0.0, true).size(), 1u);
+  EXPECT_NE(remarks(0.0, true)[0].find("here: a filled spline whose points lie on one line surrounds nothing"),
+            std::string::npos);
+  EXPECT_TRUE(remarks(0.0, false).empty());
+  EXPECT_TRUE(remarks(1e-3, true).empty());
+}
+
 // Control: chords looked for no farther than half the width less their distance from the curve, instead of more, leave
 // a step at the edge.
 TEST(InputSplines, TheEdgeIsContinuousAtAnyFootprint) {
