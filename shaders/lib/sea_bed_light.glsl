@@ -27,6 +27,10 @@ float bed_noise(vec2 place, float size, float footprint) {
   return mix(value, 0.5, faded);
 }
 
+float bed_height(vec2 place, float footprint) { return sea_bed_height(place_read(place, footprint), place).x; }
+
+vec2 bed_slope(vec2 place, float footprint) { return sea_bed_slope(place_read(place, footprint), place).xy; }
+
 // `above`: the drawn water over the still one, m.
 Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   Bed bed;
@@ -90,9 +94,14 @@ struct BedSeen {
 // are `film` metres straight down.
 BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprint) {
   // First the bed is taken for a plane, and then for what lies below the place that this leads to.
-  const float film = max(bed.film, 0.0), tried = min(film / clamp(1.0 + dot(bed.slope, sideways), 1.0, 8.0), 20.0);
-  BedSeen seen = BedSeen(tried, place + sideways * tried, bed.slope);
-  const float left = water - sea_bed_height(place_read(seen.place, footprint), seen.place).x - tried;
+  const float film = max(bed.film, 0.0), far = min(film, 20.0);
+  float tried = min(film / clamp(1.0 + dot(bed.slope, sideways), 1.0, 8.0), 20.0);
+  float left = water - bed_height(place + sideways * tried, footprint) - tried;
+  if (left > 0.1 * film && tried < far) {  // no plane: at the foot of a wall, or of a bank
+    tried = far;
+    left = water - bed_height(place + sideways * tried, footprint) - tried;
+  }
+  BedSeen seen = BedSeen(0.0, place, bed.slope);
   seen.way = left > 0.0 ? tried + left : tried * film / max(film - left, 1e-6);
   // Where it rises more than that it is found by the rule of false position (of Illinois: Dowell and Jarratt 1971): a
   // wall is met below the water, and what stands above the water behind it is not seen through it.
@@ -100,7 +109,7 @@ BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprin
     float above = 0.0, above_by = film, below = tried, below_by = -left;
     for (int i = 0; i < 5; ++i) {
       const vec2 at = place + sideways * seen.way;
-      const float by = water - sea_bed_height(place_read(at, footprint), at).x - seen.way;
+      const float by = water - bed_height(at, footprint) - seen.way;
       if (by > 0.0) {
         above = seen.way;
         above_by = by;
@@ -112,7 +121,7 @@ BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprin
       }
       seen.way = mix(above, below, above_by / max(above_by + below_by, 1e-6));
     }
-    seen.slope = sea_bed_slope(place_read(place + sideways * seen.way, footprint), place + sideways * seen.way).xy;
+    seen.slope = bed_slope(place + sideways * seen.way, footprint);
   }
   seen.place = place + sideways * min(seen.way, 20.0);
   return seen;
