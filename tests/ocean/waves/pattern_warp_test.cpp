@@ -43,7 +43,7 @@ double distance(const glm::dmat2& a, const glm::dmat2& b) {
 
 const std::vector<glm::dvec2> corners{{0.0, 0.0}, {1e6, -1e6}, {-3e7, 2e7}};
 
-// Light seas are bent, and none of those that lie straight. Control: the classes that lie bent begun one later.
+// Light seas are bent, and none of those that lie straight.
 TEST(PatternWarp, OnlyLightSeasAreBent) {
   for (const double mps : {0.0, 1.0, 10.0, 15.0, 25.0}) EXPECT_FALSE(PatternWarp(ladder(wind(mps)))) << mps;
   for (const double mps : {2.0, 3.0, 5.0, 7.0, 9.0}) EXPECT_TRUE(PatternWarp(ladder(wind(mps)))) << mps;
@@ -52,8 +52,8 @@ TEST(PatternWarp, OnlyLightSeasAreBent) {
   EXPECT_FALSE(PatternWarp(ladder(swell)));
 }
 
-// Near the world's origin and far from it, and as a picture has it, counted from a grid's origin. Controls seen: phases
-// at the grid origin left out; the columns of the growth for its rows.
+// Near the world's origin and far from it, and as a picture has it, counted from a grid's origin. Control seen: phases
+// at the grid origin left out.
 TEST(PatternWarp, IsItsWavesOfShiftAnywhere) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> near(-3000.0, 3000.0);
@@ -115,8 +115,7 @@ struct Both {
 };
 
 // What a bent sea has at a place the straight one has where the bend shifts it to: displacement and velocity, and its
-// derivatives by the chain rule; also where a footprint leaves roughness. Controls seen: the shift turned about; the
-// growth's columns for its rows; moments left as they are.
+// derivatives by the chain rule; also where a footprint leaves roughness. Control seen: the shift turned about.
 TEST(PatternWarp, ABentSeaIsTheStraightOneShifted) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> near(-2000.0, 2000.0);
@@ -152,8 +151,8 @@ TEST(PatternWarp, ABentSeaIsTheStraightOneShifted) {
       }
 }
 
-// Gradients are those of the height and the shift that are drawn, of waves of 20 texels and more. Control seen: without
-// the chain rule they are off by as much as the strain.
+// Gradients are those of the height and the shift that are drawn, of waves of 20 texels and more. The last line
+// bounds from below what leaving out the chain rule would come to.
 TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
   const SeaState state = wind(5.0);
   WaveBins bins = make_wave_bins(state, {.resolution = 128, .cascades = 1});
@@ -184,8 +183,7 @@ TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
 }
 
 // Queries see the same water, near and far: the point found is that of the field's own rest position, its slope that of
-// the heights found beside it. Controls seen: the bend left out of a query's first
-// place; taken at the place asked for and not at the rest position; the growth left out of its slopes.
+// the heights found beside it. Controls seen: the growth left out of its slopes (2.5e-3); the field's shift turned about.
 TEST(PatternWarp, QueriesSeeTheBentSea) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> near(-3000.0, 3000.0);
@@ -225,8 +223,7 @@ TEST(PatternWarp, QueriesSeeTheBentSea) {
   }
 }
 
-// The bend takes nothing from the statistics: height and slope variances over many places are the bins'. Control seen:
-// ways twice as long, which steepen the sea by more than this.
+// The bend takes nothing from the statistics: height and slope variances over many places are the straight sea's.
 TEST(PatternWarp, KeepsTheStatistics) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> anywhere(-1e5, 1e5);
