@@ -143,7 +143,7 @@ TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
 
 // A light sea, whose longest tile is laid bent, at the world's origin and a thousand kilometres out, and in a current
 // and over a bed. Controls seen: the bend's phases taken at the world's origin and not the grid's; the bend left out of
-// the shaders.
+// the shaders (0.1 to 1 m).
 TEST_P(DrawnSurface, StandsThereInLightSeas) {
   for (const char* wind : {"3", "7"}) {
     const std::vector<std::pair<std::string, std::string>> set{{"waves.wind_speed_mps", wind},

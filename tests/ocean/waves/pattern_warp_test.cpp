@@ -183,7 +183,8 @@ TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
 }
 
 // Queries see the same water, near and far: the point found is that of the field's own rest position, its slope that of
-// the heights found beside it. Controls seen: the growth left out of its slopes (2.5e-3); the field's shift turned about.
+// the heights found beside it. Controls seen: the growth left out of its slopes (2.5e-3); the field's shift turned
+// about.
 TEST(PatternWarp, QueriesSeeTheBentSea) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> near(-3000.0, 3000.0);

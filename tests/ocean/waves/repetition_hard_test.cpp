@@ -135,8 +135,7 @@ truth::SpectralTile bent_tile(double along, double way) {
 }
 
 TEST(Repetition, a_bent_tile_is_its_mean_over_the_plane) {
-  // The product of J0 against the mean of cosines at many places. Controls: sin(2 pi along . r) taken for
-  // sin(pi along . r); half the argument of J0.
+  // The product of J0 against the mean of cosines at many places. Control: half the argument of J0.
   const truth::SpectralTile tile = bent_tile(1.0, 0.3);
   const double total = tile.total();
   const truth::PeriodicField field(
@@ -236,7 +235,7 @@ TEST(Repetition, hard_winds_do_not_tile) {
 
 TEST(Repetition, hard_light_winds_do_not_tile) {
   // Wind seas whose longest tile is laid bent, at every preset's number of cascades. In the smallest tile the search
-  // takes long. Controls: laid straight (0.8 and more); all shifts a fifth as long.
+  // takes long. Control: all shifts a fifth as long (0.65 to 0.85).
   for (const double wind : {3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) {
     if ((wind == 4.0 || wind == 6.0) && !long_run()) continue;
     SeaState sea;
