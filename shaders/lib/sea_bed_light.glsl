@@ -31,8 +31,8 @@ float bed_height(vec2 place, float footprint) { return sea_bed_height(place_read
 
 vec2 bed_slope(vec2 place, float footprint) { return sea_bed_slope(place_read(place, footprint), place).xy; }
 
-// `above`: the drawn water over the still one, m.
-Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
+// `above`: the drawn water over the still one, m; `v`: to the eye.
+Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float footprint) {
   Bed bed;
   // A plane through where the water rests: waves carry it less far than beds bend.
   bed.slope = here.bed.slope.xy;
@@ -50,6 +50,38 @@ Bed bed_at(SurfacePoint p, SeaPlace here, float above, float footprint) {
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
   bed.water = clamp(0.5 + bed.film / (length(bed.slope) * footprint + 0.01), 0.0, 1.0);
+  // A triangle from the water up to a wall beside it is that wall, where it is higher than the water and the line of
+  // sight goes on to the wall.
+  if (bed.still_depth > -2.0 * shore && above > max(0.0, -bed.still_depth)) {
+    const float level = max(length(v.xz), 0.1), fall = v.y / level, stands = here.level.x + above;
+    const vec2 on = -v.xz / level;
+    float outside = 0.0, within = 1.5 * mesh_spacing(p.rest);
+    bool meets = false;
+    for (int i = 0; i < 3 && !meets; ++i) {
+      meets = stands - fall * within < bed_height(p.place + on * within, footprint);
+      if (!meets) outside = within;
+      if (!meets) within *= 2.0;
+    }
+    if (meets) {
+      for (int i = 0; i < 6; ++i) {
+        const float middle = 0.5 * (outside + within);
+        if (stands - fall * middle < bed_height(p.place + on * middle, footprint))
+          within = middle;
+        else
+          outside = middle;
+      }
+      const vec2 slope = bed_slope(p.place + on * within, footprint);
+      const float met = above - fall * within;
+      float wall = met > 0.0 ? smoothstep(0.5, 1.0, length(slope)) : 0.0;
+      if (wall > 0.0) {
+        const float water = sea_displacement(here, mesh_spacing(p.rest)).y - here.level.x;
+        wall *= smoothstep(0.0, 0.2, met - max(water, 0.0));
+      }
+      bed.water *= 1.0 - wall;
+      bed.still_depth = mix(bed.still_depth, -met, wall);
+      bed.slope = mix(bed.slope, slope, wall);
+    }
+  }
   return bed;
 }
 

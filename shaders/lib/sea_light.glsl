@@ -104,7 +104,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
     sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
   const float sea_bed_footprint = max(length(p.along), length(p.across));
   Bed sea_bed_below;
-  if (sea_bed) sea_bed_below = bed_at(p, here, above, sea_bed_footprint);
+  if (sea_bed) sea_bed_below = bed_at(p, here, above, v, sea_bed_footprint);
   if (sea_bed && water_clip &&
       water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? here.level.x : p.height_shear.x,
                                  p.place.y)))
