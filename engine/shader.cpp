@@ -176,13 +176,15 @@ std::vector<std::uint32_t> specialise(const std::vector<std::uint32_t>& words, s
   register_passes(optimizer, bits);
   std::vector<std::uint32_t> result;
   spvtools::OptimizerOptions options;
-  options.set_run_validator(false);  // the build has validated the file; the tests validate the results
+  // A file that is read while it is written may end anywhere, which the passes do not bear.
+  options.set_run_validator(true);
   if (!optimizer.Run(sized.data(), sized.size(), &result, options))
     throw Error(name, fmt::format("cannot be specialised ({})", fault), "build again: cmake --build --preset release");
   sort_interface(result);
   spvtools::Optimizer compact(SPV_ENV_VULKAN_1_1);
   compact.RegisterPass(spvtools::CreateCompactIdsPass());
   const std::vector<std::uint32_t> sorted = result;
+  options.set_run_validator(false);  // the tests validate what comes out
   if (!compact.Run(sorted.data(), sorted.size(), &result, options))
     throw Error(name, "cannot be specialised", "build again: cmake --build --preset release");
   return result;
