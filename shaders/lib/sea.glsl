@@ -175,6 +175,17 @@ float level_blur(vec3 to_eye, float pixel) {
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
 
+// Of a cascade's derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), those of its pattern as a bed and the bend have it.
+vec4 drawn_derivatives(SeaPlace place, vec4 d, int number) {
+  vec4 drawn = d;
+  if (sea_bed) drawn = sea_bed_derivatives(place.bed, d, number);
+  vec4 grown = vec4(0.0);
+  if (sea_warp) grown = sea_warp_growth(place.warp, d, number);
+  if (sea_bed) grown *= sea_bed_displaced(place.bed, number).yyxx;
+  if (sea_warp) drawn += grown;
+  return drawn;
+}
+
 void add_carried(inout vec4 sum, texture2DArray tiles, int i, SeaPlace place, float footprint, float blur) {
   const CascadeData c = frame.sea.cascade[i];
   const float share = carried(c, footprint, blur);
@@ -185,13 +196,7 @@ void add_carried(inout vec4 sum, texture2DArray tiles, int i, SeaPlace place, fl
   vec4 texel = vec4(0.0);
   if (stands(place)) texel = textureLod(sampler2DArray(tiles, smooth_sampler), vec3(at, float(max(i - 1, 0))), 0.0);
   if (sea_flow && !stands(place)) texel = flow_texel(tiles, c, place.flow, vec3(at, float(max(i - 1, 0))), 0.0);
-  vec4 drawn = texel;
-  if (sea_bed) drawn = sea_bed_derivatives(place.bed, texel, i);
-  vec4 grown = vec4(0.0);
-  if (sea_warp) grown = sea_warp_growth(place.warp, texel, i);
-  if (sea_bed) grown *= sea_bed_displaced(place.bed, i).yyxx;
-  if (sea_warp) drawn += grown;
-  sum += share * drawn;
+  sum += share * drawn_derivatives(place, texel, i);
 }
 
 // Derivatives that a vertex carries, of the three longest cascades: dh/dx, dh/dz, dDx/dx, dDz/dz. The others' waves are
@@ -265,12 +270,7 @@ void add_slopes(inout SeaSlopes s, texture2DArray derivatives, texture2DArray mo
   // Half the footprint: a tile's shortest wave has four texels or more, so that a texel for every two of a pixel
   // aliases nothing.
   const vec4 d = share * pattern_mean(derivatives, c, place, at, du, dv, level);
-  vec4 drawn = d;
-  if (sea_bed) drawn = sea_bed_derivatives(place.bed, d, number);
-  vec4 grown = vec4(0.0);
-  if (sea_warp) grown = sea_warp_growth(place.warp, d, number);
-  if (sea_bed) grown *= sea_bed_displaced(place.bed, number).yyxx;
-  if (sea_warp) drawn += grown;
+  const vec4 drawn = drawn_derivatives(place, d, number);
   s.gradient += left * drawn.xy;
   s.shift.xy += left * drawn.zw;
   // Up to three eighths of its shortest wave next to nothing is left unresolved: the second moments count from there to
