@@ -1,17 +1,17 @@
 // `seascape explore`: the sea in a window to fly, walk and ride over, or a few pictures of it without a display.
-#include "app/explore.h"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
 
 #include "app/commands.h"
+#include "app/explorer.h"
 #include "app/frame.h"
 #include "app/progress.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/output_folder.h"
 #include "platform/headless.h"
+#include "platform/window.h"
 
 namespace seascape {
 

@@ -64,6 +64,13 @@ void ExploreCamera::set_travel(Travel travel) {
   if (travel != Travel::fly) velocity_mps_.y = 0.0;
 }
 
+void ExploreCamera::jump(const glm::dvec2& place_m, double water_m) {
+  const double height_m = travel_ == Travel::fly ? water_m + deck_height_m : rest_height(water_m);
+  position_m_ = {place_m.x, height_m, place_m.y};
+  velocity_mps_ = glm::dvec3(0.0);
+  height_above_rest_m_ = 0.0;
+}
+
 void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
   speed_factor_ =
       std::clamp(speed_factor_ * std::pow(notch_factor, wish.faster_notches), slowest_factor, fastest_factor);

@@ -31,6 +31,8 @@ class ExploreCamera {
   // Moves for `dt_s` seconds. `water_m` is the water's height at the camera's place. The movement follows its
   // differential equation exactly for a constant wish, so it does not depend on how time is cut into frames.
   void step(const CameraWish& wish, double dt_s, double water_m);
+  // Goes to another place at once, to stand there as it travels; who flies comes down to deck height.
+  void jump(const glm::dvec2& place_m, double water_m);
   // The camera stays where it is and comes to the new height within about a second.
   void set_travel(Travel travel);
 

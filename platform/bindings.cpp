@@ -218,6 +218,20 @@ double stick_value(double stick) {
   return size <= dead ? 0.0 : std::copysign(std::min(1.0, (size - dead) / (1.0 - dead)), stick);
 }
 
+void gather_gamepad(InputGatherer& gatherer, Post post, std::span<const unsigned char> buttons,
+                    std::span<const float> axes) {
+  for (const GamepadBinding& binding : gamepad) {
+    const std::size_t which = std::size_t(binding.which);
+    if (!holds_at(binding.post, post)) continue;
+    double value = 0.0;
+    if (binding.part == button)
+      value = which < buttons.size() && buttons[which] ? 1.0 : 0.0;
+    else if (which < axes.size())
+      value = stick_value(binding.part == trigger ? 0.5 * (double(axes[which]) + 1.0) : double(axes[which]));
+    if (value != 0.0) gatherer.add(binding.action, value * binding.value);
+  }
+}
+
 std::span<const ControllerProfile> controller_profiles() { return profiles; }
 
 std::string mirrored(const ControllerProfile& profile, std::string_view path) {

@@ -1,29 +1,18 @@
-// Dear ImGui on a window: its context, fonts and pipeline, one frame at a time.
+// Widgets over a display's picture, one frame at a time, built with Dear ImGui's own calls.
 #pragma once
-#include "platform/window.h"
 
 namespace seascape {
 
 class Overlay {
  public:
-  // Uploads its fonts at once. The window and its device must outlive it.
-  Overlay(Device& device, Window& window);
-  ~Overlay();
-  Overlay(const Overlay&) = delete;
-  Overlay& operator=(const Overlay&) = delete;
+  virtual ~Overlay() = default;
+  // Between these two the caller builds the frame's widgets; what was built last is shown with every picture.
+  // `pointer_is_free`: the pointer is visible, widgets may have it.
+  virtual void begin(bool pointer_is_free) = 0;
+  virtual void end() = 0;
 
-  // Between these two the caller builds the frame's widgets with ImGui's own calls; what was built last is drawn over
-  // every picture the window shows. `mouse_is_free`: the pointer is visible, widgets may have it.
-  void begin(bool mouse_is_free);
-  void end();
-
-  bool wants_keyboard() const;  // somebody types into a field
-  bool wants_mouse() const;     // the pointer is over a widget
-
- private:
-  Device& device_;
-  Window& window_;
-  Owned<VkDescriptorPool> pool_;
+  virtual bool wants_keyboard() const = 0;  // somebody types into a field
+  virtual bool wants_pointer() const = 0;   // the pointer is over a widget
 };
 
 }  // namespace seascape

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/address_space.h"
 #include "engine/error.h"
+#include "platform/window_overlay.h"
 
 namespace seascape {
 
@@ -18,61 +18,6 @@ std::string desktop_fault() {
   const char* text = nullptr;
   glfwGetError(&text);
   return text ? text : "no reason given";
-}
-
-std::optional<Key> key_from(int code) {
-  switch (code) {
-    case GLFW_KEY_W:
-      return Key::w;
-    case GLFW_KEY_A:
-      return Key::a;
-    case GLFW_KEY_S:
-      return Key::s;
-    case GLFW_KEY_D:
-      return Key::d;
-    case GLFW_KEY_Q:
-      return Key::q;
-    case GLFW_KEY_E:
-      return Key::e;
-    case GLFW_KEY_P:
-      return Key::p;
-    case GLFW_KEY_R:
-      return Key::r;
-    case GLFW_KEY_V:
-      return Key::v;
-    case GLFW_KEY_1:
-      return Key::one;
-    case GLFW_KEY_2:
-      return Key::two;
-    case GLFW_KEY_3:
-      return Key::three;
-    case GLFW_KEY_LEFT_BRACKET:
-      return Key::left_bracket;
-    case GLFW_KEY_RIGHT_BRACKET:
-      return Key::right_bracket;
-    case GLFW_KEY_COMMA:
-      return Key::comma;
-    case GLFW_KEY_PERIOD:
-      return Key::period;
-    case GLFW_KEY_SPACE:
-      return Key::space;
-    case GLFW_KEY_TAB:
-      return Key::tab;
-    case GLFW_KEY_ESCAPE:
-      return Key::escape;
-    case GLFW_KEY_LEFT_SHIFT:
-    case GLFW_KEY_RIGHT_SHIFT:
-      return Key::shift;
-    case GLFW_KEY_LEFT_CONTROL:
-    case GLFW_KEY_RIGHT_CONTROL:
-      return Key::control;
-    case GLFW_KEY_F1:
-      return Key::f1;
-    case GLFW_KEY_F2:
-      return Key::f2;
-    default:
-      return std::nullopt;
-  }
 }
 
 Owned<VkSemaphore> make_semaphore(Device& device, const char* name) {
@@ -87,11 +32,12 @@ Owned<VkSemaphore> make_semaphore(Device& device, const char* name) {
 struct WindowEvents {
   static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   static void key(GLFWwindow* window, int code, int, int action, int) {
-    const std::optional<Key> key = key_from(code);
-    if (!key) return;
-    Input& input = of(window).gathering_;
-    if (action == GLFW_PRESS) input.pressed.push_back(*key);
-    input.held.set(std::size_t(*key), action != GLFW_RELEASE);
+    Window& w = of(window);
+    if (code < 0 || std::size_t(code) >= Window::key_codes) return;
+    w.keys_down_.set(std::size_t(code), action != GLFW_RELEASE);
+    if (action != GLFW_PRESS) return;
+    for (const KeyBinding& binding : key_bindings())
+      if (binding.key == code && holds_at(binding.post, w.post_)) w.gatherer_.press(binding.action, binding.value);
   }
   static void button(GLFWwindow* window, int which, int action, int) {
     if (which == GLFW_MOUSE_BUTTON_RIGHT) of(window).gathering_.right_button = action == GLFW_PRESS;
@@ -105,9 +51,8 @@ struct WindowEvents {
   static void wheel(GLFWwindow* window, double, double y) { of(window).gathering_.wheel += y; }
   static void focus(GLFWwindow* window, int focused) {
     if (focused) return;
-    Input& input = of(window).gathering_;  // releases are not told to a window without the keyboard
-    input.held.reset();
-    input.right_button = false;
+    of(window).keys_down_.reset();  // releases are not told to a window without the keyboard
+    of(window).gathering_.right_button = false;
   }
   static void resized(GLFWwindow* window, int, int) { of(window).stale_ = true; }
 };
@@ -301,6 +246,19 @@ bool Window::make_swapchain() {
   return true;
 }
 
+void Window::gather() {
+  for (const KeyBinding& binding : key_bindings())
+    if (keys_down_.test(std::size_t(binding.key)) && holds_at(binding.post, post_))
+      gatherer_.add(binding.action, binding.value);
+  if (!glfwGetWindowAttrib(window_, GLFW_FOCUSED)) return;  // a gamepad is everybody's
+  for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id) {
+    GLFWgamepadstate pad;
+    if (!glfwGetGamepadState(id, &pad)) continue;
+    const std::span<const unsigned char> buttons(pad.buttons);
+    gather_gamepad(gatherer_, post_, buttons, pad.axes);
+  }
+}
+
 DisplayFrame Window::begin() {
   glfwPollEvents();
   glfwGetFramebufferSize(window_, &width_, &height_);
@@ -315,8 +273,11 @@ DisplayFrame Window::begin() {
     glfwGetFramebufferSize(window_, &width_, &height_);
     frame.should_render = shows();
   }
-  input_ = gathering_;
-  gathering_.pressed.clear();
+  gather();
+  input_ = gatherer_.take();
+  input_.mouse_pixels = gathering_.mouse_pixels;
+  input_.wheel = gathering_.wheel;
+  input_.right_button = gathering_.right_button;
   gathering_.mouse_pixels = {0.0, 0.0};
   gathering_.wheel = 0.0;
   frame.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -376,14 +337,14 @@ void Window::show(Frame& frame, SwapImage& target, const RenderTarget& picture) 
                                 same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
                }
              });
-  if (overlay_)
+  if (drawn_over_)
     frame.pass("panel", {use(target.image, Access::colour_target)}, [&](Commands& c) {
       VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
       begin.renderPass = overlay_pass_;
       begin.framebuffer = target.framebuffer.get();
       begin.renderArea = {{0, 0}, extent_};
       vkCmdBeginRenderPass(c.raw(), &begin, VK_SUBPASS_CONTENTS_INLINE);
-      overlay_(c.raw(), extent_.width, extent_.height);
+      drawn_over_(c.raw(), extent_.width, extent_.height);
       vkCmdEndRenderPass(c.raw());
     });
   frame.pass("present", {use(target.image, Access::present)}, [](Commands&) {});
@@ -430,6 +391,8 @@ void Window::hold_mouse(bool held) {
 }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+std::unique_ptr<Overlay> Window::make_overlay() { return std::make_unique<WindowOverlay>(device_, *this); }
 
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 

@@ -1,13 +1,13 @@
 // A display in a window of the desktop: a swapchain made anew whenever the window asks for it, keys and mouse.
 #pragma once
 #include <array>
+#include <bitset>
 #include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "platform/display.h"
-#include "platform/input.h"
 
 struct GLFWwindow;
 
@@ -51,17 +51,18 @@ class Window final : public Display {
   Viewpoint viewpoint(const Pose& carrier) const override;
   void end(Frame& frame, const RenderTarget* picture) override;
 
-  // The lens of the next viewpoint; headsets give their own.
-  void set_lens(double vertical_fov_deg, double eye_distance_m);
+  const Input& input() const override { return input_; }
+  void set_post(Post post) override { post_ = post; }
+  void set_lens(double vertical_fov_deg, double eye_distance_m) override;
+  void hold_mouse(bool held) override;
+  void set_title(const std::string& title) override;
+  std::unique_ptr<Overlay> make_overlay() override;
+
   // Drawn over the picture, in a render pass made like overlay_pass(), with the window's size in pixels.
-  using Overlay = std::function<void(VkCommandBuffer, std::uint32_t width, std::uint32_t height)>;
-  void set_overlay(Overlay overlay) { overlay_ = std::move(overlay); }
+  using DrawOver = std::function<void(VkCommandBuffer, std::uint32_t width, std::uint32_t height)>;
+  void draw_over(DrawOver drawn) { drawn_over_ = std::move(drawn); }
   VkRenderPass overlay_pass() const { return overlay_pass_; }
 
-  const Input& input() const { return input_; }
-  // Hides the pointer and lets the mouse move without end, to look around.
-  void hold_mouse(bool held);
-  void set_title(const std::string& title);
   void close();
   GLFWwindow* handle() const { return window_; }
   double content_scale() const;
@@ -94,9 +95,14 @@ class Window final : public Display {
   std::uint32_t image_index_ = 0;
   bool stale_ = true;  // the swapchain no longer fits the window
   int swapchains_made_ = 0;
-  Overlay overlay_;
+  DrawOver drawn_over_;
 
-  Input input_, gathering_;
+  void gather();                                 // keys and gamepads
+  static constexpr std::size_t key_codes = 512;  // GLFW's
+  InputGatherer gatherer_;
+  std::bitset<key_codes> keys_down_;
+  Post post_ = Post::afoot;
+  Input input_, gathering_;  // of gathering_ the mouse only
   glm::dvec2 last_mouse_{0.0};
   bool mouse_known_ = false, mouse_held_ = false;
   int width_ = 0, height_ = 0;  // of the window's picture, pixels

@@ -49,6 +49,24 @@ TEST(ExploreCamera, TwoKeysAreNoFasterThanOne) {
   EXPECT_NEAR(one, 12.0 * (3.0 - 1.0 / 8.0), 0.01);  // 12 m/s, less the lag of the start
 }
 
+// Controls: the velocity kept; the height of what it left.
+TEST(ExploreCamera, JumpsToStandAsItTravels) {
+  for (const Travel travel : {Travel::fly, Travel::walk, Travel::ride}) {
+    ExploreCamera camera(pose_at(50.0, {30.0, -10.0, 0.0}));
+    camera.set_travel(travel);
+    camera.step(push(0, 0, 1), 1.0, 0.4);
+    camera.jump({100.0, -20.0}, 0.4);
+    const double height_m = travel == Travel::fly    ? 0.4 + ExploreCamera::deck_height_m
+                            : travel == Travel::walk ? ExploreCamera::deck_height_m
+                                                     : 0.4 + ExploreCamera::ride_height_m;
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_LT(glm::length(camera.pose().position_m - glm::dvec3(100.0, height_m, -20.0)), 1e-12);
+      camera.step({}, 0.1, 0.4);
+    }
+    EXPECT_NEAR(camera.yaw_deg(), 30.0, 1e-9);
+  }
+}
+
 // Control: a push along +z for W fails here.
 TEST(ExploreCamera, KeysPushWhereTheViewLooks) {
   ExploreCamera camera(pose_at(50.0, {90.0, 30.0, 0.0}));  // to +x and up

@@ -1,6 +1,8 @@
 // The tables of actions and bindings. Controls are named beside each test; each was seen to fail.
 #include "platform/bindings.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -86,6 +88,28 @@ TEST(GamepadBindings, SticksRestInTheMiddle) {
   EXPECT_EQ(stick_value(1.0), 1.0);
   EXPECT_EQ(stick_value(-1.0), -1.0);
   EXPECT_LT(stick_value(0.16), 0.05);
+}
+
+// Controls: triggers read as sticks are; bindings of the other post not left out.
+TEST(GamepadBindings, BecomeActions) {
+  std::array<unsigned char, GLFW_GAMEPAD_BUTTON_LAST + 1> buttons{};
+  std::array<float, GLFW_GAMEPAD_AXIS_LAST + 1> axes{0.0f, -1.0f, 0.05f, 0.0f, -1.0f, 1.0f};
+  buttons[GLFW_GAMEPAD_BUTTON_START] = 1;
+  InputGatherer gatherer;
+  gather_gamepad(gatherer, Post::afoot, buttons, axes);
+  Input input = gatherer.take();
+  EXPECT_EQ(input.value(Action::move_z), -1.0);  // pushed away: forward
+  EXPECT_EQ(input.value(Action::turn), 0.0);
+  EXPECT_EQ(input.value(Action::grab_left), 0.0);
+  EXPECT_EQ(input.value(Action::grab_right), 1.0);
+  EXPECT_EQ(input.value(Action::throttle), 0.0);
+  EXPECT_TRUE(input.held(Action::menu));
+  gather_gamepad(gatherer, Post::aboard, buttons, axes);
+  input = gatherer.take();
+  EXPECT_EQ(input.value(Action::move_z), 0.0);
+  EXPECT_EQ(input.value(Action::throttle), 1.0);
+  gather_gamepad(gatherer, Post::afoot, {}, {});  // a pad of fewer parts
+  EXPECT_EQ(gatherer.take().value(Action::move_z), 0.0);
 }
 
 // Every profile moves on, points, and reaches the panel, from which the rest is reached; a profile with sticks does all

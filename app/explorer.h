@@ -1,4 +1,4 @@
-// Explore in a window: the loop that turns keys, mouse and panel into the camera's and the sea's movement.
+// Explore: the loop that turns what is done before a display into the camera's and the sea's movement.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -11,23 +11,26 @@
 #include "app/path_recorder.h"
 #include "app/program.h"
 #include "app/scene_loader.h"
-#include "platform/overlay.h"
+#include "platform/display.h"
 
 namespace seascape {
 
 class Explorer {
  public:
-  // The program and the window must outlive it.
-  Explorer(const Arguments& arguments, Program& program, Window& window);
-  // Until the window is closed, or --frames pictures have been shown. Throws Error.
+  // The program and the display must outlive it.
+  Explorer(const Arguments& arguments, Program& program, Display& display);
+  // Until the display is closed, or --frames pictures have been shown. Throws Error.
   void run();
 
  private:
   void build();  // the experience of program_.scene
   ExperienceOptions options(const Scene& scene) const;
-  void keys(const Input& input);
+  void obey(const Input& input);  // what was pressed
   void look(const Input& input);
   void move(const Input& input, double dt_s);
+  void aim(const Input& input);  // a teleport, and goes when it is let go
+  bool types() const { return overlay_ && overlay_->wants_keyboard(); }
+  bool points_at_widgets() const { return overlay_ && overlay_->wants_pointer(); }
   void draw(const DisplayFrame& shown, double dt_s);
   PanelFacts facts(const DisplayFrame& shown) const;
   void obey(const PanelWish& wish);
@@ -41,7 +44,7 @@ class Explorer {
   void take_screenshot();
   void reload_shaders();  // of a debug build, where one has changed on disk
   void toggle_recording();
-  // On the terminal and, for a few seconds, in the window.
+  // On the terminal and, for a few seconds, in the picture.
   void tell(const std::string& line);
   void tell_fault(const std::string& line);
   // Makes a file of a free name, has it written, and tells of it; no empty one is left by a fault.
@@ -56,18 +59,20 @@ class Explorer {
 
   const Arguments& arguments_;
   Program& program_;
-  Window& window_;
+  Display& display_;
   std::unique_ptr<Experience> experience_;
   SceneLoader loader_;
-  std::string loading_;  // the scene asked for last
-  Overlay overlay_;
+  std::string loading_;               // the scene asked for last
+  std::unique_ptr<Overlay> overlay_;  // null: nowhere to show one
   Panel panel_;
   ExploreCamera camera_;
   PathRecorder recorder_;
   std::vector<std::string> scenes_;
-  bool paused_ = false, look_by_button_ = false, look_by_tab_ = false, button_was_down_ = false;
+  bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
+  bool aiming_ = false;                   // a teleport is held
+  std::optional<glm::dvec3> aimed_at_m_;  // where it would go
   bool screenshot_wanted_ = false, leaving_ = false;
-  double now_s_ = 0.0;          // the display's clock, what a hidden window waited left out
+  double now_s_ = 0.0;          // the display's clock, what a hidden display waited left out
   double sea_elapsed_s_ = 0.0;  // the sea's time since time.start_s
   double recording_began_s_ = 0.0, message_until_s_ = 0.0, shaders_looked_at_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/explore.h"
+#include "app/explorer.h"
 #include "app/frame.h"
 #include "app/quality.h"
 #include "app/sea_time.h"
@@ -21,6 +21,8 @@ namespace {
 constexpr double degrees_a_pixel =
     0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
 constexpr double longest_step_s = 1.0;  // a pause of the machine is no journey
+constexpr double turn_deg_per_s = 60.0, snap_turn_deg = 30.0;
+constexpr double farthest_jump_m = 200.0;
 constexpr double message_s = 4.0;
 constexpr double shaders_every_s = 0.5;  // looks whether one has changed
 
@@ -35,40 +37,36 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-double axis(const Input& input, Key plus, Key minus) {
-  return double(input.is_held(plus)) - double(input.is_held(minus));
-}
-
 }  // namespace
 
-Explorer::Explorer(const Arguments& arguments, Program& program, Window& window)
+Explorer::Explorer(const Arguments& arguments, Program& program, Display& display)
     : arguments_(arguments),
       program_(program),
-      window_(window),
+      display_(display),
       loader_(*program.device, program.shaders),
-      overlay_(*program.device, window),
+      overlay_(display.make_overlay()),
       camera_(program.scene.start),
       scenes_(scene_names()) {
-  if (window_.views() == 2)
+  if (display_.views() == 2)
     (void)multiview_known_to_work(*program.device, program.shaders);  // or it would wait while it draws
   begin_time();
   build();
 }
 
 ExperienceOptions Explorer::options(const Scene& scene) const {
-  ExperienceOptions result{64, 64, window_.views()};
+  ExperienceOptions result{64, 64, display_.views()};
   if (experience_) {
     result.width = experience_->options().width;
     result.height = experience_->options().height;
   }
-  result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, window_.views());
+  result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, display_.views());
   return result;
 }
 
 void Explorer::build() {
   experience_ =
       std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene, options(program_.scene));
-  window_.set_title("Seascape: " + program_.scene.title);
+  display_.set_title("Seascape: " + program_.scene.title);
 }
 
 double Explorer::sea_time_s() const { return settings().time_start_s + sea_elapsed_s_; }
@@ -120,7 +118,7 @@ void Explorer::keep(const std::string& what, const std::string& stem, const std:
 
 void Explorer::apply(const Settings& wanted) {
   const Settings before = settings();
-  if (wanted.render.stereo != before.render.stereo && window_.views() == 2) {
+  if (wanted.render.stereo != before.render.stereo && display_.views() == 2) {
     // Whether each eye has a pass of its own goes through everything.
     Scene now = experience_->scene();
     now.settings = wanted;
@@ -164,7 +162,7 @@ void Explorer::take_loaded() {
   }
   program_.scene = experience_->scene();
   tell_remarks(program_.scene);
-  window_.set_title("Seascape: " + program_.scene.title);
+  display_.set_title("Seascape: " + program_.scene.title);
   camera_ = ExploreCamera(program_.scene.start);
   begin_time();
   tell("scene: " + program_.scene.name);
@@ -200,7 +198,7 @@ void Explorer::next_debug_view() {
 }
 
 void Explorer::take_screenshot() {
-  const int views = window_.views();
+  const int views = display_.views();
   keep("screenshot", "screenshot", views == 1 ? ".png" : "_left.png", [&](const std::filesystem::path& file) {
     experience_->frame().finish();
     write_png(file, picture_of(*program_.device, *experience_, 0));
@@ -223,81 +221,97 @@ void Explorer::toggle_recording() {
   });
 }
 
-void Explorer::keys(const Input& input) {
-  if (overlay_.wants_keyboard()) return;
-  for (const Key key : input.pressed) switch (key) {
-      case Key::one:
+void Explorer::obey(const Input& input) {
+  if (types()) return;
+  for (const auto& [action, value] : input.pressed) switch (action) {
+      case Action::fly:
         set_travel(Travel::fly);
         break;
-      case Key::two:
+      case Action::walk:
         set_travel(Travel::walk);
         break;
-      case Key::three:
+      case Action::ride:
         set_travel(Travel::ride);
         break;
-      case Key::space:
+      case Action::pause:
         toggle_pause();
         break;
-      case Key::left_bracket:
-        scale_time(0.5);
+      case Action::time_scale:
+        scale_time(value < 0.0 ? 0.5 : 2.0);
         break;
-      case Key::right_bracket:
-        scale_time(2.0);
+      case Action::scrub:
+        scrub((input.held(Action::fast) ? 10.0 : 1.0) * value);
         break;
-      case Key::comma:
-        scrub(input.is_held(Key::shift) ? -10.0 : -1.0);
-        break;
-      case Key::period:
-        scrub(input.is_held(Key::shift) ? 10.0 : 1.0);
-        break;
-      case Key::v:
+      case Action::debug_view:
         next_debug_view();
         break;
-      case Key::f1:
+      case Action::menu:
         panel_.visible = !panel_.visible;
         break;
-      case Key::p:
-      case Key::f2:
+      case Action::screenshot:
         screenshot_wanted_ = true;
         break;
-      case Key::r:
+      case Action::record:
         toggle_recording();
         break;
-      case Key::tab:
-        look_by_tab_ = !look_by_tab_;
+      case Action::look:
+        look_by_key_ = !look_by_key_;
         break;
-      case Key::escape:
-        if (look_by_tab_)
-          look_by_tab_ = false;
+      case Action::leave:
+        if (look_by_key_)
+          look_by_key_ = false;
         else
           leaving_ = true;
         break;
       default:
-        break;  // held to move
+        break;  // held to move, or for what no scene has yet
     }
 }
 
 void Explorer::look(const Input& input) {
   // The button looks around when it went down over the sea, wherever it goes then.
-  if (input.right_button && !button_was_down_ && !overlay_.wants_mouse()) look_by_button_ = true;
+  if (input.right_button && !button_was_down_ && !points_at_widgets()) look_by_button_ = true;
   if (!input.right_button) look_by_button_ = false;
   button_was_down_ = input.right_button;
-  window_.hold_mouse(look_by_button_ || look_by_tab_);
+  display_.hold_mouse(look_by_button_ || look_by_key_);
 }
 
 void Explorer::move(const Input& input, double dt_s) {
   CameraWish wish;
-  if (!overlay_.wants_keyboard()) {
-    wish.move = {axis(input, Key::d, Key::a), axis(input, Key::e, Key::q), axis(input, Key::w, Key::s)};
-    wish.fast = input.is_held(Key::shift);
+  if (!types()) {
+    wish.move = {input.value(Action::move_x), input.value(Action::move_y), -input.value(Action::move_z)};
+    wish.fast = input.held(Action::fast);
+    wish.turn_deg = glm::dvec2(input.value(Action::turn), input.value(Action::pitch)) * (turn_deg_per_s * dt_s);
+    for (const auto& [action, value] : input.pressed)
+      if (action == Action::snap_turn) wish.turn_deg.x += value * snap_turn_deg;
   }
-  if (look_by_button_ || look_by_tab_)
-    wish.turn_deg = glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
-                    (degrees_a_pixel * settings().render.vertical_fov_deg);
-  if (!overlay_.wants_mouse()) wish.faster_notches = input.wheel;
+  if (look_by_button_ || look_by_key_)
+    wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
+                     (degrees_a_pixel * settings().render.vertical_fov_deg);
+  if (!points_at_widgets()) wish.faster_notches = input.wheel;
   const glm::dvec3 place = camera_.pose().position_m;
   camera_.step(wish, dt_s, water_at_camera(*experience_, place, sea_time_s()).height_m);
+  aim(input);
   recorder_.sample(now_s_, camera_.pose(), scene_time_s());
+}
+
+void Explorer::aim(const Input& input) {
+  const bool held = !types() && input.held(Action::teleport);
+  if (held) {
+    const Pose from = camera_.pose();
+    const glm::dvec3 ahead = from.orientation * glm::dvec3(0.0, 0.0, -1.0);
+    const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
+    const RayAnswer met = water.ray(from.position_m, ahead, {.most_m = farthest_jump_m});
+    aimed_at_m_.reset();
+    if (met.hit) aimed_at_m_ = from.position_m + met.distance_m * ahead;
+  } else if (aiming_) {
+    if (aimed_at_m_)
+      camera_.jump({aimed_at_m_->x, aimed_at_m_->z}, aimed_at_m_->y);
+    else
+      tell(fmt::format("no water there within {:.0f} m", farthest_jump_m));
+    aimed_at_m_.reset();
+  }
+  aiming_ = held;
 }
 
 PanelFacts Explorer::facts(const DisplayFrame& shown) const {
@@ -313,7 +327,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.effects = scene.effects;
   facts.width = shown.width;
   facts.height = shown.height;
-  facts.views = window_.views();
+  facts.views = display_.views();
   facts.travel = camera_.travel();
   facts.speed_mps = camera_.speed_mps();
   facts.sea_time_s = sea_time_s();
@@ -358,24 +372,26 @@ void Explorer::obey(const PanelWish& wish) {
 
 void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double began_s = seconds();
-  overlay_.begin(!look_by_button_ && !look_by_tab_);
-  const PanelWish wish = panel_.draw(settings(), program_.scene.settings, facts(shown));
-  if (now_s_ < message_until_s_ || loader_.busy()) Panel::draw_message(message_);
-  overlay_.end();
-  obey(wish);
+  if (overlay_) {
+    overlay_->begin(!look_by_button_ && !look_by_key_);
+    const PanelWish wish = panel_.draw(settings(), program_.scene.settings, facts(shown));
+    if (now_s_ < message_until_s_ || loader_.busy()) Panel::draw_message(message_);
+    overlay_->end();
+    obey(wish);
+  }
   take_loaded();
 
-  window_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
+  display_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
   experience_->resize(shown.width, shown.height);
   Frame& frame = experience_->frame();
   const double waited_s = seconds();
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
-  move(window_.input(), dt_s);
-  draw_frame(*experience_, frame, window_.viewpoint(camera_.pose()), sea_time_s());
+  move(display_.input(), dt_s);
+  draw_frame(*experience_, frame, display_.viewpoint(camera_.pose()), sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
   patches_ = experience_->ocean().selection()->patches.size();
-  window_.end(frame, &experience_->picture());
+  display_.end(frame, &experience_->picture());
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
   if (std::exchange(screenshot_wanted_, false)) take_screenshot();
 }
@@ -395,18 +411,18 @@ void Explorer::reload_shaders() {
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
-  double last_s = window_.begin().time_s;
-  window_.end(experience_->frame(), nullptr);
+  double last_s = display_.begin().time_s;
+  display_.end(experience_->frame(), nullptr);
   const StopLater between_frames;  // a signal ends the loop, and what was recorded is kept
   for (int drawn = 0; !leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn < arguments_.frames);) {
-    const DisplayFrame shown = window_.begin();
+    const DisplayFrame shown = display_.begin();
     if (shown.closed) break;
     const double passed_s = shown.time_s - last_s, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
     last_s = shown.time_s;
-    keys(window_.input());
-    look(window_.input());
+    obey(display_.input());
+    look(display_.input());
     if (!shown.should_render) {  // time stands still meanwhile
-      window_.end(experience_->frame(), nullptr);
+      display_.end(experience_->frame(), nullptr);
       continue;
     }
     frame_ms_ = 1000.0 * passed_s;

@@ -1,4 +1,4 @@
-#include "platform/overlay.h"
+#include "platform/window_overlay.h"
 
 #include <imgui.h>
 
@@ -43,7 +43,7 @@ void set_style(float scale) {
 
 }  // namespace
 
-Overlay::Overlay(Device& device, Window& window) : device_(device), window_(window) {
+WindowOverlay::WindowOverlay(Device& device, Window& window) : device_(device), window_(window) {
   const EffectScope scope(device, "window");
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
@@ -79,7 +79,7 @@ Overlay::Overlay(Device& device, Window& window) : device_(device), window_(wind
   ImGui_ImplVulkan_Init(&info, window.overlay_pass());
   device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
   ImGui_ImplVulkan_DestroyFontUploadObjects();
-  window.set_overlay([](VkCommandBuffer commands, std::uint32_t width, std::uint32_t height) {
+  window.draw_over([](VkCommandBuffer commands, std::uint32_t width, std::uint32_t height) {
     ImDrawData* data = ImGui::GetDrawData();
     // A window that has changed since the widgets were laid out: they are drawn when they fit again.
     if (data && data->DisplaySize.x * data->FramebufferScale.x <= float(width) &&
@@ -88,17 +88,17 @@ Overlay::Overlay(Device& device, Window& window) : device_(device), window_(wind
   });
 }
 
-Overlay::~Overlay() {
-  window_.set_overlay(nullptr);
+WindowOverlay::~WindowOverlay() {
+  window_.draw_over(nullptr);
   device_.wait_for_gpu();
   ImGui_ImplVulkan_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
 }
 
-void Overlay::begin(bool mouse_is_free) {
+void WindowOverlay::begin(bool pointer_is_free) {
   ImGuiIO& io = ImGui::GetIO();
-  if (mouse_is_free)
+  if (pointer_is_free)
     io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
   else
     io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
@@ -107,9 +107,9 @@ void Overlay::begin(bool mouse_is_free) {
   ImGui::NewFrame();
 }
 
-void Overlay::end() { ImGui::Render(); }
+void WindowOverlay::end() { ImGui::Render(); }
 
-bool Overlay::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
-bool Overlay::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool WindowOverlay::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
+bool WindowOverlay::wants_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
 }  // namespace seascape
