@@ -171,47 +171,94 @@ void Experience::build() {
     tone.depth_test = tone.depth_write = false;
     tone_pipeline_ = make_graphics_pipeline(device_, shaders_, picture_, tone);
     lit_sampler_ = make_sampler(device_, "lit", {false, false, 1.0f});
-    tone_bindings_ =
-        Bindings(device_, tone_pipeline_,
-                 {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                  {.binding = gpu::slot_lit_picture, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
-                 "tone");
+    bind_tone();
   }
+  set_area();
+}
+
+void Experience::bind_tone() {
+  tone_bindings_ =
+      Bindings(device_, tone_pipeline_,
+               {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                {.binding = gpu::slot_lit_picture, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
+               "tone");
 }
 
 void Experience::build_targets() {
   const RenderSettings& render = scene_.settings.render;
   const bool tile = in_tile();
   TargetSpec spec;
-  spec.width = options_.width;
-  spec.height = options_.height;
+  spec.width = std::max(options_.width, options_.most_width);
+  spec.height = std::max(options_.height, options_.most_height);
   spec.views = options_.views;
   spec.per_eye = options_.per_eye;
   spec.samples = tile ? render.msaa : 1;
   spec.depth = tile && !deferred();
+  spec.show_depth = options_.show_depth;
+  spec.colour = options_.colour;
   picture_ = {};
   lit_ = {};
-  picture_ = RenderTarget(device_, "picture", spec);
-  if (tile) return;
-  spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
-  spec.samples = render.msaa;
-  spec.depth = !deferred();
-  lit_ = RenderTarget(device_, "lit", spec);
+  copied_depths_.clear();
+  picture_ = RenderTarget(device_, "picture", spec, lent_.get());
+  if (!tile) {
+    LentImages depths;
+    if (lent_) depths = {lent_->width, lent_->height, {}, lent_->depths};
+    spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
+    spec.samples = render.msaa;
+    spec.depth = !deferred();
+    lit_ = RenderTarget(device_, "lit", spec, lent_ ? &depths : nullptr);
+  }
+  if (options_.show_depth && deferred() && lent_) {
+    ImageSpec copied{lent_->width, lent_->height, std::uint32_t(options_.views)};
+    copied.format = device_.facts().depth_format;
+    copied.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    for (VkImage handle : lent_->depths) copied_depths_.emplace_back(device_, "depth lent", handle, copied);
+  }
+}
+
+// Everything is drawn into the upper left part of what there is room for.
+void Experience::set_area() {
+  picture_.set_area(options_.width, options_.height);
+  if (!in_tile()) lit_.set_area(options_.width, options_.height);
+  surface_->set_area(options_.width, options_.height);
+}
+
+void Experience::take_targets() {
+  surface_->resize(in_tile() ? picture_ : lit_);
+  if (spray_) spray_->resize(surface_->depths());
+  if (tone_pipeline_) bind_tone();
+  set_area();
 }
 
 void Experience::resize(std::uint32_t width, std::uint32_t height) {
   if (width == options_.width && height == options_.height) return;
   options_.width = width;
   options_.height = height;
+  if (width <= options_.most_width && height <= options_.most_height) {
+    set_area();
+    return;
+  }
   build_targets();
-  surface_->resize(in_tile() ? picture_ : lit_);
-  if (spray_) spray_->resize(surface_->depths());
-  if (tone_pipeline_)
-    tone_bindings_ =
-        Bindings(device_, tone_pipeline_,
-                 {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                  {.binding = gpu::slot_lit_picture, .view = lit_.colour().view(), .sampler = lit_sampler_.get()}},
-                 "tone");
+  take_targets();
+}
+
+void Experience::draw_into(std::shared_ptr<const LentImages> lent) {
+  if (lent == lent_) return;
+  lent_ = std::move(lent);
+  build_targets();
+  take_targets();
+}
+
+void Experience::choose(std::size_t colour, std::size_t depth) {
+  picture_.choose(colour, depth);
+  if (!in_tile()) lit_.choose(0, depth);
+  chosen_depth_ = depth;
+  if (!copied_depths_.empty()) copied_depths_[depth].state() = {};
+}
+
+const Image* Experience::shown_depth() const {
+  if (!copied_depths_.empty()) return &copied_depths_[chosen_depth_];
+  return (in_tile() ? picture_ : lit_).shown_depth();
 }
 
 void Experience::apply_effects(const std::vector<std::string>& effects) {

@@ -15,6 +15,10 @@ struct ExperienceOptions {
   bool per_eye = false;         // a pass per eye: for drivers whose multiview is at fault, and to compare
   bool probe = false;           // record vertex positions (tests)
   bool linear_picture = false;  // the light before tone mapping is asked for
+  // Room for larger pictures, so that another size makes nothing; 0: for the size that is drawn.
+  std::uint32_t most_width = 0, most_height = 0;
+  VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;  // of the finished picture: an sRGB one
+  bool show_depth = false;                    // whoever shows the picture gets its depth too
 };
 
 class Experience {
@@ -24,8 +28,16 @@ class Experience {
   Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options,
              std::shared_ptr<Sea> sea = nullptr);
 
-  // Other picture size: new targets, the same pipelines.
+  // Other picture size: new targets where there is no room (ExperienceOptions::most_width), the same pipelines.
   void resize(std::uint32_t width, std::uint32_t height);
+  // From now on the picture is drawn into these images, of options().colour and of the room's size or larger; null: its
+  // own. They outlive it, or the next call. Makes nothing where it has them already.
+  void draw_into(std::shared_ptr<const LentImages> lent);
+  // Which of them the next frame is drawn into.
+  void choose(std::size_t colour, std::size_t depth);
+  // How near all that is drawn lies in the picture, a layer a view, with options().show_depth, in the layout of
+  // Access::depth_target once a frame is drawn; null where the device cannot give it.
+  const Image* shown_depth() const;
   // Other settings: what only needs numbers is taken at once, another wind or swell comes over the sea (waves.change_s,
   // or at once if wished), what needs objects is built anew.
   void apply(const Settings& settings, bool sea_at_once = false);
@@ -68,6 +80,9 @@ class Experience {
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
   void build();
   void build_targets();
+  void take_targets();  // by all that draws into them or reads them
+  void bind_tone();
+  void set_area();
   // Warns of what there was nothing of to tell before the last change (remarks_of).
   void tell_remarks();
   Device& device_;
@@ -82,6 +97,9 @@ class Experience {
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
+  std::shared_ptr<const LentImages> lent_;
+  std::vector<Image> copied_depths_;  // of lent_, where the surface's depth is copied there
+  std::size_t chosen_depth_ = 0;
   Owned<VkSampler> lit_sampler_;
   Pipeline sky_pipeline_, tone_pipeline_;
   Bindings sky_bindings_, tone_bindings_;

@@ -99,7 +99,11 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     });
   }
 
-  // 6. The desktop frame's tone mapping.
+  // 6. The depth that is shown with the picture, where no pass leaves it there by itself.
+  if (const Image* shown = e.shown_depth(); shown != nullptr && deferred)
+    stages.time("recording", [&] { e.surface_->copy_depth(frame, *shown); });
+
+  // 7. The desktop frame's tone mapping.
   if (!tile)
     record("tone", e.picture_, Uses{use(e.lit_.colour(), Access::fragment_sample)}, [&](Commands& c) {
       c.bind(e.tone_pipeline_, e.tone_bindings_, {uniform});

@@ -80,7 +80,8 @@ void expect_no_validation_messages(const Device& device) {
 
 Image8 picture_of(Device& device, const Experience& experience, int view) {
   const TargetSpec& spec = experience.picture().spec();
-  return {int(spec.width), int(spec.height), 4, read_image(device, experience.picture().colour(), std::uint32_t(view))};
+  return {int(spec.width), int(spec.height), 4,
+          read_image(device, experience.picture().colour(), std::uint32_t(view), 0, {spec.width, spec.height})};
 }
 
 ImageF linear_picture_of(Device& device, const Experience& experience, int view) {
@@ -88,7 +89,8 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
   const TargetSpec& spec = experience.picture().spec();
   ImageF image{int(spec.width), int(spec.height), {}};
   image.pixels.resize(std::size_t(spec.width) * spec.height * 4);
-  const auto bytes = read_image(device, lit ? lit->colour() : experience.picture().colour(), std::uint32_t(view));
+  const auto bytes = read_image(device, lit ? lit->colour() : experience.picture().colour(), std::uint32_t(view), 0,
+                                {spec.width, spec.height});
   if (lit) {  // scene light before tone mapping
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
       std::uint16_t half;

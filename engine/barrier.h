@@ -17,6 +17,7 @@ enum class Access {
   vertex_store,     // storage buffer written by a vertex shader (test probes)
   colour_target,
   depth_target,
+  depth_resolve,  // what a pass resolves its samples' depth into
   transfer_read,
   transfer_write,
   host_read,

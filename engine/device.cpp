@@ -140,7 +140,8 @@ void Device::create_instance(const DeviceOptions& options) {
   }
   info.enabledExtensionCount = std::uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+  const VkResult result = options.create_instance ? options.create_instance(info, &instance_)
+                                                  : vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_OUT_OF_HOST_MEMORY) expect_driver_files();
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw_no_driver();
   if (result == VK_ERROR_LAYER_NOT_PRESENT)
@@ -153,7 +154,8 @@ void Device::create_instance(const DeviceOptions& options) {
   }
 }
 
-void Device::choose_physical(const DeviceOptions& options) {
+// The best by kind, of those that have what is needed.
+void Device::search_physical() {
   std::uint32_t count = 0;
   const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
@@ -184,6 +186,13 @@ void Device::choose_physical(const DeviceOptions& options) {
         fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),
         wanted ? "unset SEASCAPE_DEVICE" : "install a newer driver");
   }
+}
+
+void Device::choose_physical(const DeviceOptions& options) {
+  if (options.choose_physical)
+    physical_ = options.choose_physical(instance_);
+  else
+    search_physical();
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 p2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   vkGetPhysicalDeviceProperties(physical_, &p2.properties);
@@ -192,6 +201,8 @@ void Device::choose_physical(const DeviceOptions& options) {
     vkGetPhysicalDeviceProperties2(physical_, &p2);
   }
   const VkPhysicalDeviceProperties& p = p2.properties;
+  if (p.apiVersion < VK_API_VERSION_1_1)
+    throw Error(p.deviceName, "the device lacks Vulkan 1.1", "install a newer driver");
   facts_.name = p.deviceName;
   facts_.driver = driver.driverInfo[0] ? fmt::format("{} {}", driver.driverName, driver.driverInfo)
                                        : fmt::format("version {:#x}", p.driverVersion);
@@ -215,6 +226,17 @@ void Device::choose_physical(const DeviceOptions& options) {
   vkGetPhysicalDeviceFormatProperties(physical_, VK_FORMAT_R32G32B32A32_SFLOAT, &format);
   facts_.float32_linear =
       (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
+}
+
+static bool has_extensions(VkPhysicalDevice physical, std::span<const char* const> wanted) {
+  std::uint32_t count = 0;
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> available(count);
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, available.data());
+  return std::all_of(wanted.begin(), wanted.end(), [&](const char* name) {
+    return std::any_of(available.begin(), available.end(),
+                       [&](const VkExtensionProperties& one) { return std::strcmp(one.extensionName, name) == 0; });
+  });
 }
 
 void Device::create_device(const DeviceOptions& options) {
@@ -266,13 +288,18 @@ void Device::create_device(const DeviceOptions& options) {
   queue.pQueuePriorities = &priority;
   std::vector<const char*> extensions;
   if (options.present) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  constexpr const char* resolves_depth[] = {VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME,
+                                            VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME};
+  facts_.depth_resolve = options.show_depth && !options.core_only && has_extensions(physical_, resolves_depth);
+  if (facts_.depth_resolve) extensions.insert(extensions.end(), std::begin(resolves_depth), std::end(resolves_depth));
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.pNext = &use;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = std::uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  const VkResult result = vkCreateDevice(physical_, &info, nullptr, &device_);
+  const VkResult result = options.create_device ? options.create_device(physical_, info, &device_)
+                                                : vkCreateDevice(physical_, &info, nullptr, &device_);
   if (result == VK_ERROR_EXTENSION_NOT_PRESENT)
     throw Error(facts_.name, "the driver cannot present to a window", "use --display headless or another device");
   check(result, "vkCreateDevice");
@@ -285,6 +312,9 @@ void Device::create_device(const DeviceOptions& options) {
     end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
         vkGetInstanceProcAddr(instance_, "vkCmdEndDebugUtilsLabelEXT"));
   }
+  if (facts_.depth_resolve)
+    create_render_pass_2_ =
+        reinterpret_cast<PFN_vkCreateRenderPass2KHR>(vkGetDeviceProcAddr(device_, "vkCreateRenderPass2KHR"));
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool.queueFamilyIndex = queue_family_;
   pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
@@ -374,16 +404,6 @@ void Device::end_now(VkCommandBuffer commands) {
   vkDestroyFence(device_, fence, nullptr);
   check(result, failed);
   vkFreeCommandBuffers(device_, now_pool_, 1, &commands);
-}
-
-VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info) {
-  const std::lock_guard lock(mutex_);
-  if (const auto found = render_passes_.find(key); found != render_passes_.end()) return found->second;
-  VkRenderPass pass = VK_NULL_HANDLE;
-  check(vkCreateRenderPass(device_, &info, nullptr, &pass), "vkCreateRenderPass");
-  render_passes_.emplace(key, pass);
-  debug_name(VK_OBJECT_TYPE_RENDER_PASS, std::uint64_t(pass), key.c_str());
-  return pass;
 }
 
 void Device::debug_name(VkObjectType type, std::uint64_t handle, const char* name) {

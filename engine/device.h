@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,8 +21,15 @@ struct DeviceOptions {
   bool validation = false;  // the Khronos layer with synchronization validation; missing layer: Error
   bool core_only = false;   // use nothing beyond Vulkan 1.1's floor, as on a driver that has no more
   bool present = false;     // with a swapchain
+  bool show_depth = false;  // depths are shown too, where several samples can be resolved
   std::vector<std::string> instance_extensions;  // what a window needs
   DiskCache cache;                               // where the driver's pipelines are kept for later starts
+
+  // A headset's runtime has its own way of making the instance and the device, and says which GPU it shows pictures
+  // from. Without them Vulkan's own are called.
+  std::function<VkResult(const VkInstanceCreateInfo&, VkInstance*)> create_instance;
+  std::function<VkPhysicalDevice(VkInstance)> choose_physical;  // throws Error where it has none
+  std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> create_device;
 };
 
 // What the chosen device is and can do.
@@ -32,6 +40,7 @@ struct DeviceFacts {
   bool float32_linear = false;  // RGBA32F can be filtered
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
   bool sample_shading = false;  // pixels may ask for what lies at their samples
+  bool depth_resolve = false;   // a pass can resolve its samples' depth
   float max_anisotropy = 1.0f;
   int max_samples = 1;              // of a colour and depth target
   std::uint32_t sample_counts = 1;  // those that it has: a bit each, 2 | 8 say
@@ -100,6 +109,10 @@ class Device {
   void frames_finished_to(std::uint64_t number);
 
   VkRenderPass cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info);
+  // Of a pass of one subpass, which also resolves the first sample's depth into `depth_resolve`
+  // (DeviceFacts::depth_resolve).
+  VkRenderPass cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info,
+                                  const VkAttachmentReference& depth_resolve);
   void debug_name(VkObjectType type, std::uint64_t handle, const char* name);
   void label_begin(VkCommandBuffer commands, const char* name) const;
   void label_end(VkCommandBuffer commands) const;
@@ -114,10 +127,13 @@ class Device {
     std::uint64_t handle, offset;
   };
   void create_instance(const DeviceOptions& options);
+  void search_physical();
   void choose_physical(const DeviceOptions& options);
   void create_device(const DeviceOptions& options);
   void load_pipeline_cache();
   void keep_pipeline_cache() const;
+  template <class Create>
+  VkRenderPass cached(const std::string& key, const Create& create);
   void give_back();                     // all that there is, at the end or where the beginning failed
   void destroy(const Retired& object);  // with mutex_ held
   VkCommandBuffer begin_now();
@@ -147,6 +163,7 @@ class Device {
   std::atomic<std::uint64_t> frame_number_ = 0;
   bool debug_utils_ = false;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
+  PFN_vkCreateRenderPass2KHR create_render_pass_2_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
   mutable std::mutex mutex_;  // of the lists of objects, and of render passes

@@ -118,4 +118,72 @@ void Device::destroy(const Retired& object) {
   }
 }
 
+namespace {
+
+// A pass of one subpass in the words of VK_KHR_create_renderpass2, with the resolve of its depth besides.
+VkResult create_resolving_pass(VkDevice device, PFN_vkCreateRenderPass2KHR create, const VkRenderPassCreateInfo& info,
+                               const VkAttachmentReference& depth_resolve, VkRenderPass* pass) {
+  const VkSubpassDescription& of = info.pSubpasses[0];
+  const auto* multiview = static_cast<const VkRenderPassMultiviewCreateInfo*>(info.pNext);
+  std::vector<VkAttachmentDescription2> attachments;
+  for (std::uint32_t i = 0; i < info.attachmentCount; ++i) {
+    const VkAttachmentDescription& a = info.pAttachments[i];
+    attachments.push_back({VK_STRUCTURE_TYPE_ATTACHMENT_DESCRIPTION_2, nullptr, a.flags, a.format, a.samples, a.loadOp,
+                           a.storeOp, a.stencilLoadOp, a.stencilStoreOp, a.initialLayout, a.finalLayout});
+  }
+  const auto reference = [](const VkAttachmentReference& r, VkImageAspectFlags aspect) {
+    return VkAttachmentReference2{VK_STRUCTURE_TYPE_ATTACHMENT_REFERENCE_2, nullptr, r.attachment, r.layout, aspect};
+  };
+  std::vector<VkAttachmentReference2> colours, resolves;
+  for (std::uint32_t i = 0; i < of.colorAttachmentCount; ++i) {
+    colours.push_back(reference(of.pColorAttachments[i], VK_IMAGE_ASPECT_COLOR_BIT));
+    if (of.pResolveAttachments) resolves.push_back(reference(of.pResolveAttachments[i], VK_IMAGE_ASPECT_COLOR_BIT));
+  }
+  const VkAttachmentReference2 depth = reference(*of.pDepthStencilAttachment, VK_IMAGE_ASPECT_DEPTH_BIT);
+  const VkAttachmentReference2 resolved = reference(depth_resolve, VK_IMAGE_ASPECT_DEPTH_BIT);
+  VkSubpassDescriptionDepthStencilResolve resolve{VK_STRUCTURE_TYPE_SUBPASS_DESCRIPTION_DEPTH_STENCIL_RESOLVE};
+  resolve.depthResolveMode = VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;  // which every device has
+  resolve.pDepthStencilResolveAttachment = &resolved;
+  VkSubpassDescription2 subpass{VK_STRUCTURE_TYPE_SUBPASS_DESCRIPTION_2};
+  subpass.pNext = &resolve;
+  subpass.pipelineBindPoint = of.pipelineBindPoint;
+  subpass.viewMask = multiview ? multiview->pViewMasks[0] : 0;
+  subpass.colorAttachmentCount = of.colorAttachmentCount;
+  subpass.pColorAttachments = colours.data();
+  subpass.pResolveAttachments = resolves.empty() ? nullptr : resolves.data();
+  subpass.pDepthStencilAttachment = &depth;
+  VkRenderPassCreateInfo2 info2{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO_2};
+  info2.attachmentCount = info.attachmentCount;
+  info2.pAttachments = attachments.data();
+  info2.subpassCount = 1;
+  info2.pSubpasses = &subpass;
+  info2.correlatedViewMaskCount = multiview ? multiview->correlationMaskCount : 0;
+  info2.pCorrelatedViewMasks = multiview ? multiview->pCorrelationMasks : nullptr;
+  return create(device, &info2, nullptr, pass);
+}
+
+}  // namespace
+
+template <class Create>
+VkRenderPass Device::cached(const std::string& key, const Create& create) {
+  const std::lock_guard lock(mutex_);
+  if (const auto found = render_passes_.find(key); found != render_passes_.end()) return found->second;
+  VkRenderPass pass = VK_NULL_HANDLE;
+  check(create(&pass), "vkCreateRenderPass");
+  render_passes_.emplace(key, pass);
+  debug_name(VK_OBJECT_TYPE_RENDER_PASS, std::uint64_t(pass), key.c_str());
+  return pass;
+}
+
+VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info) {
+  return cached(key, [&](VkRenderPass* pass) { return vkCreateRenderPass(device_, &info, nullptr, pass); });
+}
+
+VkRenderPass Device::cached_render_pass(const std::string& key, const VkRenderPassCreateInfo& info,
+                                        const VkAttachmentReference& depth_resolve) {
+  return cached(key, [&](VkRenderPass* pass) {
+    return create_resolving_pass(device_, create_render_pass_2_, info, depth_resolve, pass);
+  });
+}
+
 }  // namespace seascape

@@ -90,6 +90,18 @@ void Commands::copy(const Buffer& from, const Buffer& to, const VkBufferCopy& pa
   ++work_->back().copies;
 }
 
+void Commands::copy(const Image& from, const Image& to, VkExtent2D part) {
+  VkImageCopy region{};
+  region.srcSubresource = {from.aspect(), 0, 0, from.spec().layers};
+  region.dstSubresource = {to.aspect(), 0, 0, to.spec().layers};
+  region.extent = {part.width, part.height, 1};
+  vkCmdCopyImage(commands_, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.get(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  note(14 + (std::uint64_t(part.width) << 8) + (std::uint64_t(part.height) << 32));
+  work_->back().copied_to = to.get();
+  ++work_->back().copies;
+}
+
 void Commands::count_draw(std::uint64_t triangles) {
   ++counts_->draws;
   ++work_->back().draws;
@@ -238,6 +250,7 @@ void Frame::begin_target(const char* name, const RenderTarget& target, const Use
   if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
   if (target.second()) barriers.add(*target.second(), Access::colour_target, true);
   if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
+  if (target.resolved_depth()) barriers.add(*target.resolved_depth(), Access::depth_resolve, true);
   open(name, barriers);
 }
 
@@ -247,7 +260,8 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
     BarrierBatch barriers;
     if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
     if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
-    if (target.depth() && !spec.keep_depth) barriers.add(*target.depth(), Access::depth_target, true);
+    if (target.depth() && !spec.keep_depth && !spec.show_depth)
+      barriers.add(*target.depth(), Access::depth_target, true);
     counts_.barriers += std::uint64_t(barriers.record(commands_.commands_));
   }
   VkClearValue clears[3]{};

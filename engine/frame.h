@@ -91,6 +91,9 @@ class Commands {
   // Copies all of a buffer (Access::transfer_read) into another of its size (Access::transfer_write), or a part of it.
   void copy(const Buffer& from, const Buffer& to);
   void copy(const Buffer& from, const Buffer& to, const VkBufferCopy& part);
+  // Copies the upper left part of all layers of an image (Access::transfer_read) into another of its format
+  // (Access::transfer_write).
+  void copy(const Image& from, const Image& to, VkExtent2D part);
   // The eye that a pass per eye draws; 0 in a multiview pass, where shaders have gl_ViewIndex.
   std::uint32_t eye() const { return eye_; }
   VkCommandBuffer raw() const { return commands_; }  // for libraries that record by themselves

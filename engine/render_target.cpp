@@ -34,14 +34,15 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
   colours[0] = add(spec.colour, samples, begin, multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE,
                    colour_layout);
-  VkAttachmentReference depth{}, resolve{};
+  VkAttachmentReference depth{}, resolve{}, depth_resolve{};
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = colours;
   if (spec.depth) {
     depth = add(device.facts().depth_format, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                spec.keep_depth ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE,
+                spec.keep_depth || (spec.show_depth && !multi) ? VK_ATTACHMENT_STORE_OP_STORE
+                                                               : VK_ATTACHMENT_STORE_OP_DONT_CARE,
                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
     subpass.pDepthStencilAttachment = &depth;
   }
@@ -55,6 +56,10 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
                   colour_layout);
     subpass.pResolveAttachments = &resolve;
   }
+  const bool resolves_depth = spec.depth && spec.show_depth && multi;
+  if (resolves_depth)
+    depth_resolve = add(device.facts().depth_format, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                        VK_ATTACHMENT_STORE_OP_STORE, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
   const std::uint32_t view_mask = (1u << spec.views) - 1u;
   VkRenderPassMultiviewCreateInfo multiview{VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO};
   multiview.subpassCount = 1;
@@ -68,74 +73,120 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
   info.subpassCount = 1;
   info.pSubpasses = &subpass;
   const std::string key =
-      fmt::format("pass colour {} {} cleared {} samples {} depth {} {} views {} {}", int(spec.colour), int(spec.second),
-                  spec.clear_colour, spec.samples, spec.depth, spec.keep_depth, spec.per_eye ? 1 : spec.views,
-                  spec.per_eye ? "per eye" : "multiview");
-  return device.cached_render_pass(key, info);
+      fmt::format("pass colour {} {} cleared {} samples {} depth {} {} {} views {} {}", int(spec.colour),
+                  int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.keep_depth, spec.show_depth,
+                  spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
+  return resolves_depth ? device.cached_render_pass(key, info, depth_resolve) : device.cached_render_pass(key, info);
 }
 
 }  // namespace
 
-RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSpec& spec) : spec_(spec) {
-  render_pass_ = make_render_pass(device, spec);
+RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSpec& spec, const LentImages* lent)
+    : spec_(spec), image_size_{spec.width, spec.height} {
+  if (!spec_.depth || (spec_.samples > 1 && !device.facts().depth_resolve)) spec_.show_depth = false;
+  render_pass_ = make_render_pass(device, spec_);
+  make_images(device, name, lent);
+  make_framebuffers(device, name);
+}
+
+void RenderTarget::make_images(Device& device, std::string_view name, const LentImages* lent) {
   ImageSpec image;
-  image.width = spec.width;
-  image.height = spec.height;
-  image.layers = std::uint32_t(spec.views);
-  image.format = spec.colour;
+  image.width = spec_.width;
+  image.height = spec_.height;
+  image.layers = std::uint32_t(spec_.views);
+  image.format = spec_.colour;
   image.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  if (spec.per_eye && spec.samples > 1) {
+  const auto borrow = [&](std::vector<Image>& to, const std::vector<VkImage>& handles, ImageSpec theirs) {
+    theirs.width = lent->width;
+    theirs.height = lent->height;
+    for (VkImage handle : handles) to.emplace_back(device, fmt::format("{} lent", name), handle, theirs);
+  };
+  if (spec_.per_eye && spec_.samples > 1) {
     image.layers = 1;
     resolved_eye_ = Image(device, fmt::format("{} resolved eye", name), image);
-    image.layers = std::uint32_t(spec.views);
+    image.layers = std::uint32_t(spec_.views);
     image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   }
-  colour_ = Image(device, fmt::format("{} colour", name), image);
-  if (spec.second != VK_FORMAT_UNDEFINED) {
-    image.format = spec.second;
+  if (lent && !lent->colours.empty())
+    borrow(colours_, lent->colours, image);
+  else
+    colours_.emplace_back(device, fmt::format("{} colour", name), image);
+  if (spec_.second != VK_FORMAT_UNDEFINED) {
+    image.format = spec_.second;
     second_ = Image(device, fmt::format("{} second", name), image);
-    image.format = spec.colour;
+    image.format = spec_.colour;
   }
   // Samples and depth live inside one pass; where eyes are drawn one after the other they share them.
-  if (spec.per_eye) image.layers = 1;
+  if (spec_.per_eye) image.layers = 1;
   image.samples = samples();
   image.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   image.transient = true;
-  if (spec.samples > 1) multisampled_ = Image(device, fmt::format("{} samples", name), image);
+  if (spec_.samples > 1) multisampled_ = Image(device, fmt::format("{} samples", name), image);
+  if (!spec_.depth) return;
   image.format = device.facts().depth_format;
   image.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-  if (spec.keep_depth) {
-    image.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
-    image.transient = false;
-    image.layers = std::uint32_t(spec.views);
+  if (spec_.keep_depth || (spec_.show_depth && spec_.samples == 1)) image.layers = std::uint32_t(spec_.views);
+  if (spec_.show_depth) {
+    ImageSpec shown = image;
+    shown.layers = std::uint32_t(spec_.views);
+    shown.samples = VK_SAMPLE_COUNT_1_BIT;
+    shown.transient = false;
+    shown.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (lent && !lent->depths.empty()) {
+      borrow(shown_depths_, lent->depths, shown);
+    } else {
+      shown_depths_.emplace_back(device, fmt::format("{} shown depth", name), shown);
+    }
+    if (spec_.samples == 1) return;
   }
-  if (spec.depth) depth_ = Image(device, fmt::format("{} depth", name), image);
+  if (spec_.keep_depth) {
+    image.usage |= VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    image.transient = false;
+  }
+  depth_ = Image(device, fmt::format("{} depth", name), image);
+}
 
-  const std::uint32_t passes = spec.per_eye ? std::uint32_t(spec.views) : 1u;
-  for (std::uint32_t pass = 0; pass < passes; ++pass) {
+void RenderTarget::make_framebuffers(Device& device, std::string_view name) {
+  const auto make = [&](Image& colour, Image* shown_depth, std::size_t pass) {
     auto view_of = [&](Image& i) {
-      return spec.per_eye ? i.subview(0, 1, std::min(pass, i.spec().layers - 1), 1, false)
-                          : i.subview(0, 1, 0, std::uint32_t(spec.views));
+      return spec_.per_eye ? i.subview(0, 1, std::min(std::uint32_t(pass), i.spec().layers - 1), 1, false)
+                           : i.subview(0, 1, 0, std::uint32_t(spec_.views));
     };
-    std::vector<VkImageView> views;
-    if (spec.samples > 1)
-      views.push_back(view_of(multisampled_));
-    else
-      views.push_back(view_of(colour_));
-    if (spec.depth) views.push_back(view_of(depth_));
+    std::vector<VkImageView> views{view_of(spec_.samples > 1 ? multisampled_ : colour)};
+    if (spec_.depth) views.push_back(view_of(depth_ ? depth_ : *shown_depth));
     if (second_) views.push_back(view_of(second_));
-    if (spec.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour_));
+    if (spec_.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour));
+    if (spec_.samples > 1 && shown_depth) views.push_back(view_of(*shown_depth));
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = render_pass_;
     info.attachmentCount = std::uint32_t(views.size());
     info.pAttachments = views.data();
-    info.width = spec.width;
-    info.height = spec.height;
+    info.width = image_size_.width;
+    info.height = image_size_.height;
     info.layers = 1;
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
     check(vkCreateFramebuffer(device.handle(), &info, nullptr, &framebuffer), "vkCreateFramebuffer");
     framebuffers_.emplace_back(device, framebuffer, name);
-  }
+  };
+  for (Image& colour : colours_)
+    for (std::size_t depth = 0; depth < depth_count(); ++depth)
+      for (std::size_t pass = 0; pass < passes(); ++pass)
+        make(colour, shown_depths_.empty() ? nullptr : &shown_depths_[depth], pass);
+}
+
+void RenderTarget::choose(std::size_t colour, std::size_t depth) {
+  chosen_colour_ = colours_.size() > 1 ? colour : 0;
+  chosen_depth_ = shown_depths_.size() > 1 ? depth : 0;
+  assert(chosen_colour_ < colours_.size() && chosen_depth_ < depth_count());
+  // Who lent them had them meanwhile.
+  colours_[chosen_colour_].state() = {};
+  if (!shown_depths_.empty()) shown_depths_[chosen_depth_].state() = {};
+}
+
+void RenderTarget::set_area(std::uint32_t width, std::uint32_t height) {
+  assert(width <= image_size_.width && height <= image_size_.height);
+  spec_.width = width;
+  spec_.height = height;
 }
 
 }  // namespace seascape

@@ -1,5 +1,6 @@
 // Images that a pass draws into for all views at once: colour, depth, and the multisampled ones resolved in the tile.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -17,36 +18,66 @@ struct TargetSpec {
   int samples = 1;
   bool depth = true;
   bool keep_depth = false;   // a pass after may read it: stored, a layer a view
+  bool show_depth = false;   // whoever shows the picture gets its depth too, one sample a pixel
   bool clear_colour = true;  // or else whoever reads it knows from the depth where nothing was drawn
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 1.0f};
+};
+
+// Images that another owns (a headset's runtime) and lends for a frame each: of colour, of depth, or of both. They are
+// as large as a target's own would be or larger, with a layer a view, and outlive the target.
+struct LentImages {
+  std::uint32_t width = 0, height = 0;
+  std::vector<VkImage> colours;  // of TargetSpec::colour
+  std::vector<VkImage> depths;   // of the device's depth format
 };
 
 class RenderTarget {
  public:
   RenderTarget() = default;
-  RenderTarget(Device& device, std::string_view name, const TargetSpec& spec);
+  // `lent`: what to draw into instead of images of its own; null: nothing. With spec.show_depth a single-sampled depth
+  // is among what is kept: that of the pass itself, or of several samples the first (shown_depth() is null where the
+  // device cannot resolve depths).
+  RenderTarget(Device& device, std::string_view name, const TargetSpec& spec, const LentImages* lent = nullptr);
 
+  // Which of the lent images the next passes draw into. What they hold is lost.
+  void choose(std::size_t colour, std::size_t depth);
+  // Draws into the upper left part only: of at most the size that it was made with.
+  void set_area(std::uint32_t width, std::uint32_t height);
+
+  // Its width and height are those that are drawn.
   const TargetSpec& spec() const { return spec_; }
   VkRenderPass render_pass() const { return render_pass_; }
   VkSampleCountFlagBits samples() const { return VkSampleCountFlagBits(spec_.samples); }
   bool has_depth() const { return spec_.depth; }
   // One framebuffer for a multiview pass, or one an eye.
-  std::size_t passes() const { return framebuffers_.size(); }
-  VkFramebuffer framebuffer(std::size_t pass) const { return framebuffers_[pass].get(); }
+  std::size_t passes() const { return spec_.per_eye ? std::size_t(spec_.views) : 1; }
+  VkFramebuffer framebuffer(std::size_t pass) const {
+    return framebuffers_[(chosen_colour_ * depth_count() + chosen_depth_) * passes() + pass].get();
+  }
   // The picture: one layer a view, single-sampled.
-  const Image& colour() const { return colour_; }
+  const Image& colour() const { return colours_[chosen_colour_]; }
   const Image* second() const { return second_ ? &second_ : nullptr; }
   // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one
   // that needs a pass per eye, resolves into layer 0 whatever the view says.
   const Image* resolved_eye() const { return resolved_eye_ ? &resolved_eye_ : nullptr; }
   const Image* multisampled() const { return multisampled_ ? &multisampled_ : nullptr; }
-  const Image* depth() const { return depth_ ? &depth_ : nullptr; }
+  const Image* depth() const { return !spec_.depth ? nullptr : depth_ ? &depth_ : &shown_depths_[chosen_depth_]; }
+  // With spec.show_depth: what is shown of it, one layer a view. It is depth() itself where that has one sample.
+  const Image* shown_depth() const { return shown_depths_.empty() ? nullptr : &shown_depths_[chosen_depth_]; }
+  // That a pass resolves its samples' depth into; null where it does not.
+  const Image* resolved_depth() const { return spec_.samples > 1 ? shown_depth() : nullptr; }
 
  private:
+  std::size_t depth_count() const { return std::max<std::size_t>(1, shown_depths_.size()); }
+  void make_images(Device& device, std::string_view name, const LentImages* lent);
+  void make_framebuffers(Device& device, std::string_view name);
   TargetSpec spec_;
+  VkExtent2D image_size_{};  // of every image, or less where images are lent that are larger
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
-  Image colour_, second_, resolved_eye_, multisampled_, depth_;
-  std::vector<Owned<VkFramebuffer>> framebuffers_;
+  std::vector<Image> colours_, shown_depths_;  // lent ones, or one
+  std::size_t chosen_colour_ = 0, chosen_depth_ = 0;
+  Image second_, resolved_eye_, multisampled_, depth_;
+  std::vector<Owned<VkFramebuffer>> framebuffers_;  // of each colour and depth, a pass after the other
 };
 
 }  // namespace seascape

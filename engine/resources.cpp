@@ -159,10 +159,11 @@ std::uint32_t bytes_per_texel(VkFormat format) {
   }
 }
 
-std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level) {
+std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level,
+                                     VkExtent2D part) {
   device.wait_idle();
-  const std::uint32_t width = std::max(1u, image.spec().width >> level),
-                      height = std::max(1u, image.spec().height >> level);
+  const std::uint32_t width = part.width ? part.width : std::max(1u, image.spec().width >> level),
+                      height = part.width ? part.height : std::max(1u, image.spec().height >> level);
   const VkDeviceSize bytes = VkDeviceSize(width) * height * bytes_per_texel(image.spec().format);
   Buffer staging(device, "readback", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
   device.run_now([&](VkCommandBuffer commands) {

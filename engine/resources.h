@@ -112,8 +112,10 @@ Owned<VkSampler> make_sampler(Device& device, std::string_view name, const Sampl
 
 std::uint32_t bytes_per_texel(VkFormat format);
 
-// Level 0 of one layer, tightly packed, after waiting for the device: tests and pictures.
-std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level = 0);
+// One level of one layer, tightly packed, after waiting for the device: tests and pictures. `part`: only so much of it,
+// from the upper left; with a width of 0 all.
+std::vector<std::uint8_t> read_image(Device& device, const Image& image, std::uint32_t layer, std::uint32_t level = 0,
+                                     VkExtent2D part = {0, 0});
 std::vector<std::uint8_t> read_buffer(Device& device, const Buffer& buffer);
 
 }  // namespace seascape

@@ -33,6 +33,8 @@ class Surface {
 
   // Other pictures of the same formats, after a change of size.
   void resize(const RenderTarget& picture);
+  // The picture is drawn in its upper left part only.
+  void set_area(std::uint32_t width, std::uint32_t height);
 
   // Where draw() draws: the picture, or with look.deferred what light() will light.
   const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
@@ -53,6 +55,9 @@ class Surface {
   const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }
   // The specialisation constants of effects that are code in its shaders.
   const std::vector<SurfaceSlots::EffectValue>& effect_values() const { return effect_values_; }
+
+  // With look.deferred: a pass that copies depths(), where it was drawn, into another image of its format.
+  void copy_depth(Frame& frame, const Image& to) const;
 
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
