@@ -11,6 +11,7 @@
 #include "engine/error.h"
 #include "engine/output_folder.h"
 #include "platform/headless.h"
+#include "platform/headset.h"
 #include "platform/window.h"
 
 namespace seascape {
@@ -41,6 +42,23 @@ void explore_in_window(const Arguments& arguments) {
     if (arguments.height) window_options.height = std::uint32_t(arguments.height);
     Window window(system, *program.device, window_options);
     Explorer(arguments, program, window).run();
+  }
+  expect_no_validation_messages(*program.device);
+}
+
+void explore_in_headset(const Arguments& arguments) {
+  const XrLoader loader;
+  HeadsetSystem system(loader.get());
+  DeviceOptions options = device_options();
+  system.make_device(options);
+  Program program = make_program(arguments, options);
+  {
+    HeadsetOptions headset;
+    headset.near_m = program.scene.settings.render.near_m;
+    headset.width = std::uint32_t(arguments.width);
+    headset.height = std::uint32_t(arguments.height);
+    Headset display(system, *program.device, headset);
+    Explorer(arguments, program, display).run();
   }
   expect_no_validation_messages(*program.device);
 }
@@ -85,8 +103,8 @@ void explore_headless(const Arguments& arguments) {
 int run_explore(const Arguments& arguments) {
   switch (resolve_display(arguments.display)) {
     case DisplayKind::headset:
-      throw Error("--display headset", "this version draws to windows and to files, not yet to headsets",
-                  "take --display window or headless");
+      explore_in_headset(arguments);
+      break;
     case DisplayKind::headless:
       explore_headless(arguments);
       break;

@@ -74,12 +74,21 @@ void ExploreCamera::jump(const glm::dvec2& place_m, double water_m) {
 void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
   speed_factor_ =
       std::clamp(speed_factor_ * std::pow(notch_factor, wish.faster_notches), slowest_factor, fastest_factor);
+  if (wish.head) {  // the head stays where it is while all turns about it
+    const auto place = [&](double yaw_deg) {
+      return orientation_from_angles({yaw_deg, 0.0, 0.0}) *
+             glm::dvec3(wish.head->position_m.x, 0.0, wish.head->position_m.z);
+    };
+    position_m_ += place(yaw_deg_) - place(yaw_deg_ + wish.turn_deg.x);
+  }
   yaw_deg_ = wrapped_deg(yaw_deg_ + wish.turn_deg.x);
   pitch_deg_ = std::clamp(pitch_deg_ + wish.turn_deg.y, -largest_pitch_deg, largest_pitch_deg);
 
   // Where the keys push: along the view when flying, along the sea else. Two keys together are no faster than one.
   const bool flying = travel_ == Travel::fly;
-  const glm::dquat along = orientation_from_angles({yaw_deg_, flying ? pitch_deg_ : 0.0, 0.0});
+  ViewAngles look{yaw_deg_, pitch_deg_, 0.0};
+  if (wish.head) look = angles_from_orientation(carrier().orientation * wish.head->orientation);
+  const glm::dquat along = orientation_from_angles({look.yaw_deg, flying ? look.pitch_deg : 0.0, 0.0});
   glm::dvec3 push = along * glm::dvec3(wish.move.x, 0.0, -wish.move.z);
   if (flying) push.y += wish.move.y;
   if (const double length = glm::length(push); length > 1.0) push /= length;
@@ -98,7 +107,12 @@ void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
     height_above_rest_m_ *= std::exp(-height_per_s * dt_s);
     position_m_.y = rest + height_above_rest_m_;
   }
-  position_m_.y = std::max(position_m_.y, water_m + clearance_m);
+  const double head_m = wish.head ? wish.head->position_m.y - deck_height_m : 0.0;  // above the camera
+  position_m_.y = std::max(position_m_.y, water_m + clearance_m - head_m);
+}
+
+Pose ExploreCamera::carrier() const {
+  return {position_m_ - glm::dvec3(0.0, deck_height_m, 0.0), orientation_from_angles({yaw_deg_, 0.0, 0.0})};
 }
 
 Pose ExploreCamera::pose() const { return {position_m_, orientation_from_angles({yaw_deg_, pitch_deg_, 0.0})}; }

@@ -1,6 +1,7 @@
 // The camera that explore moves: flies, walks at deck height, or rides the waves. Pure: keys and water in, pose out.
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "engine/view.h"
 
@@ -14,6 +15,9 @@ struct CameraWish {
   glm::dvec3 move{0.0};      // -1 to 1 each: to the right, up, forward
   glm::dvec2 turn_deg{0.0};  // by the mouse since the last step: to the right, up
   bool fast = false;
+  // Where the head is that a display tracks, from the middle of the floor that carrier() gives: it moves as it looks,
+  // and turns about itself. Nothing: the camera is the head.
+  std::optional<Pose> head;
   double faster_notches = 0;  // of the wheel: each changes the speed by a fifth
 };
 
@@ -37,6 +41,8 @@ class ExploreCamera {
   void set_travel(Travel travel);
 
   Pose pose() const;
+  // The middle of the floor that a tracked head stands on: deck height below the camera, level.
+  Pose carrier() const;
   Travel travel() const { return travel_; }
   double speed_mps() const;  // at full push, not fast
   double yaw_deg() const { return yaw_deg_; }

@@ -60,6 +60,10 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
     result.height = experience_->options().height;
   }
   result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, display_.views());
+  result.colour = display_.colour();
+  result.show_depth = display_.shows_depth();
+  result.most_width = display_.most_size().x;
+  result.most_height = display_.most_size().y;
   return result;
 }
 
@@ -211,13 +215,13 @@ void Explorer::take_screenshot() {
 
 void Explorer::toggle_recording() {
   if (!recorder_.recording()) {
-    recorder_.start(now_s_, camera_.pose(), scene_time_s());
+    recorder_.start(now_s_, head(), scene_time_s());
     recording_began_s_ = now_s_;
     tell("path: recording");
     return;
   }
   keep("path", "recorded", ".json", [&](const std::filesystem::path& file) {
-    save_camera_path(recorder_.stop(now_s_, camera_.pose(), scene_time_s(), file.stem().string()), file);
+    save_camera_path(recorder_.stop(now_s_, head(), scene_time_s(), file.stem().string()), file);
   });
 }
 
@@ -254,6 +258,9 @@ void Explorer::obey(const Input& input) {
       case Action::record:
         toggle_recording();
         break;
+      case Action::recentre:
+        display_.recentre();
+        break;
       case Action::look:
         look_by_key_ = !look_by_key_;
         break;
@@ -261,7 +268,7 @@ void Explorer::obey(const Input& input) {
         if (look_by_key_)
           look_by_key_ = false;
         else
-          leaving_ = true;
+          leave();
         break;
       default:
         break;  // held to move, or for what no scene has yet
@@ -289,16 +296,33 @@ void Explorer::move(const Input& input, double dt_s) {
     wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
                      (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!points_at_widgets()) wish.faster_notches = input.wheel;
-  const glm::dvec3 place = camera_.pose().position_m;
-  camera_.step(wish, dt_s, water_at_camera(*experience_, place, sea_time_s()).height_m);
+  if (display_.tracks_head()) {
+    wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
+    wish.turn_deg.y = 0.0;
+  }
+  camera_.step(wish, dt_s, water_at_camera(*experience_, head().position_m, sea_time_s()).height_m);
   aim(input);
-  recorder_.sample(now_s_, camera_.pose(), scene_time_s());
+  recorder_.sample(now_s_, head(), scene_time_s());
+}
+
+Pose Explorer::carrier() const { return display_.tracks_head() ? camera_.carrier() : camera_.pose(); }
+
+Pose Explorer::head() const {
+  if (!display_.tracks_head()) return camera_.pose();
+  return composed(camera_.carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
+}
+
+// What points at the water: a hand, or the view.
+Pose Explorer::pointer(const Input& input) const {
+  for (const std::size_t hand : {1u, 0u})
+    if (input.hands[hand]) return composed(carrier(), input.hands[hand]->aim);
+  return head();
 }
 
 void Explorer::aim(const Input& input) {
   const bool held = !types() && input.held(Action::teleport);
   if (held) {
-    const Pose from = camera_.pose();
+    const Pose from = pointer(input);
     const glm::dvec3 ahead = from.orientation * glm::dvec3(0.0, 0.0, -1.0);
     const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
     const RayAnswer met = water.ray(from.position_m, ahead, {.most_m = farthest_jump_m});
@@ -383,15 +407,17 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
 
   display_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
   experience_->resize(shown.width, shown.height);
+  experience_->draw_into(shown.lent);
+  if (shown.lent) experience_->choose(shown.colour, shown.depth);
   Frame& frame = experience_->frame();
   const double waited_s = seconds();
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
   move(display_.input(), dt_s);
-  draw_frame(*experience_, frame, display_.viewpoint(camera_.pose()), sea_time_s());
+  draw_frame(*experience_, frame, display_.viewpoint(carrier()), sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
   patches_ = experience_->ocean().selection()->patches.size();
-  display_.end(frame, &experience_->picture());
+  display_.end(frame, &experience_->picture(), experience_->shown_depth());
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
   if (std::exchange(screenshot_wanted_, false)) take_screenshot();
 }
@@ -406,6 +432,12 @@ void Explorer::reload_shaders() {
   } catch (const Error& fault) {
     tell_fault(fault.what());
   }
+}
+
+// A display that has to be asked ends when it says so.
+void Explorer::leave() {
+  if (!display_.tracks_head()) leaving_ = true;
+  display_.leave();
 }
 
 void Explorer::run() {

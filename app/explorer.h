@@ -28,6 +28,10 @@ class Explorer {
   void obey(const Input& input);  // what was pressed
   void look(const Input& input);
   void move(const Input& input, double dt_s);
+  Pose carrier() const;
+  Pose head() const;
+  Pose pointer(const Input& input) const;
+  void leave();
   void aim(const Input& input);  // a teleport, and goes when it is let go
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
   bool points_at_widgets() const { return overlay_ && overlay_->wants_pointer(); }

@@ -6,6 +6,10 @@
 
 namespace seascape {
 
+Pose composed(const Pose& from, const Pose& pose) {
+  return {from.position_m + from.orientation * pose.position_m, glm::normalize(from.orientation * pose.orientation)};
+}
+
 Fov symmetric_fov(double vertical_deg, double aspect) {
   const double t = std::tan(glm::radians(vertical_deg) * 0.5);
   return {-t * aspect, t * aspect, t, -t};

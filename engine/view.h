@@ -12,6 +12,9 @@ struct Pose {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
 };
 
+// Where a pose lies that is given as seen from another.
+Pose composed(const Pose& from, const Pose& pose);
+
 // Tangents of the four half angles, as OpenXR has them: left and down are negative for a usual view.
 struct Fov {
   double left = -1.0, right = 1.0, up = 1.0, down = -1.0;

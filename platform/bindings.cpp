@@ -234,6 +234,20 @@ void gather_gamepad(InputGatherer& gatherer, Post post, std::span<const unsigned
 
 std::span<const ControllerProfile> controller_profiles() { return profiles; }
 
+Post controller_post(Action action) {
+  for (const ControllerProfile& profile : profiles)
+    for (const ControllerBinding& binding : profile.bindings)
+      if (binding.action == action) return binding.post;
+  return anywhere;
+}
+
+double controller_value(Action action) {
+  for (const ControllerProfile& profile : profiles)
+    for (const ControllerBinding& binding : profile.bindings)
+      if (binding.action == action) return binding.value;
+  return 1.0;
+}
+
 std::string mirrored(const ControllerProfile& profile, std::string_view path) {
   const auto has = [&](std::string_view wanted) {
     return std::any_of(profile.bindings.begin(), profile.bindings.end(),

@@ -50,6 +50,9 @@ struct ControllerProfile {
   std::span<const ControllerBinding> bindings;
 };
 std::span<const ControllerProfile> controller_profiles();
+// Of an action, the same in all profiles: where it holds, and what the input's positive end gives.
+Post controller_post(Action action);
+double controller_value(Action action);
 
 // The input of the other hand that stands for this one, for the left-handed: of the same name, or x and y for a and b
 // where the hands' controllers differ. One that no other hand has stays. What grabs and points stays with its hand.

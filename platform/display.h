@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/frame.h"
@@ -15,10 +16,16 @@ namespace seascape {
 
 // What a display says before a frame is drawn.
 struct DisplayFrame {
-  double time_s = 0.0;                  // when the frame will be seen, seconds since the display was made
-  bool should_render = true;            // false: minimised, or the headset is off; the frame is still ended
-  bool closed = false;                  // the user has gone
-  std::uint32_t width = 0, height = 0;  // pixels an eye
+  double time_s = 0.0;                     // when the frame will be seen, seconds since the display was made
+  bool should_render = true;               // false: minimised, or the headset is off; the frame is still ended
+  bool closed = false;                     // the user has gone
+  std::uint32_t width = 0, height = 0;     // pixels an eye
+  double period_s = 0.0;                   // from one frame to the next, where the display says
+  bool away = false;                       // nobody looks: no frame was begun at all
+  bool focused = true;                     // what is done is meant for it
+  bool moved = false;                      // the display's own space lies elsewhere from now on: it was centred anew
+  std::shared_ptr<const LentImages> lent;  // what the picture has to be drawn into; null: images of its own
+  std::size_t colour = 0, depth = 0;       // which of them
 };
 
 class Display {
@@ -33,12 +40,26 @@ class Display {
   virtual bool tracks_head() const { return false; }
   // Where the eyes are when the head (a headset's own tracking included) rides on `carrier`, for this frame.
   virtual Viewpoint viewpoint(const Pose& carrier) const = 0;
-  // Ends the frame: submits what `frame` has recorded and shows `picture` (one layer a view). Without a picture nothing
-  // was recorded and nothing is shown.
-  virtual void end(Frame& frame, const RenderTarget* picture) = 0;
+  // Ends the frame: submits what `frame` has recorded and shows `picture` (one layer a view), with its depth where the
+  // display wants one. Without a picture nothing was recorded and nothing is shown.
+  virtual void end(Frame& frame, const RenderTarget* picture, const Image* depth = nullptr) = 0;
 
   // What was done up to the last begin().
   virtual const Input& input() const;
+  // The head as it was tracked last, in metres from the middle of the floor; nothing where it is not.
+  virtual std::optional<Pose> head() const { return std::nullopt; }
+  // What lies ahead of the head becomes forward, and the middle of the floor comes under it.
+  virtual void recentre() {}
+  // What a hand (0 left, 1 right) feels: strength 0 to 1, for a time (s).
+  virtual void buzz(int /*hand*/, double /*strength*/, double /*seconds*/) {}
+  // The size of pictures from the next frame on, against what the display asks for, within most_size().
+  virtual void set_scale(double) {}
+  // Asks the display to come to its end, which begin() then says.
+  virtual void leave() {}
+  // Of the pictures that it takes.
+  virtual VkFormat colour() const { return VK_FORMAT_R8G8B8A8_SRGB; }
+  virtual bool shows_depth() const { return false; }
+  virtual glm::uvec2 most_size() const { return {0, 0}; }  // for which there is to be room; 0: as they come
   // Where its user stands: other bindings hold in a boat.
   virtual void set_post(Post) {}
   // The lens of the next viewpoint, where the display has none of its own.

@@ -21,7 +21,7 @@ Viewpoint Headless::viewpoint(const Pose& carrier) const {
   return {carrier, {options_.eye < 0 ? eyes[0] : eyes[1]}, pixels};
 }
 
-void Headless::end(Frame& frame, const RenderTarget* picture) {
+void Headless::end(Frame& frame, const RenderTarget* picture, const Image*) {
   if (picture) frame.submit();
 }
 

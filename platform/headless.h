@@ -22,7 +22,7 @@ class Headless final : public Display {
   int views() const override { return options_.views; }
   DisplayFrame begin() override;
   Viewpoint viewpoint(const Pose& carrier) const override;
-  void end(Frame& frame, const RenderTarget* picture) override;
+  void end(Frame& frame, const RenderTarget* picture, const Image* depth = nullptr) override;
 
  private:
   HeadlessOptions options_;

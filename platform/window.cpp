@@ -350,7 +350,7 @@ void Window::show(Frame& frame, SwapImage& target, const RenderTarget& picture) 
   frame.pass("present", {use(target.image, Access::present)}, [](Commands&) {});
 }
 
-void Window::end(Frame& frame, const RenderTarget* picture) {
+void Window::end(Frame& frame, const RenderTarget* picture, const Image*) {
   if (!picture) return;
   const std::size_t slot = std::size_t(frame.number() % Frame::slots);
   SwapImage* target = acquire(slot);

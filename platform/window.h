@@ -49,7 +49,7 @@ class Window final : public Display {
   // says so with should_render.
   DisplayFrame begin() override;
   Viewpoint viewpoint(const Pose& carrier) const override;
-  void end(Frame& frame, const RenderTarget* picture) override;
+  void end(Frame& frame, const RenderTarget* picture, const Image* depth = nullptr) override;
 
   const Input& input() const override { return input_; }
   void set_post(Post post) override { post_ = post; }

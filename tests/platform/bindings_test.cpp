@@ -132,6 +132,15 @@ TEST(ControllerProfiles, ReachEverything) {
   EXPECT_EQ(controller_profiles().size(), 6u);
 }
 
+// Controls: a throttle afoot in one profile; a stick that points the other way in one.
+TEST(ControllerProfiles, AgreeAboutAnAction) {
+  for (const ControllerProfile& one : controller_profiles())
+    for (const ControllerBinding& binding : one.bindings) {
+      EXPECT_EQ(binding.post, controller_post(binding.action)) << one.path << " " << binding.path;
+      EXPECT_EQ(binding.value, controller_value(binding.action)) << one.path << " " << binding.path;
+    }
+}
+
 // Controls: letters left as they are; the menu moved to where Touch has none.
 TEST(ControllerProfiles, AreMirroredForTheLeftHanded) {
   const ControllerProfile& touch = profile("oculus/touch");

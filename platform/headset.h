@@ -1,0 +1,122 @@
+// A display on a head, through OpenXR: two eyes in one picture of two layers, hands, and the runtime's own clock.
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "platform/display.h"
+#include "platform/headset_input.h"
+#include "platform/headset_swapchain.h"
+
+namespace seascape {
+
+struct HeadsetOptions {
+  double near_m = 0.1;        // of the pictures' projection
+  double scale = 1.0;         // of the recommended size, for the first frame
+  double most_scale = 1.5;    // there is room for as much: a larger one takes pictures to their edge and no further
+  double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor
+  double rate_hz = 0.0;       // asked for; 0: the runtime's own
+  bool left_handed = false;
+  bool symmetric = false;  // draws as wide to one side of an eye as to the other, and shows what was asked for
+  std::uint32_t width = 0, height = 0;  // pixels an eye; 0: as recommended
+};
+
+// What was called and with what, in order, for whoever checks the order or wants to draw the same again.
+struct HeadsetCall {
+  enum class Kind { wait, begin, locate, end } kind;
+  std::int64_t time_ns = 0;   // the predicted display time that it was given or gave
+  std::vector<XrView> views;  // located, or submitted
+};
+
+class Headset final : public Display {
+ public:
+  // Throws Error where the runtime shows nothing that the device draws. System and device must outlive it.
+  Headset(HeadsetSystem& system, Device& device, const HeadsetOptions& options);
+  ~Headset() override;
+  Headset(const Headset&) = delete;
+  Headset& operator=(const Headset&) = delete;
+
+  const char* name() const override { return "headset"; }
+  int views() const override { return 2; }
+  // Throws HeadsetLost where the runtime is gone. A session that is lost is begun anew, as soon as the runtime gives
+  // one.
+  DisplayFrame begin() override;
+  bool tracks_head() const override { return true; }
+  Viewpoint viewpoint(const Pose& carrier) const override;
+  void end(Frame& frame, const RenderTarget* picture, const Image* depth = nullptr) override;
+  const Input& input() const override { return input_; }
+  void set_post(Post post) override { post_ = post; }
+  std::optional<Pose> head() const override { return head_; }
+  void recentre() override { recentre_wanted_ = true; }
+  void buzz(int hand, double strength, double seconds) override;
+  void set_scale(double scale) override;
+  void leave() override;
+  VkFormat colour() const override { return colour_; }
+  bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
+  glm::uvec2 most_size() const override { return {most_width_, most_height_}; }
+
+  // Layers over the picture, submitted with it: in metres from the floor's middle.
+  struct Quad {
+    XrSwapchain swapchain;
+    std::uint32_t width, height;  // of it, pixels
+    Pose at;                      // its middle; it faces +z
+    glm::dvec2 size_m;
+  };
+  void show(std::optional<Quad> quad) { quad_ = quad; }
+  const HeadsetSystem& system() const { return system_; }
+  XrSession session() const { return session_; }
+
+  // Has each call told, in order.
+  void report_to(std::function<void(const HeadsetCall&)> report) { report_ = std::move(report); }
+
+ private:
+  void begin_session();
+  void end_session();
+  void choose_space();
+  void make_pictures();
+  void ask_for_rate();
+  void take_events();
+  void take_state(XrSessionState state);
+  void move_space();
+  bool wait_frame();
+  void controllers_gather();
+  void centre_under_head();
+  void locate() const;
+  void hand_over(Frame& frame, const RenderTarget& picture, const Image* depth);
+  void end_frame(bool shown, bool with_depth = false);
+  XrResult checked(XrResult result, const char* call);
+  void tell(HeadsetCall::Kind kind, std::span<const XrView> views = {}) const;
+
+  HeadsetSystem& system_;
+  const XrApi& api_;
+  Device& device_;
+  HeadsetOptions options_;
+  XrSession session_ = XR_NULL_HANDLE;
+  XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
+  XrSpace space_ = XR_NULL_HANDLE, view_space_ = XR_NULL_HANDLE;
+  XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  XrPosef space_offset_{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+  std::unique_ptr<HeadsetInput> controllers_;
+  VkFormat colour_ = VK_FORMAT_UNDEFINED, depth_format_ = VK_FORMAT_UNDEFINED;
+  HeadsetSwapchain colours_, depths_;
+  std::shared_ptr<const LentImages> lent_;
+  std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
+  std::optional<Quad> quad_;
+  bool running_ = false;  // between xrBeginSession and xrEndSession
+  bool session_lost_ = false, closed_ = false, away_ = false, recentre_wanted_ = false, moved_ = false;
+  bool frame_begun_ = false, should_render_ = false;
+  XrFrameState frame_state_{XR_TYPE_FRAME_STATE};
+  std::optional<XrTime> first_time_;
+  double before_s_ = 0.0;  // of sessions before this one
+  double time_s_ = 0.0;
+  Post post_ = Post::afoot;
+  InputGatherer gatherer_;
+  Input input_;
+  mutable std::optional<Pose> head_;
+  mutable std::array<XrView, 2> located_{};
+  mutable std::array<View, 2> eyes_{};  // in the space
+  mutable bool fov_told_ = false;
+  std::function<void(const HeadsetCall&)> report_;
+};
+
+}  // namespace seascape

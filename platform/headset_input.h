@@ -1,0 +1,51 @@
+// A headset's controllers: their buttons and sticks as actions, where the hands are, and what they feel.
+#pragma once
+#include <array>
+#include <map>
+
+#include "platform/bindings.h"
+#include "platform/headset_system.h"
+
+namespace seascape {
+
+class HeadsetInput {
+ public:
+  // Suggests the bindings of every profile that the runtime knows and attaches them to the session.
+  HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed);
+  ~HeadsetInput();
+  HeadsetInput(const HeadsetInput&) = delete;
+  HeadsetInput& operator=(const HeadsetInput&) = delete;
+
+  // Between xrWaitFrame and xrBeginFrame: reads what is done at `post`, and where the hands will be at `time` in
+  // `space`. Without the focus nothing is done and no hand is there.
+  void sync(XrSession session, XrSpace space, XrTime time, Post post, bool focused);
+  // Adds it to a frame's actions.
+  void gather(InputGatherer& gatherer) const;
+  const std::array<std::optional<Hand>, 2>& hands() const { return hands_; }
+  // What buzzes in a hand (0 left, 1 right): strength 0 to 1, for a time (s).
+  void buzz(XrSession session, int hand, double strength, double seconds) const;
+  // The profile in use, or "" while there is none; after an event that it changed.
+  std::string profile(XrSession session) const;
+
+ private:
+  void make_action(XrActionSet set, const char* name, const char* title, XrActionType type, bool of_hands,
+                   XrAction& action);
+  void suggest(const ControllerProfile& profile, bool left_handed);
+  std::optional<Pose> located(XrSpace what, XrSpace in, XrTime time, glm::dvec3* velocity_mps) const;
+
+  const HeadsetSystem& system_;
+  std::array<XrActionSet, 3> sets_{};  // of each Post
+  std::array<XrAction, action_count> actions_{};
+  std::array<Post, action_count> posts_{};
+  std::array<double, action_count> values_{};
+  XrAction grip_ = XR_NULL_HANDLE, aim_ = XR_NULL_HANDLE, buzz_ = XR_NULL_HANDLE;
+  std::array<XrPath, 2> hand_paths_{};
+  std::array<XrSpace, 2> grips_{}, aims_{};
+  std::array<std::optional<Hand>, 2> hands_;
+};
+
+Pose pose_from(const XrPosef& pose);
+// Whether it is a place and a direction at all; the orientation is then taken to unit length.
+bool pose_is_sound(const XrPosef& pose);
+
+}  // namespace seascape
