@@ -1,12 +1,14 @@
-// A recorded walk of the camera: timed key poses, interpolated smoothly.
+// A recorded walk of the camera: timed key poses, interpolated smoothly, and what was done on the way.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/faults.h"
 #include "engine/view.h"
+#include "platform/input_script.h"
 
 namespace seascape {
 
@@ -30,9 +32,13 @@ struct PathSample {
   double scene_time_s = 0.0;
 };
 
+inline constexpr std::size_t most_path_keys = 100'000;
+
 struct CameraPath {
   std::string name;
-  std::vector<PathKey> keys;  // one or more
+  std::vector<PathKey> keys;  // one to most_path_keys
+  // What hands and actions did, by the path's time; hands are in the world. Its head is the keys.
+  std::optional<InputScript> actions;
   double duration_s() const { return keys.empty() ? 0.0 : keys.back().time_s; }
   // Cubic in time through every key exactly: Hermite in position, its counterpart on unit quaternions in orientation,
   // both with continuous velocities that come to rest at both ends; monotone between keys in scene time. Held before
@@ -47,6 +53,7 @@ CameraPath parse_camera_path(std::string_view text, const std::string& where, Fa
 
 // The text of a path file: every number reads back as the same double.
 std::string camera_path_text(const CameraPath& path);
+std::string path_key_text(const PathKey& key);                                     // one of its keys
 void save_camera_path(const CameraPath& path, const std::filesystem::path& file);  // atomic; throws Error
 
 }  // namespace seascape

@@ -41,9 +41,10 @@ std::filesystem::path content_file(const std::string& name_or_file, std::string_
     if (entry.path().extension() == ".json") stems.push_back(entry.path().stem().string());
   std::sort(stems.begin(), stems.end());
   const std::vector<std::string_view> names(stems.begin(), stems.end());
-  const std::string what = kind == "scenes" ? "scene" : "path";
+  const std::string what = kind == "scenes" ? "scene" : kind == "paths" ? "path" : "input script";
+  const std::string stem(kind.substr(0, kind.size() - 1));
   throw Error("", "no " + what + " is called " + in_quotes(name_or_file) + did_you_mean(name_or_file, names),
-              "take " + (names.empty() ? std::string() : listed(names) + ", or ") + "a file " + what +
+              "take " + (names.empty() ? std::string() : listed(names) + ", or ") + "a file " + stem +
                   ".json; names are looked up in " + directory.string());
 }
 

@@ -288,7 +288,7 @@ void ObjectReader::version() {
   const LocatedJson* version = required("version", "\"version\": 1");
   faults_.attempt([&] {
     if (version != nullptr && (!version->is(LocatedJson::Kind::number) || version->number != 1.0))
-      throw Error(place(*version), "version: " + described(*version) + " is not known",
+      throw Error(place(*version), key_name("version") + ": " + described(*version) + " is not known",
                   "give version 1, the one this program reads");
   });
 }

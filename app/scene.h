@@ -42,7 +42,8 @@ void set_over_file(Scene& scene, const std::string& option, std::string_view key
 // content/ of this checkout or installation; SEASCAPE_CONTENT names another.
 std::filesystem::path content_directory();
 
-// The file of a name in content/KIND ("scenes", "paths"); whatever has a slash or ends in .json is a file already.
+// The file of a name in content/KIND ("scenes", "paths", "inputs"); whatever has a slash or ends in .json is a file
+// already.
 std::filesystem::path content_file(const std::string& name_or_file, std::string_view kind);
 
 }  // namespace seascape

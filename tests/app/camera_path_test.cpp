@@ -230,8 +230,9 @@ TEST(CameraPathFile, FaultsNamePlaceKeyValueAndRemedy) {
       {R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 1, 0], "orientation": [0, 0, 0, 1], "yaw_deg": 3}]})",
        "p.json:1: keys[0].yaw_deg and keys[0].orientation are both given; keep one of the two"},
       {R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 1, 0], "yaw": 3}]})",
-       "p.json:1: unknown key 'keys[0].yaw' (did you mean 'yaw_deg'?); remove it, or take one of: time_s, position_m, "
-       "scene_time_s, orientation, yaw_deg, pitch_deg and roll_deg"},
+       "p.json:1: unknown key 'keys[0].yaw' (did you mean 'yaw_deg'?); remove it, or take one of: time_s, "
+       "scene_time_s, "
+       "position_m, orientation, yaw_deg, pitch_deg and roll_deg"},
       {R"({"version": 1, "keys": [{"time_s": -1, "position_m": [0, 1, 0]}]})",
        "p.json:1: keys[0].time_s: -1 is out of range; give a number from 0 to 1000000000 s"},
   };

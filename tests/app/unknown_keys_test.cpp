@@ -1,4 +1,5 @@
-// No object of a scene or of a camera path lets a key pass that it does not know, however deep it lies.
+// No object of a scene, of a camera path or of an input script lets a key pass that it does not know, however deep it
+// lies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <set>
 
 #include "app/camera_path.h"
+#include "app/input_script_file.h"
 #include "app/loop_file.h"
 #include "app/scene.h"
 #include "app/settings.h"
@@ -80,10 +82,24 @@ TEST(UnknownKeys, AreRefusedInEveryObjectOfAScene) {
 
 TEST(UnknownKeys, AreRefusedInEveryObjectOfAPath) {
   const Parse path = [](const std::string& text) { (void)parse_camera_path(text, "p.json"); };
+  EXPECT_EQ(expect_refused(R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 2, 0]}], "actions":
+    {"version": 1, "events": [{"time_s": 0, "left": {"position_m": [0, 2, 0]}}]}})",
+                           "a path with actions", path),
+            5u);
   EXPECT_EQ(expect_refused(R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 2, 0]},
     {"time_s": 1, "position_m": [0, 2, 0], "orientation": [0, 0, 0, 1]}]})",
                            "a path", path),
             3u);
+}
+
+// Controls seen: an event, a hand, the fields of view and the script without their reader's finish().
+TEST(UnknownKeys, AreRefusedInEveryObjectOfAnInputScript) {
+  EXPECT_EQ(
+      expect_refused(R"({"version": 1, "fov_deg": {"left": [-1, 1, 1, -1]}, "events": [
+    {"time_s": 0, "head": {"position_m": [0, 2, 0]}, "right": {"position_m": [0, 2, 0]}, "state": "focused"},
+    {"time_s": 1, "action": "swim", "value": 1}]})",
+                     "an input script", [](const std::string& text) { (void)parse_input_script(text, "i.json"); }),
+      6u);
 }
 
 TEST(UnknownKeys, AreRefusedInARecordedLoop) {

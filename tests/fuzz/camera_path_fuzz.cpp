@@ -34,10 +34,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (i + 1 < path.keys.size())
         for (const double part : {1e-9, 0.3, 0.7}) check_sample(path, time + part * (path.keys[i + 1].time_s - time));
     }
+    if (path.actions)
+      for (const InputEvent& event : path.actions->events) {
+        const auto* tracker = std::get_if<TrackerEvent>(&event.what);
+        fuzz::require(tracker == nullptr || tracker->tracker != Tracker::head, "a path's keys are its only head");
+      }
     const CameraPath again = parse_camera_path(camera_path_text(path), "written.json");
     fuzz::require(again.keys.size() == path.keys.size(), "a written path has the same keys");
     for (std::size_t i = 0; i < path.keys.size(); ++i)
       fuzz::require(same(again.keys[i], path.keys[i]), "a written path reads back to the bit");
+    fuzz::require(camera_path_text(again) == camera_path_text(path), "and so do its actions");
   });
   fuzz::require(read == faults.list().empty(), "collecting and throwing agree on whether there is a fault");
   return 0;

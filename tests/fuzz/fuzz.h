@@ -1,6 +1,7 @@
 // What every fuzz target asks of a reader: it returns, or throws an Error that is one clear line. Seen to be caught:
 // line breaks passed through in_quotes (command_line), no bound on coordinates (csv), no lower bound of settings
-// (scene), six digits in a written path (camera_path), seas written without quotes (curves).
+// (scene), six digits in a written path (camera_path), spans with both of their ends (input_script), seas written
+// without quotes (curves).
 #pragma once
 #include <cstdint>
 #include <cstdio>
