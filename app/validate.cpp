@@ -1,10 +1,12 @@
 #include "app/validate.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "app/camera_path.h"
 #include "app/commands.h"
+#include "app/input_script_file.h"
 #include "app/located_json.h"
 #include "app/scene.h"
 #include "app/sea_remarks.h"
@@ -25,12 +27,24 @@ std::string picture_summary(const char* kind, int width, int height) {
   return std::string(kind) + " of " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
 }
 
+// "3 poses, 12 actions and 1 state".
+std::string what_happens(const InputScript& script) {
+  std::array<std::size_t, 3> counts{};
+  for (const InputEvent& event : script.events) ++counts[event.what.index()];
+  return counted(counts[0], "pose") + ", " + counted(counts[1], "action") + " and " + counted(counts[2], "state");
+}
+
 std::string json_summary(const std::string& text, const std::string& where, Faults& faults,
                          std::vector<std::string>& remarks) {
   const LocatedJson json = parse_located_json(text, where);
   if (json.member("keys") != nullptr) {
     const CameraPath path = parse_camera_path(text, where, faults);
-    return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s";
+    return "a path of " + counted(path.keys.size(), "key") + " and " + text_from(path.duration_s()) + " s" +
+           (path.actions ? ", with " + what_happens(*path.actions) : "");
+  }
+  if (json.member("events") != nullptr && json.member("effects") == nullptr) {
+    const InputScript script = parse_input_script(text, where, faults);
+    return "an input script of " + text_from(script.end_s()) + " s with " + what_happens(script);
   }
   const Scene scene = parse_scene(text, where, "auto", faults);
   if (faults.list().empty()) remarks = remarks_of(scene);  // which takes a scene without faults
@@ -66,7 +80,7 @@ FileVerdict validate_file(const std::filesystem::path& file) {
       verdict.summary = picture_summary("an EXR image", image.width, image.height);
     } else {
       throw Error(file.string(), "the kind " + in_quotes(kind) + " is not known",
-                  "give .json scenes and paths, .gltf or .glb models, .png or .exr images");
+                  "give .json scenes, paths and input scripts, .gltf or .glb models, .png or .exr images");
     }
   });
   verdict.faults = faults.list();

@@ -14,8 +14,9 @@ struct FileVerdict {
   std::vector<std::string> remarks;  // what is no fault but surely not meant
 };
 
-// The kind follows from the name: .gltf and .glb models, .png and .exr images; .json is a path where it has "keys",
-// else a scene. Another name is a fault. A scene's and a path's faults are all told, a model's or an image's first.
+// The kind follows from the name: .gltf and .glb models, .png and .exr images; .json is a path where it has "keys", an
+// input script where it has "events" without "effects", else a scene. Another name is a fault. All faults of .json are
+// told, of a model or an image the first.
 FileVerdict validate_file(const std::filesystem::path& file);
 
 }  // namespace seascape

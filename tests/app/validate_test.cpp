@@ -71,6 +71,30 @@ TEST(Validate, EveryFaultOfAPathIsTold) {
                                    testing::HasSubstr(":4: keys[2].position_m[1]: '1' is not a number")));
 }
 
+// Told from a scene by its events, unless it has effects. Controls seen: any file with events taken for a script; a
+// script taken for a scene; faults that are thrown.
+TEST(Validate, EveryFaultOfAnInputScriptIsTold) {
+  EXPECT_THAT(faults_of(made("bad_input.json",
+                             "{\"version\": 1, \"rate_hz\": 0,\n\"events\": [{\"time_s\": 1, \"action\": \"swimm\", "
+                             "\"value\": 1},\n{\"time_s\": 0, \"state\": \"off\"}]}")),
+              testing::ElementsAre(testing::HasSubstr(":1: rate_hz: 0 is out of range"),
+                                   testing::HasSubstr(":2: events[0].action: 'swimm' is not known"),
+                                   testing::HasSubstr(":3: events[1].time_s: 0 comes before 1")));
+  EXPECT_THAT(faults_of(made("events_scene.json", "{\"version\": 1, \"effects\": [\"waves\"], \"events\": []}")),
+              testing::ElementsAre(testing::HasSubstr(":1: unknown key 'events'")));
+  const std::string script =
+      "{\"version\": 1, \"events\": [{\"time_s\": 1, \"left\": null, \"right\": null}, "
+      "{\"time_s\": 2.5, \"action\": \"swim\", \"value\": 1}]}";
+  EXPECT_EQ(validate_file(made("input.json", script)).summary,
+            "an input script of 2.5 s with 2 poses, 1 action and 0 states");
+  EXPECT_EQ(
+      validate_file(
+          made("path_with_actions.json",
+               "{\"version\": 1, \"keys\": [{\"time_s\": 0, \"position_m\": [0, 1, 0]}], \"actions\": " + script + "}"))
+          .summary,
+      "a path of 1 key and 0 s, with 2 poses, 1 action and 0 states");
+}
+
 // Control: a switch of kinds that lacks .glb fails here.
 TEST(Validate, EveryKindIsRead) {
   for (const char* name : {"broken.json", "broken.gltf", "broken.glb", "broken.png", "broken.exr"}) {
