@@ -8,6 +8,7 @@
 
 #include "app/command_options.h"
 #include "app/lab/lab.h"
+#include "app/picture_size.h"
 #include "app/quality.h"
 #include "app/sea_remarks.h"
 
@@ -30,7 +31,7 @@ Commands:
   bake       Record the waves of a scene as a loop of EXR pictures, for the effect baked
   plan       Say what a scene would build and run, why, its memory and its cost
   query      The surface's height, normal and velocity at points of a CSV file; needs no GPU
-  validate   Check scenes, paths, models and images: every fault with file and place
+  validate   Check scenes, paths, input scripts, models and images: every fault with file and place
   doctor     Say which devices there are, what is missing and how to get it
 
 Options of every command: --help, --seed, --set key=value, --log-level. Settings: docs/settings.md
@@ -77,21 +78,17 @@ void add_scene(Options& options, Arguments& arguments, bool all_presets = false)
 }
 
 void add_display(Options& options, Arguments& arguments) {
-  options.choice("--display", {"auto", "window", "headset", "headless"}, "auto", "Where frames go",
+  options.choice("--display", {"auto", "window", "headset", "simulated", "headless"}, "auto", "Where frames go",
                  [&](int i) { arguments.display = static_cast<DisplayKind>(i); });
 }
 
 void add_size(Options& options, Arguments& arguments, const std::string& fallback) {
   options.option("--size", "WxH", fallback, "Pixels of one eye, 1x1 to 16384x16384", [&](const std::string& text) {
-    const std::size_t cross = text.find('x');
-    const auto width = integer_from(std::string_view(text).substr(0, cross));
-    const auto height =
-        cross == std::string::npos ? std::nullopt : integer_from(std::string_view(text).substr(cross + 1));
-    if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
-      refuse("--size", in_quotes(text) + (width && height ? " is out of range" : " is not WIDTHxHEIGHT"),
-             "give two whole numbers from 1 to 16384, as 1280x720");
-    arguments.width = static_cast<int>(*width);
-    arguments.height = static_cast<int>(*height);
+    std::string fault;
+    const auto size = picture_size_from(text, fault);
+    if (!size) refuse("--size", in_quotes(text) + " " + fault, "give two whole numbers from 1 to 16384, as 1280x720");
+    arguments.width = (*size)[0];
+    arguments.height = (*size)[1];
   });
 }
 
@@ -137,6 +134,14 @@ void add_explore(Options& options, Arguments& arguments) {
   add_debug(options, arguments);
   options.whole("--frames", arguments.frames, 0, 1'000'000,
                 "Closes after so many frames; 0 runs until it is closed, or draws one headless");
+  options.option("--input", "FILE", "",
+                 "What the simulated headset is told: a file, or the name of one in content/inputs",
+                 [&](const std::string& text) {
+                   if (text.empty()) refuse("--input", "the value is empty", "leave --input out or give it one");
+                   arguments.input = text;
+                 });
+  options.whole("--every", arguments.every, 0, 1'000'000,
+                "Keeps the simulated headset's pictures of every Nth frame in --out; 0 keeps none");
   options.text("--out", "DIR", arguments.out, "Folder of screenshots, recorded paths and headless pictures");
 }
 
@@ -271,7 +276,8 @@ void add_query(Options& options, Arguments& arguments) {
 
 void add_validate(Options& options, Arguments& arguments) {
   options.app()
-      .add_option("FILE", arguments.files, "Scenes and paths (.json), models (.gltf, .glb), images (.png, .exr)")
+      .add_option("FILE", arguments.files,
+                  "Scenes, paths and input scripts (.json), models (.gltf, .glb), images (.png, .exr)")
       ->type_name("");
 }
 
@@ -368,6 +374,10 @@ Arguments parse_arguments(std::span<const std::string> words) {
            "give both, as seascape lab --recommend --budget 30ms");
   if (arguments.command == Command::validate && arguments.files.empty())
     refuse("", "no file to validate", "give one or more, as seascape validate scene.json");
+  if (arguments.command == Command::explore && arguments.display != DisplayKind::simulated)
+    for (const char* option : {"--input", "--every"})
+      if (options.app().count(option) > 0)
+        refuse(option, "it is for the simulated headset alone", "add --display simulated, or leave it out");
   if (arguments.views == 2 && arguments.eye != Eye::centre) refuse("--eye", "one eye needs one view", "add --views 1");
   Settings scratch;  // a wrong override is wrong usage, told before anything is opened
   for (const Override& one : arguments.overrides) set_from_text(scratch, one.key, one.value, one.option, 2);

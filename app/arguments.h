@@ -13,7 +13,7 @@
 namespace seascape {
 
 enum class Command { text, explore, replay, capture, lab, bake, plan, query, validate, doctor };
-enum class DisplayKind { automatic, window, headset, headless };
+enum class DisplayKind { automatic, window, headset, simulated, headless };
 enum class Eye { left, right, centre };
 enum class PictureFormat { png, exr };
 
@@ -42,6 +42,8 @@ struct Arguments {
   double fps = 30.0;    // frames a second of simulated time
   int frames = 0;       // how many; 0: to the path's end (replay, capture), until closed (explore)
   int start = 0;        // replay: the path's first frame to draw
+  std::string input;    // explore: the simulated headset's script, a file or a name in content/inputs; empty: none
+  int every = 0;        // explore: the simulated headset keeps every Nth frame; 0: none
   int warmup = 10;      // capture: frames drawn before measuring
   int repeat = 1;       // capture: how often the path is measured
   std::string against;  // capture: the capture.csv of another build; empty: none

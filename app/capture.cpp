@@ -203,9 +203,9 @@ void print_table(const std::vector<Measured>& all) {
 }  // namespace
 
 int run_capture(const Arguments& arguments) {
-  if (arguments.display == DisplayKind::headset)
-    throw Error("--display headset", "this version draws to windows and to files, not yet to headsets",
-                "take --display window or headless");
+  if (arguments.display == DisplayKind::headset || arguments.display == DisplayKind::simulated)
+    throw Error(arguments.display == DisplayKind::headset ? "--display headset" : "--display simulated",
+                "this version draws to windows and to files, not yet to headsets", "take --display window or headless");
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;

@@ -105,6 +105,8 @@ int run_explore(const Arguments& arguments) {
     case DisplayKind::headset:
       explore_in_headset(arguments);
       break;
+    case DisplayKind::simulated:
+      throw Error("--display simulated", "not there yet", "take --display window or headless");
     case DisplayKind::headless:
       explore_headless(arguments);
       break;

@@ -41,6 +41,23 @@ TEST(Arguments, NothingMeansExploreOfTheOpenSea) {
   EXPECT_EQ(parse("explore --display headless").display, DisplayKind::headless);
 }
 
+// Control seen: simulated before headset in the words alone.
+TEST(Arguments, DisplaysAndWhatTheSimulatedHeadsetIsTold) {
+  for (const auto& [name, kind] : {std::pair{"auto", DisplayKind::automatic},
+                                   {"window", DisplayKind::window},
+                                   {"headset", DisplayKind::headset},
+                                   {"simulated", DisplayKind::simulated},
+                                   {"headless", DisplayKind::headless}}) {
+    EXPECT_EQ(parse(std::string("--display ") + name).display, kind) << name;
+    EXPECT_EQ(parse(std::string("capture --display ") + name).display, kind) << name;
+  }
+  const Arguments simulated = parse("--display simulated --input walk --every 30 --out DIR");
+  EXPECT_EQ(simulated.input, "walk");
+  EXPECT_EQ(simulated.every, 30);
+  EXPECT_EQ(parse("--display simulated").input, "");
+  EXPECT_EQ(parse("--display simulated").every, 0);
+}
+
 // Control: swapping two rows of command_names fails here.
 TEST(Arguments, EveryCommandHasItsFixedNames) {
   const Arguments replay = parse(
@@ -120,7 +137,8 @@ TEST(Arguments, PresetsSuitTheDevice) {
 }
 
 // Controls: leaving CLI11's own conversions in place gives other words, and none of the ranges; seen: its words for
-// what is missing or given twice, values of flags left to it, --time ignored beside --times.
+// what is missing or given twice, values of flags left to it, --time ignored beside --times, --input and --every taken
+// for a window.
 TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
   const std::pair<const char*, const char*> cases[] = {
       {"expore",
@@ -157,6 +175,18 @@ TEST(Arguments, WrongUsageNamesOptionValueRangeAndRemedy) {
       {"replay --frames 2.5", "--frames: '2.5' is not a whole number; give a whole number from 0 to 1000000"},
       {"replay --views 3", "--views: '3' is out of range; give a whole number from 1 to 2"},
       {"replay --eye middle", "--eye: unknown value 'middle'; take left, right or centre"},
+      {"--display simulate",
+       "--display: unknown value 'simulate' (did you mean 'simulated'?); take auto, window, headset, simulated or "
+       "headless"},
+      {"--input walk", "--input: it is for the simulated headset alone; add --display simulated, or leave it out"},
+      {"--display headset --input walk",
+       "--input: it is for the simulated headset alone; add --display simulated, or leave it out"},
+      {"--every 3", "--every: it is for the simulated headset alone; add --display simulated, or leave it out"},
+      {"--display window --every 0",
+       "--every: it is for the simulated headset alone; add --display simulated, or leave it out"},
+      {"--display simulated --every -1", "--every: '-1' is out of range; give a whole number from 0 to 1000000"},
+      {"--display simulated --input=", "--input: no value follows '--input='; leave --input out or give it a value"},
+      {"capture --display simulated --input walk", "unknown option '--input'; see seascape capture --help"},
       {"replay --eye left", "--eye: one eye needs one view; add --views 1"},
       {"replay --preset hihg",
        "--preset: unknown value 'hihg' (did you mean 'high'?); take low, medium, high, ultra or auto"},
