@@ -6,12 +6,14 @@
 #include "app/commands.h"
 #include "app/explorer.h"
 #include "app/frame.h"
+#include "app/input_script_file.h"
 #include "app/progress.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
 #include "engine/output_folder.h"
 #include "platform/headless.h"
 #include "platform/headset.h"
+#include "platform/simulated_runtime.h"
 #include "platform/window.h"
 
 namespace seascape {
@@ -46,9 +48,8 @@ void explore_in_window(const Arguments& arguments) {
   expect_no_validation_messages(*program.device);
 }
 
-void explore_in_headset(const Arguments& arguments) {
-  const XrLoader loader;
-  HeadsetSystem system(loader.get());
+// `system` outlives what is made for it.
+void explore_with(HeadsetSystem& system, const Arguments& arguments) {
   DeviceOptions options = device_options();
   system.make_device(options);
   Program program = make_program(arguments, options);
@@ -61,6 +62,24 @@ void explore_in_headset(const Arguments& arguments) {
     Explorer(arguments, program, display).run();
   }
   expect_no_validation_messages(*program.device);
+}
+
+void explore_in_headset(const Arguments& arguments) {
+  const XrLoader loader;
+  HeadsetSystem system(loader.get());
+  explore_with(system, arguments);
+}
+
+void explore_simulated(const Arguments& arguments) {
+  SimulatedOptions options;
+  if (!arguments.input.empty()) options.script = load_input_script(arguments.input);
+  options.ends = arguments.frames == 0;
+  options.out = arguments.out;
+  options.every = arguments.every;
+  const OutputFolder held(arguments.out);
+  SimulatedRuntime runtime(options);
+  HeadsetSystem system(runtime.get(), runtime.next());
+  explore_with(system, arguments);
 }
 
 // Draws as many frames as asked for, one by default, and keeps the last as pictures.
@@ -106,7 +125,8 @@ int run_explore(const Arguments& arguments) {
       explore_in_headset(arguments);
       break;
     case DisplayKind::simulated:
-      throw Error("--display simulated", "not there yet", "take --display window or headless");
+      explore_simulated(arguments);
+      break;
     case DisplayKind::headless:
       explore_headless(arguments);
       break;

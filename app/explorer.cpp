@@ -443,13 +443,12 @@ void Explorer::leave() {
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
-  double last_s = display_.begin().time_s;
-  display_.end(experience_->frame(), nullptr);
+  std::optional<double> last_s;  // of the frame before
   const StopLater between_frames;  // a signal ends the loop, and what was recorded is kept
   for (int drawn = 0; !leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn < arguments_.frames);) {
     const DisplayFrame shown = display_.begin();
     if (shown.closed) break;
-    const double passed_s = shown.time_s - last_s, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
+    const double passed_s = last_s ? shown.time_s - *last_s : 0.0, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
     last_s = shown.time_s;
     obey(display_.input());
     look(display_.input());

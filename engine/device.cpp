@@ -154,15 +154,15 @@ void Device::create_instance(const DeviceOptions& options) {
   }
 }
 
-// The best by kind, of those that have what is needed.
-void Device::search_physical() {
+VkPhysicalDevice best_physical(VkInstance instance) {
   std::uint32_t count = 0;
-  const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  const VkResult result = vkEnumeratePhysicalDevices(instance, &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
-  if (result >= 0) vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+  if (result >= 0) vkEnumeratePhysicalDevices(instance, &count, devices.data());
   const char* wanted = std::getenv("SEASCAPE_DEVICE");
   std::string seen;
   int best_rank = -1;
+  VkPhysicalDevice best = VK_NULL_HANDLE;
   for (VkPhysicalDevice device : devices) {
     VkPhysicalDeviceProperties p;
     vkGetPhysicalDeviceProperties(device, &p);
@@ -175,10 +175,10 @@ void Device::search_physical() {
                                                                               : 1;
     if (rank > best_rank) {
       best_rank = rank;
-      physical_ = device;
+      best = device;
     }
   }
-  if (!physical_) {
+  if (!best) {
     if (count == 0) expect_driver_files();
     if (count == 0) throw_no_driver();
     throw Error(
@@ -186,13 +186,11 @@ void Device::search_physical() {
         fmt::format("no device with Vulkan 1.1{} among {}", wanted ? fmt::format(" named '{}'", wanted) : "", seen),
         wanted ? "unset SEASCAPE_DEVICE" : "install a newer driver");
   }
+  return best;
 }
 
 void Device::choose_physical(const DeviceOptions& options) {
-  if (options.choose_physical)
-    physical_ = options.choose_physical(instance_);
-  else
-    search_physical();
+  physical_ = options.choose_physical ? options.choose_physical(instance_) : best_physical(instance_);
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 p2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   vkGetPhysicalDeviceProperties(physical_, &p2.properties);

@@ -51,10 +51,14 @@ struct DeviceFacts {
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
 };
 
+// A discrete GPU, or else an integrated one, or else any; SEASCAPE_DEVICE names another by part of its name. Throws
+// Error where none has Vulkan 1.1.
+VkPhysicalDevice best_physical(VkInstance instance);
+
 // Objects may be made and given up, shaders loaded and set-up commands run on any thread, while another one draws.
 class Device {
  public:
-  // Picks a discrete GPU, then an integrated one, then any; SEASCAPE_DEVICE names another by part of its name. Throws
+  // Picks best_physical(). Throws
   // Error when there is no loader, no driver or no device with Vulkan 1.1 and multiview.
   explicit Device(const DeviceOptions& options);
   ~Device();
@@ -127,7 +131,6 @@ class Device {
     std::uint64_t handle, offset;
   };
   void create_instance(const DeviceOptions& options);
-  void search_physical();
   void choose_physical(const DeviceOptions& options);
   void create_device(const DeviceOptions& options);
   void load_pipeline_cache();

@@ -1,0 +1,50 @@
+// A headset that is not there: a runtime of OpenXR in the program itself, in which a script plays the person. All that
+// shows pictures in a real headset works on it unchanged, in simulated time: as fast as it draws.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/image_file.h"
+#include "platform/input_script.h"
+#include "platform/xr_api.h"
+
+namespace seascape {
+
+struct SimulatedOptions {
+  InputScript script;
+  bool ends = true;           // with the script: the person leaves then
+  std::filesystem::path out;  // folder for the pictures that both eyes see; empty: none
+  int every = 0;              // of so many frames one; 0: none
+};
+
+struct SimulatedBuzz {
+  double time_s;
+  int hand;  // 0 left, 1 right
+  double strength, seconds;
+};
+
+class SimulatedRuntime {
+ public:
+  explicit SimulatedRuntime(const SimulatedOptions& options);
+  ~SimulatedRuntime();
+  SimulatedRuntime(const SimulatedRuntime&) = delete;
+  SimulatedRuntime& operator=(const SimulatedRuntime&) = delete;
+
+  // What HeadsetSystem is made with.
+  PFN_xrGetInstanceProcAddr get() const;
+  const void* next() const;
+
+  std::size_t frames_ended() const;  // since the start, those without a picture too
+  std::size_t frames_shown() const;
+  const std::vector<SimulatedBuzz>& buzzes() const;
+
+  struct State;  // simulated_state.h
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace seascape
