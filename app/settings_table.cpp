@@ -63,11 +63,16 @@ constexpr auto sky = &at<&Settings::sky, member>;
 template <auto member>
 constexpr auto render = &at<&Settings::render, member>;
 template <auto member>
+constexpr auto comfort = &at<&Settings::comfort, member>;
+template <auto member>
 constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choice<&Settings::sea, member>};
 template <auto member>
 constexpr ChoiceMember lod_choice{&choice_of<&Settings::lod, member>, &set_choice<&Settings::lod, member>};
 template <auto member>
 constexpr ChoiceMember render_choice{&choice_of<&Settings::render, member>, &set_choice<&Settings::render, member>};
+
+template <auto member>
+constexpr ChoiceMember comfort_choice{&choice_of<&Settings::comfort, member>, &set_choice<&Settings::comfort, member>};
 
 constexpr bool quality = true, grows = true;
 
@@ -785,6 +790,58 @@ const std::vector<Setting>& table() {
       {"camera.vertical_fov_deg", "deg", "Vertical field of view of a window and of headless pictures.",
        render<&RenderSettings::vertical_fov_deg>, 1.0, 170.0},
       {"camera.near_m", "m", "Distance of the near plane.", render<&RenderSettings::near_m>, 0.001, 10.0},
+
+      {"comfort.on", "",
+       "Comfort in motion; false takes all of it away at once: no vignette, no horizon line, smooth turns, and a "
+       "camera "
+       "that takes all of a carrier's heave, pitch and roll and rides every wave.",
+       comfort<&ComfortSettings::on>, 0.0, 1.0},
+      {"comfort.vignette", "", "The picture darkens towards its edge while the viewer is moved.",
+       comfort<&ComfortSettings::vignette>, 0.0, 1.0},
+      {"comfort.vignette_deg", "deg",
+       "Angle about the head's forward direction that stays clear when the vignette is fully closed; less closed, it "
+       "is "
+       "wider in proportion.",
+       comfort<&ComfortSettings::vignette_deg>, 40.0, 120.0},
+      {"comfort.vignette_soft_deg", "deg", "Width of the vignette's edge, from clear to dark.",
+       comfort<&ComfortSettings::vignette_soft_deg>, 1.0, 60.0},
+      {"comfort.vignette_mps", "m/s", "Speed at which the vignette closes fully.",
+       comfort<&ComfortSettings::vignette_mps>, 0.1, 100.0},
+      {"comfort.vignette_deg_per_s", "deg/s", "Rate of turning at which the vignette closes fully.",
+       comfort<&ComfortSettings::vignette_deg_per_s>, 1.0, 720.0},
+      {"comfort.vignette_s", "s",
+       "Time constant of the vignette's closing and opening: after three times as long a change is done; 0 at once.",
+       comfort<&ComfortSettings::vignette_s>, 0.0, 10.0},
+      {"comfort.snap_turn_deg",
+       "deg",
+       "A push of the stick turns by this at once; 0 turns smoothly.",
+       comfort<&ComfortSettings::snap_turn_deg>,
+       0.0,
+       45.0,
+       {"0", "30", "45"}},
+      {"comfort.turn_deg_per_s", "deg/s", "Rate of smooth turning at full push.",
+       comfort<&ComfortSettings::turn_deg_per_s>, 1.0, 360.0},
+      {"comfort.horizon_lock", "",
+       "Share of a carrier's pitch and roll that the camera leaves out: at 1 the horizon stays level.",
+       comfort<&ComfortSettings::horizon_lock>, 0.0, 1.0},
+      {"comfort.heave", "",
+       "Share of a carrier's rise and fall with the waves that the camera takes: 1 all, 0 only what is slower than 20 "
+       "s.",
+       comfort<&ComfortSettings::heave>, 0.0, 1.0},
+      {"comfort.roll", "", "Share that the camera takes of the roll that the horizon's lock leaves.",
+       comfort<&ComfortSettings::roll>, 0.0, 1.0},
+      {"comfort.small_waves_s", "s",
+       "Waves of a shorter period than this hardly move a camera that rides them: half at this period, a fifth at half "
+       "of it; 0 leaves none out.",
+       comfort<&ComfortSettings::small_waves_s>, 0.0, 20.0},
+      {"comfort.horizon_line",
+       "",
+       "When a faint line stands at the Earth's horizon, through all that hides it: never, while something carries the "
+       "camera, or always.",
+       comfort_choice<&ComfortSettings::horizon_line>,
+       0.0,
+       0.0,
+       {"none", "carried", "always"}},
 
       {"time.scale", "", "Speed of the sea's time; 0 stands still, below 0 it runs backwards.",
        real<&Settings::time_scale>, -8.0, 8.0},
