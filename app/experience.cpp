@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "app/place_inputs.h"
@@ -93,6 +94,11 @@ bool Experience::deferred() const {
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
+void Experience::show_comfort(const ComfortShown& shown) {
+  assert(options_.comfort);
+  comfort_shown_ = shown;
+}
+
 void Experience::go_on() {
   goes_on_ = true;
   sea_->go_on();
@@ -143,6 +149,8 @@ void Experience::build() {
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
                                           SprayLook{tile, surface_->depths()});
+  comfort_.reset();
+  if (options_.comfort) comfort_ = std::make_unique<ComfortOverlay>(device_, shaders_, picture_, frame_->ring());
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
     const EffectScope scope(device_, "sky");

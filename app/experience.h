@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "app/comfort_overlay.h"
 #include "app/scene.h"
 #include "app/sky.h"
 #include "ocean/ocean.h"
@@ -19,6 +20,7 @@ struct ExperienceOptions {
   std::uint32_t most_width = 0, most_height = 0;
   VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;  // of the finished picture: an sRGB one
   bool show_depth = false;                    // whoever shows the picture gets its depth too
+  bool comfort = false;         // a vignette and a horizon line can be shown (show_comfort)
 };
 
 class Experience {
@@ -52,6 +54,10 @@ class Experience {
 
   // Sea::go_on, for this sea and those that come after it.
   void go_on();
+
+  // What is drawn over the pictures from the next frame on, where options().comfort has made what draws it. Makes
+  // nothing, and outlives a rebuild.
+  void show_comfort(const ComfortShown& shown);
 
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
@@ -96,6 +102,8 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<ComfortOverlay> comfort_;
+  ComfortShown comfort_shown_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   std::shared_ptr<const LentImages> lent_;
   std::vector<Image> copied_depths_;  // of lent_, where the surface's depth is copied there

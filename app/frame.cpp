@@ -66,6 +66,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
+  if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
@@ -83,6 +84,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const auto record = [&](const char* name, const RenderTarget& target, const Uses& used, const auto& commands) {
     stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
   };
+  const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
+    if (shown && e.comfort_) e.comfort_->draw(c, uniform);
+  };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     e.surface_->draw(c, frame, *selection, uniform, from_air);
     if (deferred) return;
@@ -90,12 +94,14 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
     if (e.spray_) e.spray_->draw(c, uniform);
+    finish(c, tile);
   });
   if (deferred) {
     e.surface_->add_points(uses);
     record("light", drawn, uses, [&](Commands& c) {
       e.surface_->light(c, uniform);
       if (e.spray_) e.spray_->draw(c, uniform);
+      finish(c, tile);
     });
   }
 
@@ -109,6 +115,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       c.bind(e.tone_pipeline_, e.tone_bindings_, {uniform});
       c.push(gpu::DrawPush{c.eye()});
       c.draw(3);
+      finish(c, true);
     });
 }
 

@@ -21,6 +21,7 @@ SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;
 SEASCAPE_CONST int slot_foam = 34, slot_foam_lace = 35;
 SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18;
 SEASCAPE_CONST int slot_sea_depths = 36;
+SEASCAPE_CONST int slot_comfort = 55;
 
 // Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left
 // in a shader then.
