@@ -10,6 +10,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/settings_that_act.h"
 
 namespace seascape {
 
@@ -248,6 +249,22 @@ TEST_F(ComfortDrawn, WhatIsNotShownRecordsNothing) {
     EXPECT_EQ(counts({}).hash, never.hash);
     EXPECT_EQ(test::device().objects_made(), objects) << "nothing is made after loading";
   }
+}
+
+// Whoever sets comfort while he is moved waits for nothing. Control: comfort.vignette_deg with a reason to build anew.
+TEST_F(ComfortDrawn, ItsSettingsBuildNothing) {
+  SeaShot shot(options(shapes[0]));
+  shot.draw(headset(heads()[0]), time_s);
+  const std::uint64_t builds = shot.experience().builds(), objects = test::device().objects_made();
+  int rows = 0;
+  for (const Setting& row : settings_table()) {
+    if (!row.key.starts_with("comfort.")) continue;
+    ++rows;
+    shot.set(std::string(row.key), test::another(shot.scene().settings, row));
+    EXPECT_EQ(shot.experience().builds(), builds) << row.key;
+  }
+  EXPECT_EQ(rows, 14);
+  EXPECT_EQ(test::device().objects_made(), objects);
 }
 
 // Other pipelines and other sizes of the picture. Control: an Experience that forgets what it shows when it is built.
