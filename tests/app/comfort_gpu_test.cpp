@@ -81,13 +81,20 @@ double darkness(const glm::dvec3& direction, const Pose& head, const ComfortShow
 }
 double through(double dark) { return (1.0 - dark) * (1.0 - dark); }
 
+// The noise that hides the steps of 8 bits (Jimenez 2014), -0.5 to 0.5.
+double noise(double x, double y) {
+  const auto fract = [](double v) { return v - std::floor(v); };
+  return fract(52.9829189 * fract(0.06711056 * x + 0.00583715 * y)) - 0.5;
+}
+
 const glm::dvec3 night{0.0012, 0.0019, 0.0027};
 
 // Heads that are level, and rolled and pitched.
 std::vector<Pose> heads() { return {pose({3.0, 6.0, -7.0}, 20.0, 0.0), pose({3.0, 6.0, -7.0}, 160.0, -12.0, 35.0)}; }
 
 // In both eyes, pixel by pixel, against the formula in double precision. Controls: the angle measured from the middle
-// of each eye's picture, from where the left eye's screen faces, twice as wide, and a darkness that is even in light.
+// of each eye's picture, from where the left eye's screen faces, twice as wide, a darkness that is even in light, and
+// no dither.
 TEST_F(ComfortDrawn, TheVignetteIsOfTheSameDirectionsInBothEyes) {
   for (const Shape& shape : shapes) {
     SeaShot shot(options(shape));
@@ -100,19 +107,25 @@ TEST_F(ComfortDrawn, TheVignetteIsOfTheSameDirectionsInBothEyes) {
       const auto drawn = shot.pictures(eyes, time_s);
       for (std::size_t eye = 0; eye < 2; ++eye) {
         int clear = 0, edge = 0, dark = 0, wrong = 0;
-        double worst = 0.0;
+        double worst = 0.0, with_noise = 0.0, noises = 0.0;
         for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
           const double d = darkness(ray(eyes.eyes[eye], double(i % width) + 0.5, double(i / width) + 0.5), head, shown);
           (d == 0.0 ? clear : d == 1.0 ? dark : edge)++;
           const glm::dvec3 light = test::light_at(plain[eye], i) * through(d) + night * (1.0 - through(d));
           for (int c = 0; c < 3; ++c) {
-            const double off = std::abs(encoded(light[c]) - drawn[eye].pixels[4 * i + std::size_t(c)]);
+            const double darker = encoded(light[c]) - drawn[eye].pixels[4 * i + std::size_t(c)], off = std::abs(darker);
+            if (d > 0.0 && d < 1.0) {
+              const double n = noise(double(i % width) + 0.5, double(i / width) + 0.5);
+              with_noise += darker * n;
+              noises += n * n;
+            }
             worst = std::max(worst, off);
             wrong += off > (d == 0.0 ? 0.01 : 2.5);
           }
         }
         EXPECT_EQ(wrong, 0) << shape.name << " " << eye << ", worst " << worst << " "
                             << test::leave(drawn[eye], "comfort_" + shape.name + std::to_string(eye));
+        EXPECT_GT(with_noise / noises, 0.3) << shape.name << ": steps that the noise makes, of about one in 8 bits";
         EXPECT_GT(clear, 3000);
         EXPECT_GT(edge, 3000);
         EXPECT_GT(dark, 3000);
