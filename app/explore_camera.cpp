@@ -101,7 +101,7 @@ void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
   velocity_mps_ = wanted + lag * decay;
 
   if (!flying) {
-    const double rest = rest_height(water_m);
+    const double rest = rest_height(wish.ridden_m.value_or(water_m));
     if (!height_known_) height_above_rest_m_ = position_m_.y - rest;
     height_known_ = true;
     height_above_rest_m_ *= std::exp(-height_per_s * dt_s);

@@ -18,7 +18,8 @@ struct CameraWish {
   // Where the head is that a display tracks, from the middle of the floor that carrier() gives: it moves as it looks,
   // and turns about itself. Nothing: the camera is the head.
   std::optional<Pose> head;
-  double faster_notches = 0;  // of the wheel: each changes the speed by a fifth
+  std::optional<double> ridden_m;  // the height that carries who rides the waves; nothing: the water's
+  double faster_notches = 0;       // of the wheel: each changes the speed by a fifth
 };
 
 // Poses come from two angles, so the horizon stays level whatever was done before.
@@ -44,7 +45,8 @@ class ExploreCamera {
   // The middle of the floor that a tracked head stands on: deck height below the camera, level.
   Pose carrier() const;
   Travel travel() const { return travel_; }
-  double speed_mps() const;  // at full push, not fast
+  double speed_mps() const;                                         // at full push, not fast
+  const glm::dvec3& velocity_mps() const { return velocity_mps_; }  // as it pushes itself, nothing of what carries it
   double yaw_deg() const { return yaw_deg_; }
   double pitch_deg() const { return pitch_deg_; }
 

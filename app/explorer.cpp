@@ -18,11 +18,7 @@ namespace seascape {
 
 namespace {
 
-constexpr double degrees_a_pixel =
-    0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
 constexpr double longest_step_s = 1.0;  // a pause of the machine is no journey
-constexpr double turn_deg_per_s = 60.0, snap_turn_deg = 30.0;
-constexpr double farthest_jump_m = 200.0;
 constexpr double message_s = 4.0;
 constexpr double shaders_every_s = 0.5;  // looks whether one has changed
 
@@ -64,6 +60,7 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
   result.show_depth = display_.shows_depth();
   result.most_width = display_.most_size().x;
   result.most_height = display_.most_size().y;
+  result.comfort = display_.tracks_head();
   return result;
 }
 
@@ -168,6 +165,7 @@ void Explorer::take_loaded() {
   tell_remarks(program_.scene);
   display_.set_title("Seascape: " + program_.scene.title);
   camera_ = ExploreCamera(program_.scene.start);
+  comfort_.begin_anew();
   begin_time();
   tell("scene: " + program_.scene.name);
 }
@@ -201,6 +199,13 @@ void Explorer::next_debug_view() {
   tell(fmt::format("debug view: {}", value_text(settings(), *find_setting("debug.view"))));
 }
 
+void Explorer::toggle_comfort() {
+  Settings changed = settings();
+  changed.comfort.on = !changed.comfort.on;
+  apply(changed);
+  tell(changed.comfort.on ? "comfort: on" : "comfort: off");
+}
+
 void Explorer::take_screenshot() {
   const int views = display_.views();
   keep("screenshot", "screenshot", views == 1 ? ".png" : "_left.png", [&](const std::filesystem::path& file) {
@@ -215,13 +220,11 @@ void Explorer::take_screenshot() {
 
 void Explorer::toggle_recording() {
   if (!recorder_.recording()) {
-    recorder_.start(now_s_, head(), scene_time_s());
-    recording_began_s_ = now_s_;
-    tell("path: recording");
+    recording_wanted_ = !recording_wanted_;
     return;
   }
   keep("path", "recorded", ".json", [&](const std::filesystem::path& file) {
-    save_camera_path(recorder_.stop(now_s_, head(), scene_time_s(), file.stem().string()), file);
+    save_camera_path(recorder_.stop(now_s_, head_.value_or(head()), scene_time_s(), file.stem().string()), file);
   });
 }
 
@@ -258,6 +261,9 @@ void Explorer::obey(const Input& input) {
       case Action::record:
         toggle_recording();
         break;
+      case Action::comfort:
+        toggle_comfort();
+        break;
       case Action::recentre:
         display_.recentre();
         break;
@@ -273,69 +279,6 @@ void Explorer::obey(const Input& input) {
       default:
         break;  // held to move, or for what no scene has yet
     }
-}
-
-void Explorer::look(const Input& input) {
-  // The button looks around when it went down over the sea, wherever it goes then.
-  if (input.right_button && !button_was_down_ && !points_at_widgets()) look_by_button_ = true;
-  if (!input.right_button) look_by_button_ = false;
-  button_was_down_ = input.right_button;
-  display_.hold_mouse(look_by_button_ || look_by_key_);
-}
-
-void Explorer::move(const Input& input, double dt_s) {
-  CameraWish wish;
-  if (!types()) {
-    wish.move = {input.value(Action::move_x), input.value(Action::move_y), -input.value(Action::move_z)};
-    wish.fast = input.held(Action::fast);
-    wish.turn_deg = glm::dvec2(input.value(Action::turn), input.value(Action::pitch)) * (turn_deg_per_s * dt_s);
-    for (const auto& [action, value] : input.pressed)
-      if (action == Action::snap_turn) wish.turn_deg.x += value * snap_turn_deg;
-  }
-  if (look_by_button_ || look_by_key_)
-    wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
-                     (degrees_a_pixel * settings().render.vertical_fov_deg);
-  if (!points_at_widgets()) wish.faster_notches = input.wheel;
-  if (display_.tracks_head()) {
-    wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
-    wish.turn_deg.y = 0.0;
-  }
-  camera_.step(wish, dt_s, water_at_camera(*experience_, head().position_m, sea_time_s()).height_m);
-  aim(input);
-  recorder_.sample(now_s_, head(), scene_time_s());
-}
-
-Pose Explorer::carrier() const { return display_.tracks_head() ? camera_.carrier() : camera_.pose(); }
-
-Pose Explorer::head() const {
-  if (!display_.tracks_head()) return camera_.pose();
-  return composed(camera_.carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
-}
-
-// What points at the water: a hand, or the view.
-Pose Explorer::pointer(const Input& input) const {
-  for (const std::size_t hand : {1u, 0u})
-    if (input.hands[hand]) return composed(carrier(), input.hands[hand]->aim);
-  return head();
-}
-
-void Explorer::aim(const Input& input) {
-  const bool held = !types() && input.held(Action::teleport);
-  if (held) {
-    const Pose from = pointer(input);
-    const glm::dvec3 ahead = from.orientation * glm::dvec3(0.0, 0.0, -1.0);
-    const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
-    const RayAnswer met = water.ray(from.position_m, ahead, {.most_m = farthest_jump_m});
-    aimed_at_m_.reset();
-    if (met.hit) aimed_at_m_ = from.position_m + met.distance_m * ahead;
-  } else if (aiming_) {
-    if (aimed_at_m_)
-      camera_.jump({aimed_at_m_->x, aimed_at_m_->z}, aimed_at_m_->y);
-    else
-      tell(fmt::format("no water there within {:.0f} m", farthest_jump_m));
-    aimed_at_m_.reset();
-  }
-  aiming_ = held;
 }
 
 PanelFacts Explorer::facts(const DisplayFrame& shown) const {
@@ -414,7 +357,9 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
   move(display_.input(), dt_s);
-  draw_frame(*experience_, frame, display_.viewpoint(carrier()), sea_time_s());
+  const Viewpoint viewpoint = display_.viewpoint(carrier());
+  record(display_.input(), viewpoint.viewer);
+  draw_frame(*experience_, frame, viewpoint, sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
   patches_ = experience_->ocean().selection()->patches.size();
   display_.end(frame, &experience_->picture(), experience_->shown_depth());
@@ -443,7 +388,7 @@ void Explorer::leave() {
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
-  std::optional<double> last_s;  // of the frame before
+  std::optional<double> last_s;    // of the frame before
   const StopLater between_frames;  // a signal ends the loop, and what was recorded is kept
   for (int drawn = 0; !leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn < arguments_.frames);) {
     const DisplayFrame shown = display_.begin();
@@ -457,6 +402,7 @@ void Explorer::run() {
       continue;
     }
     frame_ms_ = 1000.0 * passed_s;
+    period_s_ = shown.period_s;
     now_s_ += dt_s;
     if (!paused_) {
       if (settings().follow_clock)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/comfort.h"
 #include "app/explore_camera.h"
 #include "app/panel.h"
 #include "app/path_recorder.h"
@@ -28,10 +29,14 @@ class Explorer {
   void obey(const Input& input);  // what was pressed
   void look(const Input& input);
   void move(const Input& input, double dt_s);
+  // Has the camera moved gently, where it is worn on a head.
+  void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
+  void record(const Input& input, const Pose& head);
   Pose carrier() const;
-  Pose head() const;
+  Pose head() const;  // before a frame is drawn: as it was last
   Pose pointer(const Input& input) const;
   void leave();
+  void jump(const glm::dvec3& to_m);
   void aim(const Input& input);  // a teleport, and goes when it is let go
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
   bool points_at_widgets() const { return overlay_ && overlay_->wants_pointer(); }
@@ -45,6 +50,7 @@ class Explorer {
   void toggle_pause();
   void scale_time(double factor);
   void next_debug_view();
+  void toggle_comfort();
   void take_screenshot();
   void reload_shaders();  // of a debug build, where one has changed on disk
   void toggle_recording();
@@ -70,14 +76,18 @@ class Explorer {
   std::unique_ptr<Overlay> overlay_;  // null: nowhere to show one
   Panel panel_;
   ExploreCamera camera_;
+  Comfort comfort_;
   PathRecorder recorder_;
   std::vector<std::string> scenes_;
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
   bool aiming_ = false;                   // a teleport is held
   std::optional<glm::dvec3> aimed_at_m_;  // where it would go
   bool screenshot_wanted_ = false, leaving_ = false;
-  double now_s_ = 0.0;          // the display's clock, what a hidden display waited left out
-  double sea_elapsed_s_ = 0.0;  // the sea's time since time.start_s
+  double now_s_ = 0.0;             // the display's clock, what a hidden display waited left out
+  double sea_elapsed_s_ = 0.0;     // the sea's time since time.start_s
+  double period_s_ = 0.0;          // from frame to frame, as the display says
+  std::optional<Pose> head_;       // of the frame drawn last
+  bool recording_wanted_ = false;  // with the next frame
   double recording_began_s_ = 0.0, message_until_s_ = 0.0, shaders_looked_at_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
   std::size_t patches_ = 0;

@@ -32,6 +32,8 @@ constexpr std::array<const char*, 2> keys[] = {
     {"V", "next debug view"},
     {"P or F2", "screenshot"},
     {"R", "start and end recording a camera path"},
+    {"K", "what makes moving gentler in a headset, on and off"},
+    {"C", "in a headset: what lies ahead becomes forward"},
     {"F1", "this panel on and off"},
     {"Esc", "free the mouse, then close"},
 };

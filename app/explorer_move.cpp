@@ -1,0 +1,126 @@
+// How explore's user moves: what is held pushes, turns and aims, and what a recording keeps of it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "app/explorer.h"
+#include "app/frame.h"
+
+namespace seascape {
+
+namespace {
+
+constexpr double degrees_a_pixel =
+    0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
+constexpr double farthest_jump_m = 200.0;
+
+// A display tells its period in whole nanoseconds, which is not quite its rate.
+double rate_hz(double period_s) { return period_s > 0.0 ? std::round(100.0 / period_s) / 100.0 : 0.0; }
+
+}  // namespace
+
+void Explorer::look(const Input& input) {
+  // The button looks around when it went down over the sea, wherever it goes then.
+  if (input.right_button && !button_was_down_ && !points_at_widgets()) look_by_button_ = true;
+  if (!input.right_button) look_by_button_ = false;
+  button_was_down_ = input.right_button;
+  display_.hold_mouse(look_by_button_ || look_by_key_);
+}
+
+void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWish& wish) {
+  const ComfortSettings& c = settings().comfort;
+  const double turn = input.value(Action::turn), snap = input.value(Action::snap_turn);
+  const double stick = types() ? 0.0 : std::abs(turn) > std::abs(snap) ? turn : snap;
+  wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
+  wish.turn_deg = {comfort_.turned_deg(c, stick, dt_s), 0.0};
+  ComfortMotion motion;
+  motion.velocity_mps = camera_.velocity_mps();
+  if (!c.on || c.snap_turn_deg == 0) motion.turn_deg_per_s = stick * c.turn_deg_per_s;
+  const glm::dvec3 at = head().position_m;
+  if (camera_.travel() == Travel::ride) motion.carrier = Pose{{at.x, comfort_.ridden_m(c, water_m, dt_s), at.z}};
+  comfort_.step(c, motion, dt_s);
+  if (comfort_.carrier()) wish.ridden_m = comfort_.carrier()->position_m.y;
+  experience_->show_comfort(comfort_.shown());
+}
+
+void Explorer::move(const Input& input, double dt_s) {
+  CameraWish wish;
+  const ComfortSettings& c = settings().comfort;
+  if (!types()) {
+    wish.move = {input.value(Action::move_x), input.value(Action::move_y), -input.value(Action::move_z)};
+    wish.fast = input.held(Action::fast);
+    wish.turn_deg = glm::dvec2(input.value(Action::turn), input.value(Action::pitch)) * (c.turn_deg_per_s * dt_s);
+    for (const auto& [action, value] : input.pressed)
+      if (action == Action::snap_turn) wish.turn_deg.x += value * (c.snap_turn_deg > 0 ? c.snap_turn_deg : 30);
+  }
+  if (look_by_button_ || look_by_key_)
+    wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
+                     (degrees_a_pixel * settings().render.vertical_fov_deg);
+  if (!points_at_widgets()) wish.faster_notches = input.wheel;
+  const double water_m = water_at_camera(*experience_, head().position_m, sea_time_s()).height_m;
+  if (display_.tracks_head()) soften(input, dt_s, water_m, wish);
+  camera_.step(wish, dt_s, water_m);
+  aim(input);
+}
+
+void Explorer::record(const Input& input, const Pose& head) {
+  head_ = head;
+  if (std::exchange(recording_wanted_, false)) {
+    recorder_.start(now_s_, head, scene_time_s(), {rate_hz(period_s_)});
+    recording_began_s_ = now_s_;
+    tell("path: recording");
+  }
+  if (!recorder_.recording()) return;
+  RecordedInput told;
+  told.values = input.values;
+  for (const Press& press : input.pressed) told.presses.push_back({0.0, press.action, press.value});
+  for (std::size_t hand = 0; hand < 2; ++hand)
+    if (input.hands[hand]) told.hands[hand] = composed(carrier(), input.hands[hand]->grip);
+  recorder_.sample(now_s_, head, scene_time_s(), told);
+  if (recorder_.full().empty()) return;
+  tell(recorder_.full());
+  toggle_recording();
+}
+
+Pose Explorer::carrier() const { return display_.tracks_head() ? camera_.carrier() : camera_.pose(); }
+
+Pose Explorer::head() const {
+  if (!display_.tracks_head()) return camera_.pose();
+  return composed(camera_.carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
+}
+
+// What points at the water: a hand, or the view.
+Pose Explorer::pointer(const Input& input) const {
+  for (const std::size_t hand : {1u, 0u})
+    if (input.hands[hand]) return composed(carrier(), input.hands[hand]->aim);
+  return head();
+}
+
+// The head comes to stand there, wherever it is over the floor's middle.
+void Explorer::jump(const glm::dvec3& to_m) {
+  const glm::dvec3 off = head().position_m - camera_.pose().position_m;
+  camera_.jump({to_m.x - off.x, to_m.z - off.z}, to_m.y);
+  comfort_.begin_anew();
+}
+
+void Explorer::aim(const Input& input) {
+  const bool held = !types() && input.held(Action::teleport);
+  if (held) {
+    const Pose from = pointer(input);
+    const glm::dvec3 ahead = from.orientation * glm::dvec3(0.0, 0.0, -1.0);
+    const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
+    const RayAnswer met = water.ray(from.position_m, ahead, {.most_m = farthest_jump_m});
+    aimed_at_m_.reset();
+    if (met.hit) aimed_at_m_ = from.position_m + met.distance_m * ahead;
+  } else if (aiming_) {
+    if (aimed_at_m_)
+      jump(*aimed_at_m_);
+    else
+      tell(fmt::format("no water there within {:.0f} m", farthest_jump_m));
+    aimed_at_m_.reset();
+  }
+  aiming_ = held;
+}
+
+}  // namespace seascape
