@@ -1,5 +1,6 @@
 // `seascape doctor`: devices, drivers, displays and the headset runtime, what is missing and how to get it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "app/quality.h"
 #include "engine/error.h"
 #include "engine/multiview_check.h"
+#include "platform/headset_system.h"
 
 namespace seascape {
 
@@ -23,6 +25,41 @@ struct Finding {
 bool exists(const char* variable) {
   const char* value = std::getenv(variable);
   return value && *value;
+}
+
+// What a headset's runtime says of itself, or why there is none.
+void look_at_headset(std::vector<Finding>& findings, nlohmann::json& json) {
+  json["headset"] = nullptr;
+  try {
+    const XrLoader loader;
+    HeadsetSystem system(loader.get());
+    DeviceOptions options = device_options();
+    system.make_device(options);
+    const std::vector<float> rates_hz = headset_rates(system, Device(options));
+    const HeadsetFacts& f = system.facts();
+    findings.push_back({"headset runtime", fmt::format("{} {}", f.runtime, f.runtime_version), "", false});
+    findings.push_back({"headset", fmt::format("{}: {} views, {}x{} pixels an eye recommended, {}x{} at most", f.headset,
+                                               f.views, f.width, f.height, f.most_width, f.most_height),
+                        "", false});
+    findings.push_back({"headset rates",
+                        rates_hz.empty() ? "its own, which it does not say"
+                                         : fmt::format("{:g} pictures a second", fmt::join(rates_hz, ", ")),
+                        "", false});
+    std::vector<std::string> used, missing;
+    for (const std::string_view name : headset_extensions())
+      (f.has(name) ? used : missing).emplace_back(name);
+    findings.push_back({"headset extensions", fmt::format("{}", fmt::join(used, " ")), "", false});
+    if (!missing.empty())
+      findings.push_back({"", fmt::format("not offered, and done without: {}", fmt::join(missing, " ")), "", false});
+    json["headset"] = {{"runtime", f.runtime},         {"version", f.runtime_version},
+                       {"name", f.headset},            {"views", f.views},
+                       {"width", f.width},             {"height", f.height},
+                       {"most_width", f.most_width},   {"most_height", f.most_height},
+                       {"rates_hz", rates_hz},       {"extensions", f.extensions},
+                       {"extensions_used", used}};
+  } catch (const Error& error) {
+    findings.push_back({"headset", error.where() + ": " + error.fault(), error.remedy(), false});
+  }
 }
 
 }  // namespace
@@ -64,14 +101,7 @@ int run_doctor(const Arguments& arguments) {
   const bool window = exists("DISPLAY") || exists("WAYLAND_DISPLAY");
   findings.push_back({"display", window ? "a desktop answers" : "none (DISPLAY and WAYLAND_DISPLAY are unset)",
                       window ? "" : "explore needs a desktop; replay and capture do not", false});
-  const char* runtime = std::getenv("XR_RUNTIME_JSON");
-  const bool headset = (runtime && std::filesystem::exists(runtime)) ||
-                       std::filesystem::exists("/etc/xdg/openxr/1/active_runtime.json") ||
-                       std::filesystem::exists("/usr/share/openxr/1/active_runtime.json");
-  findings.push_back(
-      {"headset runtime",
-       headset ? "an OpenXR runtime is set up, but this version of seascape does not use headsets yet" : "none found",
-       "", false});
+  look_at_headset(findings, json);
   const bool content = std::filesystem::exists(content_directory() / "scenes");
   findings.push_back({"content",
                       content ? content_directory().string() : "not found at " + content_directory().string(),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "engine/address_space.h"
@@ -36,6 +37,13 @@ constexpr const char* wanted[] = {
 };
 
 }  // namespace
+
+std::vector<std::string_view> headset_extensions() {
+  std::vector<std::string_view> all(std::begin(wanted), std::end(wanted));
+  for (const ControllerProfile& profile : controller_profiles())
+    if (!profile.extension.empty()) all.push_back(profile.extension);
+  return all;
+}
 
 bool HeadsetFacts::has(std::string_view extension) const {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
@@ -74,10 +82,8 @@ void HeadsetSystem::create_instance(const void* next) {
     throw Error("OpenXR", "the runtime lacks XR_KHR_vulkan_enable2, which shows what Vulkan draws",
                 "update the headset's runtime");
   used_ = {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
-  for (const char* name : wanted)
+  for (const std::string_view name : headset_extensions())
     if (facts_.has(name)) used_.emplace_back(name);
-  for (const ControllerProfile& profile : controller_profiles())
-    if (!profile.extension.empty() && facts_.has(profile.extension)) used_.emplace_back(profile.extension);
   std::vector<const char*> names;
   for (const std::string& name : used_) names.push_back(name.c_str());
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
@@ -200,6 +206,28 @@ void HeadsetSystem::make_device(DeviceOptions& options) {
     return result;
   };
   options.show_depth = uses(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+}
+
+std::vector<float> headset_rates(const HeadsetSystem& system, const Device& device) {
+  const XrApi& api = system.api();
+  if (!system.uses(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME) || !api.EnumerateDisplayRefreshRatesFB) return {};
+  XrGraphicsBindingVulkan2KHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR};
+  binding.instance = device.instance();
+  binding.physicalDevice = device.physical();
+  binding.device = device.handle();
+  binding.queueFamilyIndex = device.queue_family();
+  XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
+  info.next = &binding;
+  info.systemId = system.id();
+  XrSession session = XR_NULL_HANDLE;
+  check_xr(api.CreateSession(system.instance(), &info, &session), "xrCreateSession");
+  std::array<float, 64> rates{};
+  std::uint32_t count = 0;
+  const XrResult result =
+      api.EnumerateDisplayRefreshRatesFB(session, std::uint32_t(rates.size()), &count, rates.data());
+  api.DestroySession(session);
+  check_xr(result, "xrEnumerateDisplayRefreshRatesFB");
+  return {rates.begin(), rates.begin() + std::min<std::size_t>(count, rates.size())};
 }
 
 }  // namespace seascape

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/device.h"
@@ -16,10 +17,12 @@ struct HeadsetFacts {
   std::uint32_t width = 0, height = 0;  // recommended, pixels an eye
   std::uint32_t most_width = 0, most_height = 0;
   std::uint32_t views = 0;
-  std::vector<float> rates_hz;  // that it can be switched to, where it says
 
   bool has(std::string_view extension) const;
 };
+
+// The extensions that are used where a runtime has them, XR_KHR_vulkan_enable2 besides.
+std::vector<std::string_view> headset_extensions();
 
 // Made before the device, which has to be made for it.
 class HeadsetSystem {
@@ -51,5 +54,8 @@ class HeadsetSystem {
   HeadsetFacts facts_;
   std::vector<std::string> used_;
 };
+
+// The pictures a second that the headset can be switched to; empty where it does not say. The device was made for it.
+std::vector<float> headset_rates(const HeadsetSystem& system, const Device& device);
 
 }  // namespace seascape

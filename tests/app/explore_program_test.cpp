@@ -349,9 +349,11 @@ TEST(Explore, SaysWhatToDoWithoutADisplay) {
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_EQ(none.err.rfind("seascape: display: no display can be reached", 0), 0u) << none.err;
   EXPECT_NE(none.err.find("--display headless"), std::string::npos);
-  const auto headset = run_program({"explore", "--display", "headset"});
+  const auto headset = run_program({"explore", "--display", "headset"}, {"XR_RUNTIME_JSON=/nowhere/runtime.json"});
   EXPECT_EQ(headset.exit_code, 1);
-  EXPECT_EQ(headset.err.rfind("seascape: --display headset: ", 0), 0u) << headset.err;
+  EXPECT_EQ(headset.err.rfind("seascape: OpenXR: ", 0), 0u) << headset.err;
+  EXPECT_EQ(std::count(headset.err.begin(), headset.err.end(), '\n'), 1) << headset.err;
+  EXPECT_NE(headset.err.find("--display window"), std::string::npos) << headset.err;
 }
 
 // Control: `auto` that always takes a window fails here.
