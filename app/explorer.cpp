@@ -45,6 +45,8 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Display& displa
       scenes_(scene_names()) {
   if (display_.views() == 2)
     (void)multiview_known_to_work(*program.device, program.shaders);  // or it would wait while it draws
+  panel_.alone = display_.tracks_head();
+  panel_.visible = !panel_.alone;  // a board before one's eyes comes when it is asked for
   begin_time();
   build();
 }

@@ -291,7 +291,9 @@ PanelWish Panel::draw(const Settings& settings, const Settings& initial, const P
   if (!dragging_) edited_ = settings;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
-  ImGui::SetNextWindowSize({std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 30.0f), window.y});
+  const float beside = std::min(std::max(window.x * 0.45f, 200.0f), ImGui::GetFontSize() * 30.0f);
+  ImGui::SetNextWindowSize({alone ? window.x : beside, window.y});
+  if (alone) ImGui::SetNextWindowBgAlpha(1.0f);
   ImGui::Begin(
       "Seascape", nullptr,
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar);

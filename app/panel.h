@@ -52,6 +52,7 @@ class Panel {
   static void draw_message(std::string_view message);
 
   bool visible = true;
+  bool alone = false;  // on a board of its own, which it fills
 
  private:
   void draw_head(const Settings& settings, const PanelFacts& facts, PanelWish& wish);

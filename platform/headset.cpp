@@ -10,6 +10,8 @@
 #include <cstring>
 #include <thread>
 
+#include "platform/headset_overlay.h"
+
 namespace seascape {
 
 namespace {
@@ -130,6 +132,7 @@ void Headset::begin_session() {
 
 void Headset::end_session() {
   controllers_.reset();
+  if (layer_) layer_->reset();
   colours_ = {};
   depths_ = {};
   for (XrSpace* space : {&space_, &view_space_}) {
@@ -431,6 +434,8 @@ void Headset::hand_over(Frame& frame, const RenderTarget& picture, const Image* 
 
 void Headset::end(Frame& frame, const RenderTarget* picture, const Image* depth) {
   const bool shown = picture != nullptr && should_render_;
+  quad_.reset();
+  if (shown && layer_) quad_ = layer_->draw(frame);
   if (shown) hand_over(frame, *picture, depth);
   if (picture) frame.submit();
   if (frame_begun_) end_frame(shown, depth != nullptr);
@@ -441,6 +446,7 @@ void Headset::end_frame(bool shown, bool with_depth) {
   const std::lock_guard lock(device_.queue_mutex());
   for (HeadsetSwapchain* one : {&colours_, &depths_})
     if (one->acquired()) one->release();
+  if (quad_) layer_->release();
   std::array<XrCompositionLayerProjectionView, 2> views;
   std::array<XrCompositionLayerDepthInfoKHR, 2> depths;
   for (std::size_t eye = 0; eye < 2; ++eye) {
@@ -484,6 +490,8 @@ void Headset::end_frame(bool shown, bool with_depth) {
   tell(HeadsetCall::Kind::end, shown ? std::span<const XrView>(located_) : std::span<const XrView>());
   checked(api_.EndFrame(session_, &info), "xrEndFrame");
 }
+
+std::unique_ptr<Overlay> Headset::make_overlay() { return std::make_unique<HeadsetOverlay>(device_, *this); }
 
 void Headset::buzz(int hand, double strength, double seconds) {
   if (controllers_ && state_ == XR_SESSION_STATE_FOCUSED) controllers_->buzz(session_, hand, strength, seconds);

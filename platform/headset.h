@@ -55,14 +55,24 @@ class Headset final : public Display {
   bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
   glm::uvec2 most_size() const override { return {most_width_, most_height_}; }
 
-  // Layers over the picture, submitted with it: in metres from the floor's middle.
+  // A layer over the picture, submitted with it.
   struct Quad {
     XrSwapchain swapchain;
     std::uint32_t width, height;  // of it, pixels
-    Pose at;                      // its middle; it faces +z
+    Pose at;                      // its middle, from the floor's middle; it faces +z
     glm::dvec2 size_m;
   };
-  void show(std::optional<Quad> quad) { quad_ = quad; }
+  class Layer {
+   public:
+    virtual ~Layer() = default;
+    // Records into the frame what it shows, and says where; nothing: nothing to show.
+    virtual std::optional<Quad> draw(Frame& frame) = 0;
+    virtual void release() = 0;  // once that is submitted
+    virtual void reset() = 0;    // the session is gone, and all that was made of it
+  };
+  void show(Layer* layer) { layer_ = layer; }  // null: none
+  std::unique_ptr<Overlay> make_overlay() override;
+  double period_s() const { return double(frame_state_.predictedDisplayPeriod) * 1e-9; }
   const HeadsetSystem& system() const { return system_; }
   XrSession session() const { return session_; }
 
@@ -101,8 +111,9 @@ class Headset final : public Display {
   HeadsetSwapchain colours_, depths_;
   std::shared_ptr<const LentImages> lent_;
   std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
-  std::optional<Quad> quad_;
-  bool running_ = false;  // between xrBeginSession and xrEndSession
+  Layer* layer_ = nullptr;
+  std::optional<Quad> quad_;  // of this frame
+  bool running_ = false;      // between xrBeginSession and xrEndSession
   bool session_lost_ = false, closed_ = false, away_ = false, recentre_wanted_ = false, moved_ = false;
   bool frame_begun_ = false, should_render_ = false;
   XrFrameState frame_state_{XR_TYPE_FRAME_STATE};
