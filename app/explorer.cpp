@@ -47,6 +47,7 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Display& displa
     (void)multiview_known_to_work(*program.device, program.shaders);  // or it would wait while it draws
   panel_.alone = display_.tracks_head();
   panel_.visible = !panel_.alone;  // a board before one's eyes comes when it is asked for
+  program_.scene.actors_press = display_.tracks_head();
   begin_time();
   build();
 }
@@ -144,13 +145,17 @@ void Explorer::change_scene(const std::string& name, const std::string& preset) 
   loading_ = name;
   Arguments asked = arguments_;  // what the command line sets stays set
   asked.scene = name;
-  loader_.ask(
-      {[asked, preset, device = device_class(program_.device->facts())] { return scene_from(asked, preset, device); },
-       [chosen = options(program_.scene), this](const Scene& scene) {
-         ExperienceOptions result = chosen;
-         result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, result.views);
-         return result;
-       }});
+  loader_.ask({[asked, preset, device = device_class(program_.device->facts()), pressed = display_.tracks_head()] {
+                 Scene scene = scene_from(asked, preset, device);
+                 scene.actors_press = pressed;
+                 return scene;
+               },
+               [chosen = options(program_.scene), this](const Scene& scene) {
+                 ExperienceOptions result = chosen;
+                 result.per_eye =
+                     draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, result.views);
+                 return result;
+               }});
   tell("loading: " + name);
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/comfort.h"
 #include "app/explore_camera.h"
+#include "app/hands_in_water.h"
 #include "app/panel.h"
 #include "app/path_recorder.h"
 #include "app/program.h"
@@ -32,6 +33,7 @@ class Explorer {
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
   void record(const Input& input, const Pose& head);
+  std::array<std::optional<Pose>, 2> hands(const Input& input) const;  // in the world
   Pose carrier() const;
   Pose head() const;  // before a frame is drawn: as it was last
   Pose pointer(const Input& input) const;
@@ -77,6 +79,7 @@ class Explorer {
   Panel panel_;
   ExploreCamera camera_;
   Comfort comfort_;
+  HandsInWater hands_;
   PathRecorder recorder_;
   std::vector<std::string> scenes_;
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;

@@ -58,10 +58,19 @@ void Explorer::move(const Input& input, double dt_s) {
     wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
                      (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!points_at_widgets()) wish.faster_notches = input.wheel;
+  hands_.follow(experience_->sea());
+  hands_.move(hands(input), sea_time_s());
   const double water_m = water_at_camera(*experience_, head().position_m, sea_time_s()).height_m;
   if (display_.tracks_head()) soften(input, dt_s, water_m, wish);
   camera_.step(wish, dt_s, water_m);
   aim(input);
+}
+
+std::array<std::optional<Pose>, 2> Explorer::hands(const Input& input) const {
+  std::array<std::optional<Pose>, 2> found;
+  for (std::size_t hand = 0; hand < 2; ++hand)
+    if (input.hands[hand]) found[hand] = composed(carrier(), input.hands[hand]->grip);
+  return found;
 }
 
 void Explorer::record(const Input& input, const Pose& head) {
@@ -75,8 +84,7 @@ void Explorer::record(const Input& input, const Pose& head) {
   RecordedInput told;
   told.values = input.values;
   for (const Press& press : input.pressed) told.presses.push_back({0.0, press.action, press.value});
-  for (std::size_t hand = 0; hand < 2; ++hand)
-    if (input.hands[hand]) told.hands[hand] = composed(carrier(), input.hands[hand]->grip);
+  told.hands = hands(input);
   recorder_.sample(now_s_, head, scene_time_s(), told);
   if (recorder_.full().empty()) return;
   tell(recorder_.full());

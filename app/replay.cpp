@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/frame.h"
+#include "app/hands_in_water.h"
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/report_replay.h"
@@ -57,12 +59,24 @@ std::vector<std::string> write_pictures(const std::filesystem::path& out, int nu
   return names;
 }
 
+// What the path's user did in the frame that ends at `to_s`.
+ReplayedInput acted_in(const InputTimeline& timeline, double after_s, double to_s) {
+  ReplayedInput acted;
+  acted.values = timeline.values(to_s);
+  for (const ActionPress& press : timeline.presses(after_s, to_s)) acted.pressed.push_back({press.action, press.value});
+  acted.hands = {timeline.pose(Tracker::left, to_s), timeline.pose(Tracker::right, to_s)};
+  return acted;
+}
+
 }  // namespace
 
 int run_replay(const Arguments& arguments) {
   Program program = make_program(arguments, device_options());
   Device& device = *program.device;
   const CameraPath path = path_from(arguments, program.scene);
+  std::optional<InputTimeline> acted;
+  if (path.actions) acted.emplace(*path.actions);
+  program.scene.actors_press = acted.has_value();
   const int path_frames = frames_of(path, arguments.fps);
   if (arguments.start >= path_frames)
     throw Error("--start", fmt::format("{} is past the path's last frame, {}", arguments.start, path_frames - 1),
@@ -80,6 +94,7 @@ int run_replay(const Arguments& arguments) {
       {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
+  HandsInWater hands;
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;
@@ -90,6 +105,11 @@ int run_replay(const Arguments& arguments) {
 
     display.begin();
     drawn.views = display.viewpoint(sample.pose);
+    if (acted) {
+      drawn.acted = acted_in(*acted, done == 0 ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
+      hands.follow(experience.sea());
+      hands.move(drawn.acted->hands, drawn.scene_time_s);
+    }
     frame.begin();
     const auto begun = std::chrono::steady_clock::now();
     draw_frame(experience, frame, drawn.views, drawn.scene_time_s);

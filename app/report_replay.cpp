@@ -15,6 +15,19 @@ ordered_json pose_json(const Pose& pose) {
           {"orientation_xyzw", {pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w}}};
 }
 
+ordered_json acted_json(const ReplayedInput& acted) {
+  ordered_json values = ordered_json::object(), pressed = ordered_json::array();
+  for (const ActionRow& row : action_rows())
+    if (const double value = acted.values[std::size_t(row.action)]; value != 0.0) values[std::string(row.name)] = value;
+  for (const Press& press : acted.pressed)
+    pressed.push_back({{"action", row_of(press.action).name}, {"value", press.value}});
+  const auto hand = [](const std::optional<Pose>& pose) { return pose ? pose_json(*pose) : ordered_json(); };
+  return {{"values", std::move(values)},
+          {"pressed", std::move(pressed)},
+          {"left", hand(acted.hands[0])},
+          {"right", hand(acted.hands[1])}};
+}
+
 ordered_json frame_json(const ReplayFrame& frame) {
   ordered_json eyes = ordered_json::array();
   for (const View& eye : frame.views.eyes) {
@@ -23,18 +36,20 @@ ordered_json frame_json(const ReplayFrame& frame) {
         {"left", eye.fov.left}, {"right", eye.fov.right}, {"up", eye.fov.up}, {"down", eye.fov.down}};
     eyes.push_back(std::move(view));
   }
-  return {{"frame", frame.frame},
-          {"time_s", frame.time_s},
-          {"scene_time_s", frame.scene_time_s},
-          {"files", frame.files},
-          {"viewer", pose_json(frame.views.viewer)},
-          {"views", std::move(eyes)},
-          {"counts",
-           {{"draws", frame.draws},
-            {"triangles", frame.triangles},
-            {"dispatches", frame.dispatches},
-            {"patches", frame.patches}}},
-          {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
+  ordered_json json = {{"frame", frame.frame},
+                       {"time_s", frame.time_s},
+                       {"scene_time_s", frame.scene_time_s},
+                       {"files", frame.files},
+                       {"viewer", pose_json(frame.views.viewer)},
+                       {"views", std::move(eyes)},
+                       {"counts",
+                        {{"draws", frame.draws},
+                         {"triangles", frame.triangles},
+                         {"dispatches", frame.dispatches},
+                         {"patches", frame.patches}}},
+                       {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
+  if (frame.acted) json["actions"] = acted_json(*frame.acted);
+  return json;
 }
 
 std::string text_of(const ordered_json& json, int indent) {

@@ -1,18 +1,29 @@
 // replay.json: what a replay drew, from where, how long it took and how much it was.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/view.h"
+#include "platform/input.h"
+#include "platform/input_script.h"
 
 namespace seascape {
+
+// What a path's user did in a frame.
+struct ReplayedInput {
+  ActionValues values{};
+  std::vector<Press> pressed;
+  std::array<std::optional<Pose>, 2> hands;  // left, right, in the world; nothing: not tracked
+};
 
 struct ReplayFrame {
   int frame = 0;                            // of the path
   double time_s = 0.0, scene_time_s = 0.0;  // along the path; the sea's
   Viewpoint views;                          // the head, then each eye drawn
+  std::optional<ReplayedInput> acted;       // of a path that has actions
   std::vector<std::string> files;           // pictures, one an eye
   double cpu_ms = 0.0, gpu_ms = 0.0;        // taken
   std::uint64_t draws = 0, triangles = 0, dispatches = 0, patches = 0;

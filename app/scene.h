@@ -22,6 +22,7 @@ struct Scene {
   std::vector<InputSpec> inputs;     // in the file's order
   ClipRoom clip_room;                // for bodies of actors, where clip is called for: no file says it yet
   bool actors_foam = false;          // whether actors make foam: likewise
+  bool actors_press = false;         // whether actors press the water, where dynamic waves are called for: likewise
   std::vector<std::string> remarks;  // what gives nothing and why, a line each; no faults
   Pose start;                        // where explore begins
 };

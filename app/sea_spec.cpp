@@ -37,7 +37,7 @@ SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
     spec.dynamic_waves = s.dynamic_waves;
     spec.dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
     spec.dynamic_waves->waves.depth_m = s.sea.depth_m;
-    if (still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
+    if (!scene.actors_press && still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
   }
   spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;
