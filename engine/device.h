@@ -123,7 +123,7 @@ class Device {
   void retire_memory(VkDeviceMemory memory, VkDeviceSize offset);
 
  private:
-  friend void detail::adopt(Device&, VkObjectType, std::uint64_t, std::string_view, std::uint64_t);
+  friend void detail::adopt(Device&, VkObjectType, std::uint64_t, std::string_view, std::uint64_t, MadeWith);
   friend void detail::retire(Device&, VkObjectType, std::uint64_t);
   struct Retired {
     std::uint64_t frame;

@@ -9,13 +9,14 @@ thread_local std::string effect_now = "frame";  // what is made on this thread i
 
 namespace detail {
 
-void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes) {
+void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes,
+           MadeWith made_with) {
   const std::string whole(name);
   {
     const std::lock_guard lock(device.mutex_);
     const std::uint64_t number = ++device.created_;
     device.creation_[{type, handle}] = number;
-    device.records_[number] = {type, handle, bytes, whole, effect_now};
+    device.records_[number] = {type, handle, bytes, whole, effect_now, std::move(made_with)};
   }
   if (type == VK_OBJECT_TYPE_PIPELINE) ++device.pipelines_made_;
   device.debug_name(type, handle, whole.c_str());

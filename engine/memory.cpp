@@ -162,4 +162,9 @@ std::uint64_t Memory::used_bytes() const {
   return sum;
 }
 
+std::size_t Memory::blocks() const {
+  const std::lock_guard lock(mutex_);
+  return blocks_.size();
+}
+
 }  // namespace seascape

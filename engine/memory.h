@@ -44,6 +44,7 @@ class Memory {
 
   std::uint64_t block_bytes() const;  // taken from the driver
   std::uint64_t used_bytes() const;   // handed out
+  std::size_t blocks() const;         // how many allocations of the driver that is
 
  private:
   struct Range {

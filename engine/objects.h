@@ -2,15 +2,25 @@
 // and destroyed only after the frames in flight that may use it.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/vulkan.h"
 
 namespace seascape {
 
 class Device;
+struct ImageSpec;
+struct Shader;
+
+// What an object was made with.
+struct MadeWith {
+  std::shared_ptr<const ImageSpec> image;              // of an image; of a view: its image's
+  std::vector<std::shared_ptr<const Shader>> shaders;  // of a pipeline
+};
 
 struct ObjectRecord {
   VkObjectType type = VK_OBJECT_TYPE_UNKNOWN;
@@ -18,6 +28,7 @@ struct ObjectRecord {
   std::uint64_t bytes = 0;  // device memory of a buffer or image; code of a shader module
   std::string name;
   std::string effect;  // the EffectScope it was made in, "frame" outside any
+  MadeWith made_with = {};
 };
 
 template <typename T>
@@ -58,7 +69,8 @@ template <>
 inline constexpr VkObjectType object_type<VkSurfaceKHR> = VK_OBJECT_TYPE_SURFACE_KHR;
 
 namespace detail {
-void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes);
+void adopt(Device& device, VkObjectType type, std::uint64_t handle, std::string_view name, std::uint64_t bytes,
+           MadeWith made_with);
 void retire(Device& device, VkObjectType type, std::uint64_t handle);
 }  // namespace detail
 
@@ -67,8 +79,9 @@ template <typename T>
 class Owned {
  public:
   Owned() = default;
-  Owned(Device& device, T handle, std::string_view name, std::uint64_t bytes = 0) : device_(&device), handle_(handle) {
-    detail::adopt(device, object_type<T>, std::uint64_t(handle), name, bytes);
+  Owned(Device& device, T handle, std::string_view name, std::uint64_t bytes = 0, MadeWith made_with = {})
+      : device_(&device), handle_(handle) {
+    detail::adopt(device, object_type<T>, std::uint64_t(handle), name, bytes, std::move(made_with));
   }
   Owned(Owned&& other) noexcept : device_(other.device_), handle_(std::exchange(other.handle_, T{})) {}
   Owned& operator=(Owned&& other) noexcept {

@@ -76,7 +76,7 @@ Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std
   VkPipeline pipeline = VK_NULL_HANDLE;
   check(vkCreateComputePipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
         "vkCreateComputePipelines");
-  p.pipeline_ = Owned<VkPipeline>(device, pipeline, name);
+  p.pipeline_ = Owned<VkPipeline>(device, pipeline, name, 0, {nullptr, p.shaders_});
   return p;
 }
 
@@ -147,12 +147,13 @@ class GraphicsBuilder {
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
           "vkCreateGraphicsPipelines");
-    p.pipeline_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment);
+    p.pipeline_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment, 0, {nullptr, p.shaders_});
     if (spec.facing) {
       raster.cullMode = VK_CULL_MODE_BACK_BIT;
       check(vkCreateGraphicsPipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
             "vkCreateGraphicsPipelines");
-      p.facing_ = Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment + ", facing");
+      p.facing_ =
+          Owned<VkPipeline>(device, pipeline, spec.vertex + "+" + spec.fragment + ", facing", 0, {nullptr, p.shaders_});
     }
     return p;
   }

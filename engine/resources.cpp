@@ -65,7 +65,7 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec)
   check(vkCreateImage(device.handle(), &info, nullptr, &image), "vkCreateImage");
   VkMemoryRequirements needs;
   vkGetImageMemoryRequirements(device.handle(), image, &needs);
-  image_ = Owned<VkImage>(device, image, name, needs.size);
+  image_ = Owned<VkImage>(device, image, name, needs.size, {std::make_shared<const ImageSpec>(spec), {}});
   allocation_ = device.memory().allocate(
       needs, spec.host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
       spec.host        ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
@@ -117,7 +117,7 @@ Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, s
   info.subresourceRange = {aspect(), level, levels, layer, layers};
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device_->handle(), &info, nullptr, &view), "vkCreateImageView");
-  return Owned<VkImageView>(*device_, view, name_);
+  return Owned<VkImageView>(*device_, view, name_, 0, {std::make_shared<const ImageSpec>(spec_), {}});
 }
 
 VkImageView Image::subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
