@@ -99,6 +99,9 @@ void add_work(Plan& plan, const std::vector<PipelineWork>& frame, const std::vec
     pass->triangles += work.triangles;
     pass->dispatches += work.dispatches;
     pass->copies += work.copies;
+    pass->moved.loaded += work.moved.loaded;
+    pass->moved.stored += work.moved.stored;
+    pass->moved.copied += work.moved.copied;
   }
   for (const PlanEffect& part : found)
     for (const PlanPass& pass : part.passes) {

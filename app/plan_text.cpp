@@ -14,6 +14,18 @@ using nlohmann::ordered_json;
 
 std::string mebibytes(std::uint64_t bytes) { return fmt::format("{:.2f}", double(bytes) / 1048576.0); }
 
+// What of it there is.
+std::string moved_text(const PlanMoved& moved) {
+  std::string text;
+  const auto add = [&](const char* what, std::uint64_t bytes) {
+    if (bytes > 0) text += fmt::format("{}{} {} MiB", text.empty() ? "; " : ", ", what, mebibytes(bytes));
+  };
+  add("loads", moved.loaded);
+  add("stores", moved.stored);
+  add("copies", moved.copied);
+  return text;
+}
+
 std::string pass_line(const PlanPass& pass) {
   std::string text = fmt::format("    {:<18}", pass.name);
   text += pass.once ? "once         " : "every frame  ";
@@ -23,7 +35,7 @@ std::string pass_line(const PlanPass& pass) {
   if (pass.dispatches) text += fmt::format("{} dispatch{}", pass.dispatches, pass.dispatches > 1 ? "es" : "");
   if ((pass.draws || pass.dispatches) && pass.copies) text += ", ";
   if (pass.copies) text += fmt::format("{} cop{} into images", pass.copies, pass.copies > 1 ? "ies" : "y");
-  return text + "\n";
+  return text + moved_text(pass.moved) + "\n";
 }
 
 std::string effect_text(const PlanEffect& effect) {
@@ -53,11 +65,16 @@ std::string total_line(const std::string& name, const PlanTotals& t) {
                      t.triangles, t.dispatches, t.pipelines, t.modules, t.words, t.resources, mebibytes(t.bytes));
 }
 
+ordered_json moved_json(const PlanMoved& moved) {
+  return {{"loaded_bytes", moved.loaded}, {"stored_bytes", moved.stored}, {"copied_bytes", moved.copied}};
+}
+
 ordered_json totals_json(const PlanTotals& t) {
   return {{"passes", t.passes},
           {"draws", t.draws},
           {"triangles", t.triangles},
           {"dispatches", t.dispatches},
+          {"moved", moved_json(t.moved)},
           {"pipelines", t.pipelines},
           {"modules", t.modules},
           {"words", t.words},
@@ -75,7 +92,8 @@ ordered_json effect_json(const PlanEffect& effect) {
                       {"draws", pass.draws},
                       {"triangles", pass.triangles},
                       {"dispatches", pass.dispatches},
-                      {"copies", pass.copies}});
+                      {"copies", pass.copies},
+                      {"moved", moved_json(pass.moved)}});
   for (const PlanModule& module : effect.modules) {
     ordered_json entry = {{"name", module.name}, {"words", module.words}};
     if (!module.part_of.empty()) entry["part_of"] = module.part_of;
@@ -93,6 +111,12 @@ ordered_json effect_json(const PlanEffect& effect) {
           {"bytes", effect.bytes}};
 }
 
+void add(PlanMoved& sum, const PlanMoved& moved) {
+  sum.loaded += moved.loaded;
+  sum.stored += moved.stored;
+  sum.copied += moved.copied;
+}
+
 }  // namespace
 
 PlanTotals totals_of(const PlanEffect& effect) {
@@ -103,6 +127,7 @@ PlanTotals totals_of(const PlanEffect& effect) {
     t.draws += pass.draws;
     t.triangles += pass.triangles;
     t.dispatches += pass.dispatches;
+    add(t.moved, pass.moved);
   }
   t.pipelines = effect.pipelines.size();
   for (const PlanModule& module : effect.modules) {
@@ -124,6 +149,7 @@ PlanTotals totals_of(const Plan& plan) {
     sum.draws += t.draws;
     sum.triangles += t.triangles;
     sum.dispatches += t.dispatches;
+    add(sum.moved, t.moved);
     sum.pipelines += t.pipelines;
     sum.modules += t.modules;
     sum.words += t.words;
@@ -144,7 +170,10 @@ std::string plan_text(const Plan& plan) {
   text += fmt::format("{:<16} {:>6} {:>6} {:>10} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9}\n", "a frame", "passes", "draws",
                       "triangles", "dispatches", "pipelines", "modules", "words", "resources", "MiB");
   for (const PlanEffect& effect : plan.effects) text += total_line(effect.name, totals_of(effect));
-  return text + total_line("all", totals_of(plan));
+  const PlanTotals all = totals_of(plan);
+  text += total_line("all", all);
+  return text + fmt::format("\na frame's attachments load {} MiB and store {} MiB; its copies move {} MiB\n",
+                            mebibytes(all.moved.loaded), mebibytes(all.moved.stored), mebibytes(all.moved.copied));
 }
 
 std::string plan_json(const Plan& plan) {

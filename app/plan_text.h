@@ -7,6 +7,12 @@
 
 namespace seascape {
 
+// What commands move through the device's memory (BytesMoved of engine/frame.h).
+struct PlanMoved {
+  std::uint64_t loaded = 0, stored = 0;  // for attachments
+  std::uint64_t copied = 0;
+};
+
 // What one pass records with this effect's pipelines in one frame.
 struct PlanPass {
   std::string name;
@@ -14,6 +20,7 @@ struct PlanPass {
   std::uint64_t times = 0;  // how many passes of this name
   std::uint64_t draws = 0, triangles = 0, dispatches = 0;
   std::uint64_t copies = 0;  // uploads into images
+  PlanMoved moved = {};
 };
 
 struct PlanModule {
@@ -49,6 +56,7 @@ struct Plan {
 
 struct PlanTotals {
   std::uint64_t passes = 0, draws = 0, triangles = 0, dispatches = 0;  // of a frame, what is done once left out
+  PlanMoved moved = {};                                                // likewise
   std::uint64_t pipelines = 0, modules = 0, words = 0, resources = 0, other_objects = 0, bytes = 0;
 };
 

@@ -74,9 +74,13 @@ void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances, std:
 void Commands::copy(const Buffer& from, const Image& to, std::span<const VkBufferImageCopy> regions) {
   vkCmdCopyBufferToImage(commands_, from.get(), to.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                          std::uint32_t(regions.size()), regions.data());
-  for (const VkBufferImageCopy& region : regions)
+  for (const VkBufferImageCopy& region : regions) {
     note(11 + (region.bufferOffset << 8) + (std::uint64_t(region.imageExtent.width) << 40) +
          (std::uint64_t(region.imageExtent.height) << 52));
+    count_moved({0, 0,
+                 std::uint64_t(region.imageExtent.width) * region.imageExtent.height *
+                     region.imageSubresource.layerCount * bytes_per_texel(to.spec().format)});
+  }
   work_->back().copied_to = to.get();
   ++work_->back().copies;
 }
@@ -87,6 +91,7 @@ void Commands::copy(const Buffer& from, const Buffer& to, const VkBufferCopy& pa
   vkCmdCopyBuffer(commands_, from.get(), to.get(), 1, &part);
   note(12 + (part.size << 8));
   if (part.srcOffset + part.dstOffset != 0) note(13 + (part.srcOffset << 8) + (part.dstOffset << 36));
+  count_moved({0, 0, part.size});
   ++work_->back().copies;
 }
 
@@ -107,6 +112,11 @@ void Commands::count_draw(std::uint64_t triangles) {
   ++work_->back().draws;
   counts_->triangles += triangles;
   work_->back().triangles += triangles;
+}
+
+void Commands::count_moved(const BytesMoved& bytes) {
+  counts_->moved += bytes;
+  work_->back().moved += bytes;
 }
 
 namespace {
@@ -252,6 +262,7 @@ void Frame::begin_target(const char* name, const RenderTarget& target, const Use
   if (target.depth()) barriers.add(*target.depth(), Access::depth_target, true);
   if (target.resolved_depth()) barriers.add(*target.resolved_depth(), Access::depth_resolve, true);
   open(name, barriers);
+  commands_.count_moved({target.loaded_bytes(), target.stored_bytes(), 0});
 }
 
 void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
@@ -296,6 +307,8 @@ void Frame::end_eye(const RenderTarget& target, std::size_t pass) {
   vkCmdCopyImage(commands_.commands_, target.resolved_eye()->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                  target.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   commands_.note(10);
+  commands_.count_moved(
+      {0, 0, std::uint64_t(region.extent.width) * region.extent.height * bytes_per_texel(target.spec().colour)});
 }
 
 void Frame::end_pass() {

@@ -42,9 +42,24 @@ class Uses {
   std::size_t count_ = 0;
 };
 
+// Bytes that commands move through the device's memory. What shaders read and write, what the host writes, and the
+// timers' results are not among them.
+struct BytesMoved {
+  std::uint64_t loaded = 0, stored = 0;  // for attachments, before and after a pass
+  std::uint64_t copied = 0;              // from one image or buffer to another: counted once
+  BytesMoved& operator+=(const BytesMoved& other) {
+    loaded += other.loaded;
+    stored += other.stored;
+    copied += other.copied;
+    return *this;
+  }
+  bool operator==(const BytesMoved&) const = default;
+};
+
 // What a frame recorded. The hash covers every command with its arguments, uploads excepted.
 struct FrameCounts {
   std::uint64_t commands = 0, draws = 0, triangles = 0, dispatches = 0, barriers = 0, passes = 0;
+  BytesMoved moved;
   std::uint64_t hash = 1469598103934665603ull;
 };
 
@@ -55,6 +70,7 @@ struct PipelineWork {
   VkPipeline pipeline = VK_NULL_HANDLE;  // null: the pass has bound none yet
   VkImage copied_to = VK_NULL_HANDLE;    // the image that a pass without pipelines copied into last
   std::uint64_t draws = 0, triangles = 0, dispatches = 0, copies = 0;
+  BytesMoved moved = {};  // for attachments: in the first row of the pass
 };
 
 struct PassTime {
@@ -102,6 +118,7 @@ class Commands {
   friend class Frame;
   void note(std::uint64_t what);
   void count_draw(std::uint64_t triangles);
+  void count_moved(const BytesMoved& bytes);
   void push_bytes(const void* data, std::uint32_t bytes);
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   const Pipeline* pipeline_ = nullptr;

@@ -11,55 +11,45 @@ namespace seascape {
 
 namespace {
 
-VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
-  const auto samples = VkSampleCountFlagBits(spec.samples);
+VkRenderPass make_render_pass(Device& device, const TargetSpec& spec, const std::vector<TargetAttachment>& rows) {
+  using Part = TargetAttachment::Part;
   std::vector<VkAttachmentDescription> attachments;
-  auto add = [&](VkFormat format, VkSampleCountFlagBits count, VkAttachmentLoadOp load, VkAttachmentStoreOp store,
-                 VkImageLayout layout) {
-    VkAttachmentDescription a{};
-    a.format = format;
-    a.samples = count;
-    a.loadOp = load;
-    a.storeOp = store;
-    a.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    a.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    a.initialLayout = a.finalLayout = layout;
-    attachments.push_back(a);
-    return VkAttachmentReference{std::uint32_t(attachments.size() - 1), layout};
-  };
-  const bool multi = spec.samples > 1;
-  const VkImageLayout colour_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-  // With several samples only the resolved picture is stored; the samples never leave the tile.
-  VkAttachmentReference colours[2];
-  const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-  colours[0] = add(spec.colour, samples, begin, multi ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE,
-                   colour_layout);
-  VkAttachmentReference depth{}, resolve{}, depth_resolve{};
+  VkAttachmentReference colours[2], depth{}, resolve{}, depth_resolve{};
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
-  subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = colours;
-  if (spec.depth) {
-    depth = add(device.facts().depth_format, samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                spec.keep_depth || (spec.show_depth && !multi) ? VK_ATTACHMENT_STORE_OP_STORE
-                                                               : VK_ATTACHMENT_STORE_OP_DONT_CARE,
-                VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
-    subpass.pDepthStencilAttachment = &depth;
+  for (const TargetAttachment& row : rows) {
+    VkAttachmentDescription a{};
+    a.format = row.format;
+    a.samples = VkSampleCountFlagBits(row.samples);
+    a.loadOp = row.load;
+    a.storeOp = row.store;
+    a.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    a.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    a.initialLayout = a.finalLayout = row.part == Part::depth || row.part == Part::resolved_depth
+                                          ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+                                          : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    const VkAttachmentReference reference{std::uint32_t(attachments.size()), a.finalLayout};
+    attachments.push_back(a);
+    switch (row.part) {
+      case Part::colour:
+      case Part::second:
+        colours[subpass.colorAttachmentCount++] = reference;
+        break;
+      case Part::depth:
+        depth = reference;
+        subpass.pDepthStencilAttachment = &depth;
+        break;
+      case Part::resolved:
+        resolve = reference;
+        subpass.pResolveAttachments = &resolve;
+        break;
+      case Part::resolved_depth:
+        depth_resolve = reference;
+        break;
+    }
   }
-  if (spec.second != VK_FORMAT_UNDEFINED) {
-    assert(!multi);
-    colours[1] = add(spec.second, samples, begin, VK_ATTACHMENT_STORE_OP_STORE, colour_layout);
-    subpass.colorAttachmentCount = 2;
-  }
-  if (multi) {
-    resolve = add(spec.colour, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE,
-                  colour_layout);
-    subpass.pResolveAttachments = &resolve;
-  }
-  const bool resolves_depth = spec.depth && spec.show_depth && multi;
-  if (resolves_depth)
-    depth_resolve = add(device.facts().depth_format, VK_SAMPLE_COUNT_1_BIT, VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                        VK_ATTACHMENT_STORE_OP_STORE, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
+  const bool resolves_depth = !rows.empty() && rows.back().part == Part::resolved_depth;
   const std::uint32_t view_mask = (1u << spec.views) - 1u;
   VkRenderPassMultiviewCreateInfo multiview{VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO};
   multiview.subpassCount = 1;
@@ -81,10 +71,31 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec) {
 
 }  // namespace
 
+// With several samples only the resolved picture is stored: samples, and depth that nobody reads, never leave the tile.
+std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat depth_format) {
+  using Part = TargetAttachment::Part;
+  constexpr auto stored = VK_ATTACHMENT_STORE_OP_STORE, dropped = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  const bool multi = spec.samples > 1;
+  const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+  std::vector<TargetAttachment> rows{{Part::colour, spec.colour, spec.samples, begin, multi ? dropped : stored}};
+  if (spec.depth)
+    rows.push_back({Part::depth, depth_format, spec.samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                    spec.keep_depth || (spec.show_depth && !multi) ? stored : dropped});
+  if (spec.second != VK_FORMAT_UNDEFINED) {
+    assert(!multi);
+    rows.push_back({Part::second, spec.second, spec.samples, begin, stored});
+  }
+  if (multi) rows.push_back({Part::resolved, spec.colour, 1, VK_ATTACHMENT_LOAD_OP_DONT_CARE, stored});
+  if (multi && spec.depth && spec.show_depth)
+    rows.push_back({Part::resolved_depth, depth_format, 1, VK_ATTACHMENT_LOAD_OP_DONT_CARE, stored});
+  return rows;
+}
+
 RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSpec& spec, const LentImages* lent)
     : spec_(spec), image_size_{spec.width, spec.height} {
   if (!spec_.depth || (spec_.samples > 1 && !device.facts().depth_resolve)) spec_.show_depth = false;
-  render_pass_ = make_render_pass(device, spec_);
+  attachments_ = attachments_of(spec_, device.facts().depth_format);
+  render_pass_ = make_render_pass(device, spec_, attachments_);
   make_images(device, name, lent);
   make_framebuffers(device, name);
 }
@@ -181,6 +192,25 @@ void RenderTarget::choose(std::size_t colour, std::size_t depth) {
   // Who lent them had them meanwhile.
   colours_[chosen_colour_].state() = {};
   if (!shown_depths_.empty()) shown_depths_[chosen_depth_].state() = {};
+}
+
+static std::uint64_t bytes_of(const TargetSpec& spec, const TargetAttachment& row) {
+  return std::uint64_t(spec.width) * spec.height * std::uint64_t(spec.views) * std::uint64_t(row.samples) *
+         bytes_per_texel(row.format);
+}
+
+std::uint64_t RenderTarget::loaded_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const TargetAttachment& row : attachments_)
+    if (row.load == VK_ATTACHMENT_LOAD_OP_LOAD) bytes += bytes_of(spec_, row);
+  return bytes;
+}
+
+std::uint64_t RenderTarget::stored_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const TargetAttachment& row : attachments_)
+    if (row.store == VK_ATTACHMENT_STORE_OP_STORE) bytes += bytes_of(spec_, row);
+  return bytes;
 }
 
 void RenderTarget::set_area(std::uint32_t width, std::uint32_t height) {

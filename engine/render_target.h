@@ -31,6 +31,17 @@ struct LentImages {
   std::vector<VkImage> depths;   // of the device's depth format
 };
 
+// An attachment of a target's pass, and what of it is read from memory before and written there after.
+struct TargetAttachment {
+  enum class Part { colour, depth, second, resolved, resolved_depth } part;
+  VkFormat format;
+  int samples;
+  VkAttachmentLoadOp load;
+  VkAttachmentStoreOp store;
+};
+// In the order of the pass's attachments.
+std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat depth_format);
+
 class RenderTarget {
  public:
   RenderTarget() = default;
@@ -49,6 +60,9 @@ class RenderTarget {
   VkRenderPass render_pass() const { return render_pass_; }
   VkSampleCountFlagBits samples() const { return VkSampleCountFlagBits(spec_.samples); }
   bool has_depth() const { return spec_.depth; }
+  // Bytes of memory that drawing all views once reads and writes for attachments: those of a tile in between are not.
+  std::uint64_t loaded_bytes() const;
+  std::uint64_t stored_bytes() const;
   // One framebuffer for a multiview pass, or one an eye.
   std::size_t passes() const { return spec_.per_eye ? std::size_t(spec_.views) : 1; }
   VkFramebuffer framebuffer(std::size_t pass) const {
@@ -72,6 +86,7 @@ class RenderTarget {
   void make_images(Device& device, std::string_view name, const LentImages* lent);
   void make_framebuffers(Device& device, std::string_view name);
   TargetSpec spec_;
+  std::vector<TargetAttachment> attachments_;
   VkExtent2D image_size_{};  // of every image, or less where images are lent that are larger
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
   std::vector<Image> colours_, shown_depths_;  // lent ones, or one

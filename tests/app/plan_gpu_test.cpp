@@ -116,6 +116,9 @@ void expect_what_a_frame_records(const std::string& place) {
   EXPECT_EQ(totals.triangles, counts.triangles);
   EXPECT_EQ(totals.dispatches, counts.dispatches);
   EXPECT_EQ(totals.passes, counts.passes);
+  EXPECT_EQ(totals.moved.loaded, counts.moved.loaded);
+  EXPECT_EQ(totals.moved.stored, counts.moved.stored);
+  EXPECT_EQ(totals.moved.copied, counts.moved.copied);
 
   std::set<std::string> timed, planned;
   for (const PassTime& pass : shot.experience().frame().times()) timed.insert(pass.name);
@@ -153,6 +156,17 @@ void expect_what_a_frame_records(const std::string& place) {
 
 TEST_F(PlanOfADevice, CountsWhatAFrameRecords) {
   for (const char* place : {"gpu", "cpu"}) expect_what_a_frame_records(place);
+}
+
+// Control, seen: a pass's copies left out of the plan.
+TEST_F(PlanOfADevice, CountsWhatAPassMoves) {
+  SeaShot shot({.scene = "storm", .preset = "low", .width = 64, .height = 36, .views = 2});
+  const Plan plan = plan_of(shot, "low");
+  const BytesMoved& moved = shot.counts().moved;
+  ASSERT_GT(moved.copied, 0u);
+  EXPECT_EQ(totals_of(plan).moved.copied, moved.copied);
+  EXPECT_EQ(totals_of(named(plan, "foam")).moved.copied, moved.copied);
+  EXPECT_EQ(totals_of(named(plan, "surface")).moved.stored, 4u * 64 * 36 * 2);
 }
 
 // A scene that does not call for foam has no word of it. Control: a Surface that is always built with foam gave

@@ -14,20 +14,26 @@ Plan sample() {
   PlanEffect waves{"waves", "the scene names it", {}, {}, {}, {}, 2, 0};
   waves.passes = {{"rows", false, 1, 0, 0, 4},
                   {"mips", false, 2, 0, 0, 6},
-                  {"bins", true, 1, 0, 0, 100},
-                  {"tiles", false, 1, 0, 0, 0, 3}};
+                  {"bins", true, 1, 0, 0, 100, 1, {0, 0, 5u << 20}},
+                  {"tiles", false, 1, 0, 0, 0, 3, {0, 0, 3u << 19}}};
   waves.pipelines = {"rows.comp", "mips.comp"};
   waves.modules = {{"rows.comp", 700, ""}, {"mips.comp", 300, ""}};
   waves.resources = {{"image", "tiles", 3u << 20}, {"buffer", "bins", 1u << 20}};
   waves.bytes = 4u << 20;
-  PlanEffect foam{
-      "foam", "waves, again", {{"surface", false, 1, 1, 500, 0}}, {}, {{"surface.frag", 50, "surface"}}, {}, 0, 0};
+  PlanEffect foam{"foam",
+                  "waves, again",
+                  {{"surface", false, 1, 1, 500, 0, 0, {1u << 20, 2u << 20, 0}}},
+                  {},
+                  {{"surface.frag", 50, "surface"}},
+                  {},
+                  0,
+                  0};
   plan.effects = {waves, foam};
   return plan;
 }
 
-// Controls, all seen: a sum that takes what is done once (110 dispatches), one that counts shared words twice (1050),
-// and one that adds up passes that two effects share (5 of 4).
+// Controls, all seen: a sum that takes what is done once (110 dispatches; 6.5 MiB copied), one that counts shared words
+// twice (1050), and one that adds up passes that two effects share (5 of 4).
 TEST(PlanTotals, LeaveOutWhatIsDoneOnceAndWhatIsCountedElsewhere) {
   const Plan plan = sample();
   const PlanTotals waves = totals_of(plan.effects[0]);
@@ -44,6 +50,9 @@ TEST(PlanTotals, LeaveOutWhatIsDoneOnceAndWhatIsCountedElsewhere) {
   EXPECT_EQ(all.resources, 2u);
   EXPECT_EQ(all.other_objects, 2u);
   EXPECT_EQ(all.bytes, 4u << 20);
+  EXPECT_EQ(all.moved.loaded, 1u << 20);
+  EXPECT_EQ(all.moved.stored, 2u << 20);
+  EXPECT_EQ(all.moved.copied, 3u << 19);
 }
 
 TEST(PlanJson, HoldsWhatThePlanHolds) {
@@ -55,12 +64,15 @@ TEST(PlanJson, HoldsWhatThePlanHolds) {
   EXPECT_EQ(waves.at("passes")[1].at("times"), 2);
   EXPECT_EQ(waves.at("passes")[2].at("when"), "once");
   EXPECT_EQ(waves.at("passes")[3].at("copies"), 3);
+  EXPECT_EQ(waves.at("passes")[3].at("moved").at("copied_bytes"), 3 << 19);
   EXPECT_EQ(waves.at("pipelines"), (nlohmann::json{"rows.comp", "mips.comp"}));
   EXPECT_EQ(waves.at("modules")[0].at("words"), 700);
   EXPECT_FALSE(waves.at("modules")[0].contains("part_of"));
   EXPECT_EQ(waves.at("bytes"), 4 << 20);
   EXPECT_EQ(json.at("effects")[1].at("modules")[0].at("part_of"), "surface");
   EXPECT_EQ(json.at("totals").at("words"), 1000);
+  EXPECT_EQ(json.at("totals").at("moved").at("loaded_bytes"), 1 << 20);
+  EXPECT_EQ(json.at("totals").at("moved").at("stored_bytes"), 2 << 20);
 }
 
 TEST(PlanJson, TakesAnyName) {
@@ -81,10 +93,13 @@ TEST(PlanText, SaysWhyAndHowMuch) {
   EXPECT_THAT(text, HasSubstr("64x36, 2 views, 4 x MSAA, on a device"));
   EXPECT_THAT(text, HasSubstr("waves: the scene names it\n"));
   EXPECT_THAT(text, HasSubstr("mips              every frame  2 passes, 6 dispatches\n"));
-  EXPECT_THAT(text, HasSubstr("bins              once         100 dispatches\n"));
-  EXPECT_THAT(text, HasSubstr("tiles             every frame  3 copies into images\n"));
+  EXPECT_THAT(text, HasSubstr("bins              once         100 dispatches, 1 copy into images; copies 5.00 MiB\n"));
+  EXPECT_THAT(text, HasSubstr("tiles             every frame  3 copies into images; copies 1.50 MiB\n"));
+  EXPECT_THAT(text, HasSubstr("1 draw, 500 triangles; loads 1.00 MiB, stores 2.00 MiB\n"));
   EXPECT_THAT(text, HasSubstr("50 words, within the module of surface\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\nall +4 +1 +500 +10 +2 +2 +1000 +2 +4.00\n$"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nall +4 +1 +500 +10 +2 +2 +1000 +2 +4.00\n\n"));
+  EXPECT_THAT(text,
+              testing::EndsWith("a frame's attachments load 1.00 MiB and store 2.00 MiB; its copies move 1.50 MiB\n"));
 }
 
 // Control seen: a plan that leaves them out.
