@@ -215,6 +215,7 @@ void Device::choose_physical(const DeviceOptions& options) {
   facts_.timestamp_period_ns = double(p.limits.timestampPeriod);
   facts_.max_workgroup = options.core_only ? 128 : p.limits.maxComputeWorkGroupInvocations;
   facts_.shared_memory = options.core_only ? 16384 : p.limits.maxComputeSharedMemorySize;
+  facts_.sampled_images = options.core_only ? 16 : p.limits.maxPerStageDescriptorSampledImages;
   facts_.uniform_alignment = std::uint32_t(p.limits.minUniformBufferOffsetAlignment);
   const VkSampleCountFlags samples = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts;
   facts_.sample_counts = samples | 1u;

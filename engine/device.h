@@ -48,6 +48,7 @@ struct DeviceFacts {
   double timestamp_period_ns = 1.0;
   std::uint32_t max_workgroup = 128, shared_memory = 16384;
   std::uint32_t uniform_alignment = 256;
+  std::uint32_t sampled_images = 16;  // that one stage of a pipeline may read
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
 };
 

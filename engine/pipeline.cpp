@@ -20,11 +20,24 @@ Owned<VkShaderModule> make_module(Device& device, const Shader& shader) {
   return Owned<VkShaderModule>(device, module, shader.name, info.codeSize);
 }
 
+// Each tile, window and map of a scene's effects is an image, and devices need not have more than 16 a stage.
+void expect_images_fit(const Device& device, const Shader& shader) {
+  const auto images = std::count_if(shader.bindings.begin(), shader.bindings.end(), [](const ShaderBinding& b) {
+    return b.type == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE || b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  });
+  if (images > std::ptrdiff_t(device.facts().sampled_images))
+    throw Error(device.facts().name,
+                fmt::format("{} reads {} images for the scene's effects, and the device allows {} in a stage",
+                            shader.name, images, device.facts().sampled_images),
+                "leave out some of the scene's effects, or use another device");
+}
+
 }  // namespace
 
 void Pipeline::make_layout(Device& device, std::string_view name) {
   std::vector<VkDescriptorSetLayoutBinding> list;
   for (const auto& shader : shaders_) {
+    expect_images_fit(device, *shader);
     hash_ = hash_ * 1099511628211ull ^ shader->hash;
     if (shader->push_bytes) {
       push_bytes_ = std::max(push_bytes_, shader->push_bytes);
