@@ -216,7 +216,7 @@ void Device::choose_physical(const DeviceOptions& options) {
   facts_.max_workgroup = options.core_only ? 128 : p.limits.maxComputeWorkGroupInvocations;
   facts_.shared_memory = options.core_only ? 16384 : p.limits.maxComputeSharedMemorySize;
   facts_.sampled_images = options.core_only ? 16 : p.limits.maxPerStageDescriptorSampledImages;
-  facts_.uniform_alignment = std::uint32_t(p.limits.minUniformBufferOffsetAlignment);
+  facts_.uniform_alignment = options.core_only ? 256 : std::uint32_t(p.limits.minUniformBufferOffsetAlignment);
   const VkSampleCountFlags samples = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts;
   facts_.sample_counts = samples | 1u;
   for (int s : {2, 4, 8})
@@ -249,7 +249,7 @@ void Device::create_device(const DeviceOptions& options) {
     if ((families[i].queueFlags & wanted) == wanted) {
       queue_family_ = i;
       found = true;
-      facts_.timestamps = families[i].timestampValidBits > 0;
+      facts_.timestamps = families[i].timestampValidBits > 0 && !options.core_only;
     }
   if (!found) throw Error(facts_.name, "the device has no queue for both graphics and compute", "use another device");
 

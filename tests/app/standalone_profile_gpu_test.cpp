@@ -162,6 +162,7 @@ void expect_within_profile(const std::string& preset) {
     SeaShot shot(floor, options_of(scene, preset));
     ASSERT_TRUE(shot.experience().in_tile());
     const Asked asked = asked_by_frames(floor, shot, scene);
+    EXPECT_TRUE(shot.experience().frame().times().empty()) << "timestamps are each device's own";
     EXPECT_THAT(test::beyond({}, asked), testing::IsEmpty()) << scene << " at " << preset;
     all.merge(asked);
   }
@@ -171,23 +172,37 @@ void expect_within_profile(const std::string& preset) {
 TEST_F(Standalone, LowAsksNothingBeyondItsLimits) { expect_within_profile("low"); }
 TEST_F(Standalone, MediumAsksNothingBeyondItsLimits) { expect_within_profile("medium"); }
 
-// What is there of a scene after a frame, and that frame's passes, but for how much of it there is.
+// As far apart as minUniformBufferOffsetAlignment may have them. Control, seen: offsets of multiples of 16.
+TEST_F(Standalone, UniformsAreAsFarApartAsADeviceMayAsk) {
+  DeviceOptions options;
+  options.validation = options.core_only = true;
+  Device floor(options);
+  Frame frame(floor);
+  for (int i = 0; i < 2; ++i) {  // both slots of the ring
+    frame.begin();
+    for (int uniform = 0; uniform < 3; ++uniform) EXPECT_EQ(frame.upload_uniform(1.0f) % 256, 0u);
+    frame.submit();
+  }
+  frame.finish();
+}
+
+// What is there of a scene after two frames but for their timers, and the second one's passes.
 std::vector<std::string> made(Device& device, SeaShot& shot) {
   shot.draw(headset_viewpoint(shot.scene().start), 0.0);
   shot.draw(headset_viewpoint(shot.scene().start), 0.1);
   device.wait_idle();
   std::vector<std::string> list;
   for (const ObjectRecord& object : device.objects())
-    if (object.type == VK_OBJECT_TYPE_PIPELINE || object.type == VK_OBJECT_TYPE_IMAGE ||
-        object.type == VK_OBJECT_TYPE_BUFFER)
+    if (object.name != "frame times" && (object.type == VK_OBJECT_TYPE_PIPELINE ||
+                                         object.type == VK_OBJECT_TYPE_IMAGE || object.type == VK_OBJECT_TYPE_BUFFER))
       list.push_back(object.effect + ": " + object.name);
   for (const PipelineWork& work : shot.experience().frame().work()) list.push_back(std::string("pass: ") + work.pass);
   std::sort(list.begin(), list.end());
   return list;
 }
 
-// A device that has more takes the same way to the picture, but that it cuts clipped water off sample by sample. What
-// draws there is within the limits too. Controls, seen: without that exception the last row differs;
+// A device that has more takes the same path to the picture, except that it cuts clipped water off sample by sample.
+// What draws there is within the limits too. Controls, seen: without that exception the last row differs;
 // "InterpolationFunction" left out of the profile is told.
 TEST_F(Standalone, MoreThanItsLimitsChangesNothingButWhereWaterIsCut) {
   DeviceOptions options;

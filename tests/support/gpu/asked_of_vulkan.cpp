@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <map>
 #include <set>
 #include <spirv/unified1/spirv.hpp>
