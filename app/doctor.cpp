@@ -38,23 +38,23 @@ void look_at_headset(std::vector<Finding>& findings, nlohmann::json& json) {
     const std::vector<float> rates_hz = headset_rates(system, Device(options));
     const HeadsetFacts& f = system.facts();
     findings.push_back({"headset runtime", fmt::format("{} {}", f.runtime, f.runtime_version), "", false});
-    findings.push_back({"headset", fmt::format("{}: {} views, {}x{} pixels an eye recommended, {}x{} at most", f.headset,
-                                               f.views, f.width, f.height, f.most_width, f.most_height),
+    findings.push_back({"headset",
+                        fmt::format("{}: {} views, {}x{} pixels an eye recommended, {}x{} at most", f.headset, f.views,
+                                    f.width, f.height, f.most_width, f.most_height),
                         "", false});
     findings.push_back({"headset rates",
                         rates_hz.empty() ? "its own, which it does not say"
                                          : fmt::format("{:g} pictures a second", fmt::join(rates_hz, ", ")),
                         "", false});
     std::vector<std::string> used, missing;
-    for (const std::string_view name : headset_extensions())
-      (f.has(name) ? used : missing).emplace_back(name);
+    for (const std::string_view name : headset_extensions()) (f.has(name) ? used : missing).emplace_back(name);
     findings.push_back({"headset extensions", fmt::format("{}", fmt::join(used, " ")), "", false});
     if (!missing.empty())
       findings.push_back({"", fmt::format("not offered, and done without: {}", fmt::join(missing, " ")), "", false});
-    json["headset"] = {{"runtime", f.runtime},         {"version", f.runtime_version},
-                       {"name", f.headset},            {"views", f.views},
-                       {"width", f.width},             {"height", f.height},
-                       {"most_width", f.most_width},   {"most_height", f.most_height},
+    json["headset"] = {{"runtime", f.runtime},       {"version", f.runtime_version},
+                       {"name", f.headset},          {"views", f.views},
+                       {"width", f.width},           {"height", f.height},
+                       {"most_width", f.most_width}, {"most_height", f.most_height},
                        {"rates_hz", rates_hz},       {"extensions", f.extensions},
                        {"extensions_used", used}};
   } catch (const Error& error) {

@@ -94,6 +94,11 @@ bool Experience::deferred() const {
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
+void Experience::show_hands(std::vector<ShownHand> hands) {
+  assert(options_.hands);
+  shown_hands_ = std::move(hands);
+}
+
 void Experience::show_comfort(const ComfortShown& shown) {
   assert(options_.comfort);
   comfort_shown_ = shown;
@@ -149,6 +154,8 @@ void Experience::build() {
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
                                           SprayLook{tile, surface_->depths()});
+  hands_.reset();
+  if (options_.hands) hands_ = std::make_unique<DrawnHands>(device_, shaders_, drawn, light, tile, surface_->depths());
   comfort_.reset();
   if (options_.comfort) comfort_ = std::make_unique<ComfortOverlay>(device_, shaders_, picture_, frame_->ring());
   sky_pipeline_ = {};
@@ -234,6 +241,7 @@ void Experience::set_area() {
 void Experience::take_targets() {
   surface_->resize(in_tile() ? picture_ : lit_);
   if (spray_) spray_->resize(surface_->depths());
+  if (hands_) hands_->resize(surface_->depths());
   if (tone_pipeline_) bind_tone();
   set_area();
 }

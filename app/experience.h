@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/comfort_overlay.h"
+#include "app/drawn_hands.h"
 #include "app/scene.h"
 #include "app/sky.h"
 #include "ocean/ocean.h"
@@ -19,8 +20,9 @@ struct ExperienceOptions {
   // Room for larger pictures, so that another size makes nothing; 0: for the size that is drawn.
   std::uint32_t most_width = 0, most_height = 0;
   VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;  // of the finished picture: an sRGB one
+  bool hands = false;                         // hands can be shown (show_hands)
   bool show_depth = false;                    // whoever shows the picture gets its depth too
-  bool comfort = false;         // a vignette and a horizon line can be shown (show_comfort)
+  bool comfort = false;                       // a vignette and a horizon line can be shown (show_comfort)
 };
 
 class Experience {
@@ -58,6 +60,9 @@ class Experience {
   // What is drawn over the pictures from the next frame on, where options().comfort has made what draws it. Makes
   // nothing, and outlives a rebuild.
   void show_comfort(const ComfortShown& shown);
+
+  // The hands of the frames from now on; with options().hands.
+  void show_hands(std::vector<ShownHand> hands);
 
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
@@ -103,6 +108,8 @@ class Experience {
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
   std::unique_ptr<ComfortOverlay> comfort_;
+  std::unique_ptr<DrawnHands> hands_;
+  std::vector<ShownHand> shown_hands_;
   ComfortShown comfort_shown_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   std::shared_ptr<const LentImages> lent_;

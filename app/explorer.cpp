@@ -63,7 +63,7 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
   result.show_depth = display_.shows_depth();
   result.most_width = display_.most_size().x;
   result.most_height = display_.most_size().y;
-  result.comfort = display_.tracks_head();
+  result.comfort = result.hands = display_.tracks_head();
   return result;
 }
 
@@ -364,6 +364,7 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
   move(display_.input(), dt_s);
+  if (display_.tracks_head()) show_hands(display_.input());
   const Viewpoint viewpoint = display_.viewpoint(carrier());
   record(display_.input(), viewpoint.viewer);
   draw_frame(*experience_, frame, viewpoint, sea_time_s());

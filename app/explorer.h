@@ -33,6 +33,7 @@ class Explorer {
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
   void record(const Input& input, const Pose& head);
+  void show_hands(const Input& input);
   std::array<std::optional<Pose>, 2> hands(const Input& input) const;  // in the world
   Pose carrier() const;
   Pose head() const;  // before a frame is drawn: as it was last

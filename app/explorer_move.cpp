@@ -73,6 +73,19 @@ std::array<std::optional<Pose>, 2> Explorer::hands(const Input& input) const {
   return found;
 }
 
+// Where they are held, pointing as they aim.
+void Explorer::show_hands(const Input& input) {
+  std::vector<ShownHand> shown;
+  for (std::size_t hand = 0; hand < 2; ++hand) {
+    if (!input.hands[hand]) continue;
+    const Pose at{input.hands[hand]->grip.position_m, input.hands[hand]->aim.orientation};
+    const double closed = std::max(input.value(hand == 0 ? Action::grab_left : Action::grab_right),
+                                   0.4 * input.value(hand == 0 ? Action::select_left : Action::select_right));
+    shown.push_back({composed(carrier(), at), hand == 1, closed});
+  }
+  experience_->show_hands(std::move(shown));
+}
+
 void Explorer::record(const Input& input, const Pose& head) {
   head_ = head;
   if (std::exchange(recording_wanted_, false)) {

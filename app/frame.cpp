@@ -66,6 +66,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
+  if (e.hands_) e.hands_->update(frame, e.shown_hands_, viewpoint.viewer.position_m);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
@@ -93,6 +94,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
+    if (e.hands_) e.hands_->draw(c, uniform);
     if (e.spray_) e.spray_->draw(c, uniform);
     finish(c, tile);
   });
@@ -100,6 +102,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     e.surface_->add_points(uses);
     record("light", drawn, uses, [&](Commands& c) {
       e.surface_->light(c, uniform);
+      if (e.hands_) e.hands_->draw(c, uniform);
       if (e.spray_) e.spray_->draw(c, uniform);
       finish(c, tile);
     });
