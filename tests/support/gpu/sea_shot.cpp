@@ -21,9 +21,10 @@ SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), 
   scene.clip_room = options.clip_room;
   scene.actors_foam = options.actors_foam;
   for (const auto& [key, value] : options.set) set_from_text(scene.settings, key, value, "test");
-  experience_ = std::make_unique<Experience>(device, shaders(), scene,
-                                             ExperienceOptions{options.width, options.height, options.views,
-                                                               options.per_eye, options.probe, false, options.comfort});
+  ExperienceOptions wanted{options.width, options.height, options.views, options.per_eye, options.probe};
+  wanted.comfort = options.comfort;
+  wanted.hands = options.hands;
+  experience_ = std::make_unique<Experience>(device, shaders(), scene, wanted);
 }
 
 Viewpoint SeaShot::viewpoint(const Pose& head) const {
