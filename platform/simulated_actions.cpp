@@ -35,7 +35,9 @@ XRAPI_ATTR XrResult XRAPI_CALL create_set(XrInstance instance, const XrActionSet
 XRAPI_ATTR XrResult XRAPI_CALL destroy_set(XrActionSet set) {
   State& s = object<ActionSet>(set).of;
   std::erase_if(s.sets, [&](const auto& one) { return handle<XrActionSet>(one.get()) == set; });
-  if (s.sets.empty()) s.actions.clear();
+  if (!s.sets.empty()) return XR_SUCCESS;
+  s.actions.clear();
+  s.suggested.clear();
   return XR_SUCCESS;
 }
 
@@ -47,7 +49,7 @@ XRAPI_ATTR XrResult XRAPI_CALL create_action(XrActionSet set, const XrActionCrea
       return XR_ERROR_PATH_FORMAT_INVALID;
   for (const auto& one : s.actions)
     if (one->name == info->actionName) return XR_ERROR_NAME_DUPLICATED;
-  s.actions.push_back(std::make_unique<Action>(Action{s, info->actionName, info->actionType}));
+  s.actions.push_back(std::make_unique<Action>(Action{s, object<ActionSet>(set), info->actionName, info->actionType}));
   *made = handle<XrAction>(s.actions.back().get());
   return XR_SUCCESS;
 }
@@ -55,7 +57,10 @@ XRAPI_ATTR XrResult XRAPI_CALL create_action(XrActionSet set, const XrActionCrea
 XRAPI_ATTR XrResult XRAPI_CALL suggest(XrInstance instance, const XrInteractionProfileSuggestedBinding* info) {
   State& s = object<State>(instance);
   if (info->countSuggestedBindings == 0) return XR_ERROR_VALIDATION_FAILURE;
-  s.profiles.push_back(s.paths.at(std::size_t(info->interactionProfile) - 1));
+  auto& bindings = s.suggested[s.paths.at(std::size_t(info->interactionProfile) - 1)];
+  bindings.clear();
+  for (const XrActionSuggestedBinding& one : std::span(info->suggestedBindings, info->countSuggestedBindings))
+    bindings.push_back({one.action, s.paths.at(std::size_t(one.binding) - 1)});
   return XR_SUCCESS;
 }
 
@@ -73,7 +78,8 @@ XRAPI_ATTR XrResult XRAPI_CALL attach(XrSession session, const XrSessionActionSe
 
 XRAPI_ATTR XrResult XRAPI_CALL get_profile(XrSession session, XrPath, XrInteractionProfileState* profile) {
   State& s = object<State>(session);
-  const auto found = std::find(s.paths.begin(), s.paths.end(), held_profile);
+  const std::string held = s.options.profile.empty() ? held_profile : s.options.profile;
+  const auto found = std::find(s.paths.begin(), s.paths.end(), held);
   profile->interactionProfile = found == s.paths.end() ? XR_NULL_PATH : XrPath(found - s.paths.begin()) + 1;
   return XR_SUCCESS;
 }
@@ -92,8 +98,12 @@ XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession session, const XrActionSpa
 XRAPI_ATTR XrResult XRAPI_CALL sync(XrSession session, const XrActionsSyncInfo* info) {
   State& s = object<State>(session);
   if (s.lost) return XR_ERROR_SESSION_LOST;
-  for (std::uint32_t i = 0; i < info->countActiveActionSets; ++i)
-    if (!object<ActionSet>(info->activeActionSets[i].actionSet).attached) return XR_ERROR_ACTIONSET_NOT_ATTACHED;
+  for (const auto& set : s.sets) set->active = false;
+  for (std::uint32_t i = 0; i < info->countActiveActionSets; ++i) {
+    ActionSet& set = object<ActionSet>(info->activeActionSets[i].actionSet);
+    if (!set.attached) return XR_ERROR_ACTIONSET_NOT_ATTACHED;
+    set.active = true;
+  }
   s.synced_focused = has_focus(s);
   const double now_s = s.time_s(), before_s = s.synced_s;
   s.synced_s = now_s;
@@ -105,15 +115,35 @@ XRAPI_ATTR XrResult XRAPI_CALL sync(XrSession session, const XrActionsSyncInfo* 
   return XR_SUCCESS;
 }
 
+// Of several inputs that are bound to an action, the one that is pressed or pushed farthest counts.
+void read_inputs(const State& s, XrAction action, XrActionStateFloat& state) {
+  const auto bindings = s.suggested.find(s.options.profile);
+  if (bindings == s.suggested.end()) return;
+  for (const SuggestedBinding& one : bindings->second) {
+    if (one.action != action) continue;
+    state.isActive = XR_TRUE;
+    const auto input = s.inputs.find(one.input.substr(std::string_view("/user/hand/").size()));
+    const float value = input == s.inputs.end() ? 0.0f : float(input->second);
+    if (std::abs(value) > std::abs(state.currentState)) state.currentState = value;
+  }
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL get_float(XrSession session, const XrActionStateGetInfo* info,
                                          XrActionStateFloat* state) {
   const State& s = object<State>(session);
   if (s.lost) return XR_ERROR_SESSION_LOST;
   const Action& action = object<Action>(info->action);
   if (action.type != XR_ACTION_TYPE_FLOAT_INPUT) return XR_ERROR_ACTION_TYPE_MISMATCH;
-  const auto named = action_named(action.name);
-  state->isActive = s.synced_focused && named;
-  state->currentState = state->isActive ? float(s.values[std::size_t(*named)] / controller_value(*named)) : 0.0f;
+  state->isActive = XR_FALSE;
+  state->currentState = 0.0f;
+  if (!s.synced_focused || !action.set.active) return XR_SUCCESS;
+  if (s.options.profile.empty()) {
+    const auto named = action_named(action.name);
+    state->isActive = named.has_value();
+    if (named) state->currentState = float(s.values[std::size_t(*named)] / controller_value(*named));
+  } else {
+    read_inputs(s, info->action, *state);
+  }
   return XR_SUCCESS;
 }
 

@@ -48,6 +48,7 @@ SimulatedRuntime::~SimulatedRuntime() = default;
 
 PFN_xrGetInstanceProcAddr SimulatedRuntime::get() const { return simulated::get_instance_proc_addr; }
 const void* SimulatedRuntime::next() const { return &state_->chained; }
+void SimulatedRuntime::set_input(const std::string& path, double value) { state_->inputs[path] = value; }
 std::size_t SimulatedRuntime::frames_ended() const { return state_->ended; }
 std::size_t SimulatedRuntime::frames_shown() const { return state_->shown; }
 const std::vector<SimulatedBuzz>& SimulatedRuntime::buzzes() const { return state_->buzzes; }
@@ -121,6 +122,7 @@ void State::follow_script() {
   }
   if (options.ends && now_s > timeline.end_s()) leaving = true;
   before_s = now_s;
+  if (!focused || !on) synced_s = now_s;  // what is done meanwhile is meant for others
   if (lost) return;
   if (leaving) {
     if (session_state == XR_SESSION_STATE_STOPPING) return;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/image_file.h"
@@ -18,6 +19,9 @@ struct SimulatedOptions {
   bool ends = true;           // with the script: the person leaves then
   std::filesystem::path out;  // folder for the pictures that both eyes see; empty: none
   int every = 0;              // of so many frames one; 0: none
+  // "/interaction_profiles/...": the controllers' inputs are what set_input() says, and do what was suggested for them.
+  // Empty: the script gives actions by their names.
+  std::string profile;
 };
 
 struct SimulatedBuzz {
@@ -36,6 +40,9 @@ class SimulatedRuntime {
   // What HeadsetSystem is made with.
   PFN_xrGetInstanceProcAddr get() const;
   const void* next() const;
+
+  // How far an input of the profile's controllers is pressed or pushed from now on: "left/input/trigger/value".
+  void set_input(const std::string& path, double value);
 
   std::size_t frames_ended() const;  // since the start, those without a picture too
   std::size_t frames_shown() const;

@@ -24,16 +24,23 @@ struct Space {
   Pose offset;
 };
 
-struct Action {
-  SimulatedRuntime::State& of;
-  std::string name;
-  XrActionType type;
-};
-
 struct ActionSet {
   SimulatedRuntime::State& of;
   std::string name;
   bool attached = false;
+  bool active = false;  // in the last sync
+};
+
+struct Action {
+  SimulatedRuntime::State& of;
+  const ActionSet& set;
+  std::string name;
+  XrActionType type;
+};
+
+struct SuggestedBinding {
+  XrAction action;
+  std::string input;  // "/user/hand/left/input/trigger/value"
 };
 
 struct Swapchain {
@@ -119,7 +126,8 @@ struct SimulatedRuntime::State {
   std::vector<std::unique_ptr<simulated::ActionSet>> sets;
   std::vector<std::unique_ptr<simulated::Swapchain>> swapchains;
   simulated::Vulkan vulkan;
-  std::vector<std::string> profiles;  // that bindings were suggested for
+  std::map<std::string, std::vector<simulated::SuggestedBinding>> suggested;  // by profile
+  std::map<std::string, double> inputs;                                       // "left/input/trigger/value"
 
   Pose floor;               // the middle of the floor: where it was centred last, in the room
   std::int64_t frame = -1;  // the one that was waited for last
