@@ -16,8 +16,6 @@ namespace seascape {
 
 namespace {
 
-constexpr XrPosef nowhere{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
-
 XrPosef xr_pose(const Pose& pose) {
   const glm::quat q(pose.orientation);
   const glm::vec3 p(pose.position_m);
@@ -31,9 +29,10 @@ double yaw_of(const glm::dquat& orientation) {  // about +y, radians
 }
 
 bool fov_is_sound(const XrFovf& fov) {
-  constexpr float most = 1.55f;  // 89 degrees
-  return fov.angleLeft < fov.angleRight && fov.angleDown < fov.angleUp && std::abs(fov.angleLeft) < most &&
-         std::abs(fov.angleRight) < most && std::abs(fov.angleUp) < most && std::abs(fov.angleDown) < most;
+  constexpr float most = 1.55f, least = 0.017f;  // 89 degrees, and one from side to side
+  return fov.angleRight - fov.angleLeft > least && fov.angleUp - fov.angleDown > least &&
+         std::abs(fov.angleLeft) < most && std::abs(fov.angleRight) < most && std::abs(fov.angleUp) < most &&
+         std::abs(fov.angleDown) < most;
 }
 
 constexpr XrFovf usual_fov{-0.785f, 0.785f, 0.785f, -0.785f};
@@ -41,12 +40,6 @@ constexpr XrFovf usual_fov{-0.785f, 0.785f, 0.785f, -0.785f};
 Fov fov_from(const XrFovf& fov) {
   return {std::tan(double(fov.angleLeft)), std::tan(double(fov.angleRight)), std::tan(double(fov.angleUp)),
           std::tan(double(fov.angleDown))};
-}
-
-const char* state_name(XrSessionState state) {
-  constexpr const char* names[] = {"unknown", "idle",     "ready",        "synchronized", "visible",
-                                   "focused", "stopping", "loss pending", "exiting"};
-  return std::size_t(state) < std::size(names) ? names[std::size_t(state)] : "unheard of";
 }
 
 }  // namespace
@@ -91,267 +84,84 @@ void Headset::set_scale(double scale) {
   height_ = size(options_.height, facts.height, most_height_);
 }
 
-// A call that finds the session lost leaves it to begin() to make another.
-XrResult Headset::checked(XrResult result, const char* call) {
-  if (result == XR_ERROR_SESSION_LOST) {
-    if (!session_lost_) spdlog::warn("headset: the session is lost ({}); waiting for another", call);
-    session_lost_ = true;
-    return result;
-  }
-  return check_xr(result, call);
+// begin() makes another. There is no frame of a lost session to end.
+void Headset::lose_session(const SessionLost& fault) {
+  if (!session_lost_) spdlog::warn("headset: the session is lost ({}); waiting for another", fault.fault());
+  session_lost_ = true;
+  frame_begun_ = should_render_ = false;
 }
 
 void Headset::tell(HeadsetCall::Kind kind, std::span<const XrView> views) const {
   if (report_) report_({kind, frame_state_.predictedDisplayTime, {views.begin(), views.end()}});
 }
 
-void Headset::begin_session() {
-  XrGraphicsBindingVulkan2KHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR};
-  binding.instance = device_.instance();
-  binding.physicalDevice = device_.physical();
-  binding.device = device_.handle();
-  binding.queueFamilyIndex = device_.queue_family();
-  XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
-  info.next = &binding;
-  info.systemId = system_.id();
-  {
-    const std::lock_guard lock(device_.queue_mutex());
-    check_xr(api_.CreateSession(system_.instance(), &info, &session_), "xrCreateSession");
-  }
-  state_ = XR_SESSION_STATE_UNKNOWN;
-  session_lost_ = running_ = false;
-  first_time_.reset();
-  choose_space();
-  controllers_ = std::make_unique<HeadsetInput>(system_, session_, options_.left_handed);
-  make_pictures();
-  ask_for_rate();
-  if (system_.uses(XR_EXT_PERFORMANCE_SETTINGS_EXTENSION_NAME) && api_.PerfSettingsSetPerformanceLevelEXT)
-    for (const XrPerfSettingsDomainEXT domain : {XR_PERF_SETTINGS_DOMAIN_CPU_EXT, XR_PERF_SETTINGS_DOMAIN_GPU_EXT})
-      api_.PerfSettingsSetPerformanceLevelEXT(session_, domain, XR_PERF_SETTINGS_LEVEL_SUSTAINED_HIGH_EXT);
-}
-
-void Headset::end_session() {
-  controllers_.reset();
-  if (layer_) layer_->reset();
-  colours_ = {};
-  depths_ = {};
-  for (XrSpace* space : {&space_, &view_space_}) {
-    if (*space) api_.DestroySpace(*space);
-    *space = XR_NULL_HANDLE;
-  }
-  if (session_) {
-    const std::lock_guard lock(device_.queue_mutex());
-    api_.DestroySession(session_);
-  }
-  session_ = XR_NULL_HANDLE;
-  running_ = frame_begun_ = false;
-}
-
-// LOCAL_FLOOR, or STAGE, whose origins lie on the floor, or LOCAL, which is at the head's height.
-void Headset::choose_space() {
-  std::uint32_t count = 0;
-  check_xr(api_.EnumerateReferenceSpaces(session_, 0, &count, nullptr), "xrEnumerateReferenceSpaces");
-  std::vector<XrReferenceSpaceType> types(std::min(count, 64u));
-  count = std::uint32_t(types.size());
-  if (count > 0)
-    check_xr(api_.EnumerateReferenceSpaces(session_, count, &count, types.data()), "xrEnumerateReferenceSpaces");
-  space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
-  for (const XrReferenceSpaceType type : {XR_REFERENCE_SPACE_TYPE_STAGE, XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT})
-    if (std::find(types.begin(), types.end(), type) != types.end() &&
-        (type != XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT || system_.uses(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME)))
-      space_type_ = type;
-  space_offset_ = nowhere;
-  XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-  info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_VIEW;
-  info.poseInReferenceSpace = nowhere;
-  check_xr(api_.CreateReferenceSpace(session_, &info, &view_space_), "xrCreateReferenceSpace");
-  move_space();
-}
-
-// Makes the space anew where space_offset_ says.
-void Headset::move_space() {
-  XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-  info.referenceSpaceType = space_type_;
-  info.poseInReferenceSpace = space_offset_;
-  if (space_type_ == XR_REFERENCE_SPACE_TYPE_LOCAL)
-    info.poseInReferenceSpace.position.y -= float(options_.eye_height_m);
-  XrSpace made = XR_NULL_HANDLE;
-  if (checked(api_.CreateReferenceSpace(session_, &info, &made), "xrCreateReferenceSpace") == XR_ERROR_SESSION_LOST)
-    return;
-  if (space_) api_.DestroySpace(space_);
-  space_ = made;
-}
-
-void Headset::make_pictures() {
-  const VkFormat colour = headset_format(system_, session_, {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB});
-  if (colour == VK_FORMAT_UNDEFINED)
-    throw Error(system_.facts().runtime, "it takes no sRGB pictures of 8 bits", "update the headset's runtime");
-  if (colour_ != VK_FORMAT_UNDEFINED && colour != colour_)
-    throw Error(system_.facts().runtime, "its new session takes other pictures than the last", "start seascape anew");
-  colour_ = colour;
-  depth_format_ = VK_FORMAT_UNDEFINED;
-  if (system_.uses(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME))
-    depth_format_ = headset_format(system_, session_, {device_.facts().depth_format});
-  HeadsetSwapchainSpec spec{
-      most_width_, most_height_, 2, colour_,
-      XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_SRC_BIT};
-  colours_ = HeadsetSwapchain(system_, session_, spec);
-  if (depth_format_ != VK_FORMAT_UNDEFINED) {
-    spec.format = depth_format_;
-    spec.usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
-    depths_ = HeadsetSwapchain(system_, session_, spec);
-  }
-  auto lent = std::make_shared<LentImages>();
-  lent->width = most_width_;
-  lent->height = most_height_;
-  lent->colours = colours_.images();
-  lent->depths = depths_.images();
-  lent_ = std::move(lent);
-}
-
-void Headset::ask_for_rate() {
-  if (options_.rate_hz <= 0.0 || !api_.RequestDisplayRefreshRateFB) return;
-  if (XR_FAILED(api_.RequestDisplayRefreshRateFB(session_, float(options_.rate_hz))))
-    spdlog::warn("headset: it does not show {:g} pictures a second", options_.rate_hz);
-}
-
-void Headset::take_state(XrSessionState state) {
-  spdlog::debug("headset: {}", state_name(state));
-  const bool was_focused = state_ == XR_SESSION_STATE_FOCUSED;
-  state_ = state;
-  if (was_focused && state != XR_SESSION_STATE_FOCUSED) gatherer_.reset();
-  switch (state) {
-    case XR_SESSION_STATE_READY: {
-      XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO};
-      info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-      if (checked(api_.BeginSession(session_, &info), "xrBeginSession") != XR_ERROR_SESSION_LOST) running_ = true;
-      break;
-    }
-    case XR_SESSION_STATE_STOPPING:
-      running_ = false;
-      checked(api_.EndSession(session_), "xrEndSession");
-      break;
-    case XR_SESSION_STATE_EXITING:
-      closed_ = true;
-      running_ = false;
-      break;
-    case XR_SESSION_STATE_LOSS_PENDING:
-      session_lost_ = true;
-      break;
-    default:
-      break;
-  }
-}
-
-void Headset::take_events() {
-  for (int patience = 0; patience < 1000; ++patience) {
-    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-    if (check_xr(api_.PollEvent(system_.instance(), &event), "xrPollEvent") != XR_SUCCESS) return;
-    switch (int(event.type)) {  // newer ones have no name here
-      case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-        throw HeadsetLost("");
-      case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-        if (const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
-            changed.session == session_)
-          take_state(changed.state);
-        break;
-      case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
-        // The runtime centred it anew: what was centred here before counts no more.
-        if (reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event).referenceSpaceType == space_type_) {
-          space_offset_ = nowhere;
-          move_space();
-          moved_ = true;
-        }
-        break;
-      case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
-        spdlog::debug("headset: controllers {}", controllers_->profile(session_));
-        break;
-      case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-        spdlog::warn("headset: the runtime lost {} events",
-                     reinterpret_cast<const XrEventDataEventsLost&>(event).lostEventCount);
-        break;
-      case XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT:
-        away_ = !reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event).isUserPresent;
-        break;
-      case XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB:
-        spdlog::info("headset: {:g} pictures a second",
-                     reinterpret_cast<const XrEventDataDisplayRefreshRateChangedFB&>(event).toDisplayRefreshRate);
-        break;
-      case XR_TYPE_EVENT_DATA_PERF_SETTINGS_EXT:
-        spdlog::warn("headset: the runtime says that the machine is {} for this load",
-                     reinterpret_cast<const XrEventDataPerfSettingsEXT&>(event).toLevel ==
-                             XR_PERF_SETTINGS_NOTIF_LEVEL_NORMAL_EXT
-                         ? "cool enough again"
-                         : "too warm or too slow");
-        break;
-      default:
-        break;
-    }
-  }
-}
-
-// Waits for the time to draw; false: there is no frame now.
-bool Headset::wait_frame() {
+// Waits for the time to draw, and begins a frame.
+void Headset::begin_frame(DisplayFrame& frame) {
   frame_state_ = {XR_TYPE_FRAME_STATE};
-  if (checked(api_.WaitFrame(session_, nullptr, &frame_state_), "xrWaitFrame") == XR_ERROR_SESSION_LOST) return false;
+  check_xr(api_.WaitFrame(session_, nullptr, &frame_state_), "xrWaitFrame");
   tell(HeadsetCall::Kind::wait);
   const XrTime time = frame_state_.predictedDisplayTime;
-  if (!first_time_) {
-    first_time_ = time;
-    before_s_ = time_s_;
-  }
-  time_s_ = std::max(time_s_, before_s_ + double(time - *first_time_) * 1e-9);  // a clock that jumps back stands
+  pass_time(time);
   controllers_->sync(session_, space_, time, post_, state_ == XR_SESSION_STATE_FOCUSED);
-  {
-    const std::lock_guard lock(device_.queue_mutex());
-    if (checked(api_.BeginFrame(session_, nullptr), "xrBeginFrame") == XR_ERROR_SESSION_LOST) return false;
-  }
+  const std::lock_guard lock(device_.queue_mutex());
+  check_xr(api_.BeginFrame(session_, nullptr), "xrBeginFrame");
   tell(HeadsetCall::Kind::begin);
   frame_begun_ = true;
-  return true;
+  if (frame_state_.shouldRender) {
+    frame.colour = colours_.acquire();
+    if (depths_) frame.depth = depths_.acquire();
+    should_render_ = true;
+  }
+  frame.period_s = std::max(0.0, double(frame_state_.predictedDisplayPeriod) * 1e-9);
+}
+
+// Time stands where a runtime's clock jumps back, and goes on from there.
+void Headset::pass_time(XrTime time) {
+  constexpr std::int64_t longest_ns = 3'600'000'000'000;
+  if (time <= 0) return;  // none at all, to OpenXR
+  if (last_time_ && time > *last_time_) elapsed_ns_ += std::min(time - *last_time_, longest_ns);
+  last_time_ = time;
+}
+
+// Until the runtime gives another session there is none.
+void Headset::begin_another_session() {
+  device_.wait_for_gpu();
+  end_session();
+  try {
+    begin_session();
+    spdlog::info("headset: another session begins");
+  } catch (const HeadsetLost&) {
+    throw;
+  } catch (const Error& fault) {
+    spdlog::debug("headset: no session yet: {}", fault.what());
+    end_session();
+    session_lost_ = true;
+  }
 }
 
 DisplayFrame Headset::begin() {
-  moved_ = false;
-  take_events();
-  if (session_lost_ && !closed_) {
-    device_.wait_for_gpu();
-    end_session();
-    try {
-      begin_session();
-      spdlog::info("headset: another session begins");
-    } catch (const HeadsetLost&) {
-      throw;
-    } catch (const Error& fault) {
-      spdlog::debug("headset: no session yet: {}", fault.what());
-      end_session();
-      session_lost_ = true;
-    }
-  }
   DisplayFrame frame;
-  frame.width = width_;
-  frame.height = height_;
-  frame.should_render = false;
-  should_render_ = false;
-  if (running_ && !closed_ && wait_frame()) {
-    should_render_ = frame_state_.shouldRender && !session_lost_;
-    if (should_render_) {
-      const std::lock_guard lock(device_.queue_mutex());
-      frame.colour = colours_.acquire();
-      if (depths_) frame.depth = depths_.acquire();
+  moved_ = should_render_ = false;
+  try {
+    take_events();
+    if (session_lost_ && !closed_) begin_another_session();
+    if (running_ && !closed_) begin_frame(frame);
+    if (recentre_wanted_ && head_ && running_) {
+      recentre_wanted_ = false;
+      centre_under_head();
     }
-    frame.should_render = should_render_;
-    frame.period_s = double(frame_state_.predictedDisplayPeriod) * 1e-9;
-  } else if (!closed_) {
+  } catch (const SessionLost& fault) {
+    lose_session(fault);
+  }
+  if (!frame_begun_ && !closed_) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));  // events are all that comes now
     frame.away = true;
   }
-  if (recentre_wanted_ && head_ && running_) {
-    recentre_wanted_ = false;
-    centre_under_head();
-  }
   controllers_gather();
-  frame.time_s = time_s_;
+  frame.width = width_;
+  frame.height = height_;
+  frame.should_render = should_render_;
+  frame.time_s = double(elapsed_ns_) * 1e-9;
   frame.closed = closed_;
   frame.focused = state_ == XR_SESSION_STATE_FOCUSED;
   frame.moved = moved_;
@@ -360,9 +170,15 @@ DisplayFrame Headset::begin() {
 }
 
 void Headset::controllers_gather() {
-  if (controllers_ && state_ == XR_SESSION_STATE_FOCUSED) controllers_->gather(gatherer_);
+  const bool focused = frame_begun_ && controllers_->focused();
+  if (focused) {
+    if (lost_focus_) gatherer_.reset();  // what is held when the focus comes back was pressed for others
+    controllers_->gather(gatherer_);
+  }
+  lost_focus_ = had_focus_ && !focused;
+  had_focus_ = had_focus_ || focused;
   input_ = gatherer_.take();
-  input_.hands = controllers_ && state_ == XR_SESSION_STATE_FOCUSED ? controllers_->hands() : decltype(input_.hands){};
+  input_.hands = focused ? controllers_->hands() : decltype(input_.hands){};
 }
 
 // The space's new origin, seen from the old one, is the floor under the head, turned as the head is.
@@ -438,7 +254,11 @@ void Headset::end(Frame& frame, const RenderTarget* picture, const Image* depth)
   if (shown && layer_) quad_ = layer_->draw(frame);
   if (shown) hand_over(frame, *picture, depth);
   if (picture) frame.submit();
-  if (frame_begun_) end_frame(shown, depth != nullptr);
+  try {
+    if (frame_begun_) end_frame(shown, depth != nullptr);
+  } catch (const SessionLost& fault) {
+    lose_session(fault);
+  }
 }
 
 void Headset::end_frame(bool shown, bool with_depth) {
@@ -488,7 +308,7 @@ void Headset::end_frame(bool shown, bool with_depth) {
   info.layerCount = std::uint32_t(layers.size());
   info.layers = layers.data();
   tell(HeadsetCall::Kind::end, shown ? std::span<const XrView>(located_) : std::span<const XrView>());
-  checked(api_.EndFrame(session_, &info), "xrEndFrame");
+  check_xr(api_.EndFrame(session_, &info), "xrEndFrame");
 }
 
 std::unique_ptr<Overlay> Headset::make_overlay() { return std::make_unique<HeadsetOverlay>(device_, *this); }

@@ -88,13 +88,15 @@ class Headset final : public Display {
   void take_events();
   void take_state(XrSessionState state);
   void move_space();
-  bool wait_frame();
+  void begin_frame(DisplayFrame& frame);
+  void pass_time(XrTime time);
+  void begin_another_session();
+  void lose_session(const SessionLost& fault);
   void controllers_gather();
   void centre_under_head();
   void locate() const;
   void hand_over(Frame& frame, const RenderTarget& picture, const Image* depth);
   void end_frame(bool shown, bool with_depth = false);
-  XrResult checked(XrResult result, const char* call);
   void tell(HeadsetCall::Kind kind, std::span<const XrView> views = {}) const;
 
   HeadsetSystem& system_;
@@ -105,7 +107,7 @@ class Headset final : public Display {
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrSpace space_ = XR_NULL_HANDLE, view_space_ = XR_NULL_HANDLE;
   XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
-  XrPosef space_offset_{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+  XrPosef space_offset_ = nowhere;
   std::unique_ptr<HeadsetInput> controllers_;
   VkFormat colour_ = VK_FORMAT_UNDEFINED, depth_format_ = VK_FORMAT_UNDEFINED;
   HeadsetSwapchain colours_, depths_;
@@ -113,13 +115,12 @@ class Headset final : public Display {
   std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
   Layer* layer_ = nullptr;
   std::optional<Quad> quad_;  // of this frame
-  bool running_ = false;      // between xrBeginSession and xrEndSession
-  bool session_lost_ = false, closed_ = false, away_ = false, recentre_wanted_ = false, moved_ = false;
-  bool frame_begun_ = false, should_render_ = false;
+  bool running_ = false;  // between xrBeginSession and xrEndSession
+  bool session_lost_ = false, closed_ = false, recentre_wanted_ = false, moved_ = false;
+  bool frame_begun_ = false, should_render_ = false, had_focus_ = false, lost_focus_ = false;
   XrFrameState frame_state_{XR_TYPE_FRAME_STATE};
-  std::optional<XrTime> first_time_;
-  double before_s_ = 0.0;  // of sessions before this one
-  double time_s_ = 0.0;
+  std::optional<XrTime> last_time_;  // of this session
+  std::int64_t elapsed_ns_ = 0;      // of all sessions
   Post post_ = Post::afoot;
   InputGatherer gatherer_;
   Input input_;

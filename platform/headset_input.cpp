@@ -27,7 +27,8 @@ bool pose_is_sound(const XrPosef& pose) {
   const auto& q = pose.orientation;
   const double length = std::sqrt(double(q.x) * q.x + double(q.y) * q.y + double(q.z) * q.z + double(q.w) * q.w);
   constexpr float far_m = 1e5f;
-  return std::abs(p.x) < far_m && std::abs(p.y) < far_m && std::abs(p.z) < far_m && std::abs(length - 1.0) < 0.1;
+  return std::abs(p.x) < far_m && std::abs(p.y) < far_m && std::abs(p.z) < far_m &&
+         std::abs(length - 1.0) < 0.01;  // as OpenXR has it
 }
 
 HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed) : system_(system) {
@@ -132,6 +133,7 @@ std::optional<Pose> HeadsetInput::located(XrSpace what, XrSpace in, XrTime time,
 void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post, bool focused) {
   values_.fill(0.0);
   hands_ = {};
+  focused_ = false;
   if (!focused) return;
   const XrApi& api = system_.api();
   const XrActiveActionSet active[] = {{sets_[0], XR_NULL_PATH}, {sets_[std::size_t(post)], XR_NULL_PATH}};
@@ -139,6 +141,7 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
   info.countActiveActionSets = post == Post::anywhere ? 1 : 2;
   info.activeActionSets = active;
   if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return;
+  focused_ = true;
   for (const ActionRow& row : action_rows()) {
     const std::size_t i = std::size_t(row.action);
     if (!holds_at(posts_[i], post)) continue;
@@ -161,6 +164,19 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
     hand.grip = *grip;
     hand.aim = located(aims_[h], space, time, nullptr).value_or(*grip);
     hands_[h] = hand;
+  }
+  let_go();
+}
+
+void HeadsetInput::let_go() {
+  for (std::size_t h = 0; h < 2; ++h) {
+    constexpr double open = 1.0 / 3.0;  // as InputGatherer has it
+    double& grab = values_[std::size_t(h == 0 ? Action::grab_left : Action::grab_right)];
+    if (grab < open)
+      let_go_[h] = false;
+    else if (!hands_[h])
+      let_go_[h] = true;
+    if (!hands_[h] || let_go_[h]) grab = 0.0;
   }
 }
 

@@ -8,6 +8,8 @@
 
 namespace seascape {
 
+inline constexpr XrPosef nowhere{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};  // else: no offset
+
 class HeadsetInput {
  public:
   // Suggests the bindings of every profile that the runtime knows and attaches them to the session.
@@ -17,8 +19,10 @@ class HeadsetInput {
   HeadsetInput& operator=(const HeadsetInput&) = delete;
 
   // Between xrWaitFrame and xrBeginFrame: reads what is done at `post`, and where the hands will be at `time` in
-  // `space`. Without the focus nothing is done and no hand is there.
+  // `space`. Without the focus nothing is done and no hand is there. A hand that is not tracked lets go, and closes
+  // again only after it was open.
   void sync(XrSession session, XrSpace space, XrTime time, Post post, bool focused);
+  bool focused() const { return focused_; }  // in the last sync()
   // Adds it to a frame's actions.
   void gather(InputGatherer& gatherer) const;
   const std::array<std::optional<Hand>, 2>& hands() const { return hands_; }
@@ -32,6 +36,7 @@ class HeadsetInput {
                    XrAction& action);
   void suggest(const ControllerProfile& profile, bool left_handed);
   std::optional<Pose> located(XrSpace what, XrSpace in, XrTime time, glm::dvec3* velocity_mps) const;
+  void let_go();
 
   const HeadsetSystem& system_;
   std::array<XrActionSet, 3> sets_{};  // of each Post
@@ -42,6 +47,8 @@ class HeadsetInput {
   std::array<XrPath, 2> hand_paths_{};
   std::array<XrSpace, 2> grips_{}, aims_{};
   std::array<std::optional<Hand>, 2> hands_;
+  bool focused_ = false;
+  std::array<bool, 2> let_go_{};  // closed since it was lost
 };
 
 Pose pose_from(const XrPosef& pose);

@@ -27,7 +27,12 @@ HeadsetSwapchain::HeadsetSwapchain(const HeadsetSystem& system, XrSession sessio
     check_xr(api_->EnumerateSwapchainImages(swapchain_, count, &count,
                                             reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())),
              "xrEnumerateSwapchainImages");
-    for (const auto& one : images) images_.push_back(one.image);
+    for (const auto& one : images) {
+      if (one.image == VK_NULL_HANDLE)
+        throw Error("OpenXR", "xrEnumerateSwapchainImages gives fewer images than it counts",
+                    "update the headset's runtime");
+      images_.push_back(one.image);
+    }
   } catch (...) {
     reset();
     throw;

@@ -144,7 +144,8 @@ void HeadsetSystem::find_system() {
   constexpr std::uint32_t largest = 16384;
   facts_.most_width = std::min(facts_.most_width, largest);
   facts_.most_height = std::min(facts_.most_height, largest);
-  if (facts_.width == 0 || facts_.height == 0 || facts_.most_width == 0 || facts_.most_height == 0)
+  if (facts_.width == 0 || facts_.height == 0 || facts_.most_width == 0 || facts_.most_height == 0 ||
+      facts_.width > largest || facts_.height > largest)
     throw Error(facts_.headset,
                 fmt::format("it asks for pictures of {}x{} pixels, at most {}x{}", facts_.width, facts_.height,
                             facts_.most_width, facts_.most_height),

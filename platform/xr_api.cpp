@@ -72,9 +72,13 @@ HeadsetLost::HeadsetLost(const std::string& call)
     : Error("OpenXR", "the headset's runtime is gone" + (call.empty() ? "" : " (seen in " + call + ")"),
             "start it again, then seascape") {}
 
+SessionLost::SessionLost(const std::string& call)
+    : Error("OpenXR", call + " failed: XR_ERROR_SESSION_LOST", "start the headset's runtime anew, then seascape") {}
+
 XrResult check_xr(XrResult result, const char* call) {
   if (XR_SUCCEEDED(result)) return result;
   if (result == XR_ERROR_INSTANCE_LOST) throw HeadsetLost(call);
+  if (result == XR_ERROR_SESSION_LOST) throw SessionLost(call);
   throw Error("OpenXR", fmt::format("{} failed: {}", call, xr_result_name(result)),
               "run `seascape doctor`, start the headset's runtime anew, or take --display window");
 }

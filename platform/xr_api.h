@@ -88,7 +88,13 @@ class HeadsetLost : public Error {
   explicit HeadsetLost(const std::string& call);
 };
 
-// Returns a success code. Throws HeadsetLost where the runtime is gone, Error else.
+// The session is gone; the runtime may give another.
+class SessionLost : public Error {
+ public:
+  explicit SessionLost(const std::string& call);
+};
+
+// Returns a success code. Throws HeadsetLost where the runtime is gone, SessionLost where the session is, Error else.
 XrResult check_xr(XrResult result, const char* call);
 
 }  // namespace seascape
