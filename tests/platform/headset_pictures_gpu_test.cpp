@@ -1,0 +1,192 @@
+// The sea in a headset on the simulated runtime: to the bit what is drawn of the same viewpoints without a headset, in
+// the images that the runtime lends, and their depths. Controls are named beside each test; each was seen to fail.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "app/experience.h"
+#include "app/frame.h"
+#include "app/program.h"
+#include "tests/support/gpu/headset_rig.h"
+#include "tests/support/gpu/picture.h"
+#include "tests/support/temporary_folder.h"
+
+namespace seascape {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr int width = 96, height = 80;
+
+struct Look {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> set;
+  // Whose depths are those of the same picture, where an Experience that is lent nothing shows none.
+  std::vector<std::pair<std::string, std::string>> depth_of = {};
+};
+
+const Look looks[] = {
+    {"tile, 4 samples", {{"frame.shape", "tile"}, {"msaa", "4"}}},
+    {"tile, deferred", {{"frame.shape", "tile"}, {"msaa", "1"}}, {{"frame.lighting", "forward"}}},
+    {"tile, forward", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}}},
+    {"desktop, deferred", {{"frame.shape", "desktop"}, {"msaa", "1"}}, {{"frame.lighting", "forward"}}},
+    {"desktop, 4 samples", {{"frame.shape", "desktop"}, {"msaa", "4"}}},
+};
+
+Scene scene_of(const Look& look, bool for_depth) {
+  Scene scene = load_scene("calm", "low");
+  const auto set = [&](const auto& all) {
+    for (const auto& [key, value] : all) set_from_text(scene.settings, key, value, "test");
+  };
+  set(std::vector<std::pair<std::string, std::string>>{{"waves.cascades", "3"}});
+  set(look.set);
+  if (for_depth) set(look.depth_of);
+  return scene;
+}
+
+// A rolled head that turns, with eyes far apart that see more to one side than to the other.
+SimulatedOptions wide_eyed(const std::filesystem::path& out) {
+  SimulatedOptions options;
+  InputScript& script = options.script;
+  script.width = width;
+  script.height = height;
+  script.rate_hz = test::rig_hz;
+  script.eye_distance_m = 0.9;
+  script.eyes = {{{-52, 41, 44, -38}, {-40, 55, 40, -46}}};
+  const auto head = [](double yaw, double roll) {
+    return Pose{{0.4, 1.9, -0.3},
+                glm::angleAxis(yaw, glm::dvec3(0.0, 1.0, 0.0)) * glm::angleAxis(roll, glm::dvec3(0.0, 0.0, 1.0))};
+  };
+  script.events = {test::tracked(0, Tracker::head, head(0.2, 0.3)), test::tracked(9, Tracker::head, head(0.9, -0.2))};
+  options.ends = false;
+  options.out = out;
+  options.every = 1;
+  return options;
+}
+
+struct Drawn {
+  Viewpoint viewpoint;
+  double time_s;
+  std::uint32_t width, height;
+  std::array<Image8, 2> pictures;
+  std::array<std::vector<std::uint8_t>, 2> depths;
+};
+
+void read(Device& device, const Experience& experience, Drawn& drawn) {
+  for (int eye = 0; eye < 2; ++eye) {
+    drawn.pictures[std::size_t(eye)] = picture_of(device, experience, eye);
+    if (const Image* depth = experience.shown_depth())
+      drawn.depths[std::size_t(eye)] = read_image(device, *depth, std::uint32_t(eye), 0, {drawn.width, drawn.height});
+  }
+}
+
+ExperienceOptions options_of(const Headset& headset) {
+  ExperienceOptions options{width, height, 2};
+  options.colour = headset.colour();
+  options.show_depth = headset.shows_depth();
+  return options;
+}
+
+// Three frames as Explorer draws them, of 0.7 of the size in the second.
+std::vector<Drawn> drawn_in_headset(Device& device, Headset& headset, const Scene& scene) {
+  ExperienceOptions options = options_of(headset);
+  options.most_width = headset.most_size().x;
+  options.most_height = headset.most_size().y;
+  Experience experience(device, test::shaders(), scene, options);
+  std::vector<Drawn> all;
+  for (int number = 0; number < 3; ++number) {
+    headset.set_scale(number == 1 ? 0.7 : 1.0);
+    const DisplayFrame shown = headset.begin();
+    experience.resize(shown.width, shown.height);
+    experience.draw_into(shown.lent);
+    experience.choose(shown.colour, shown.depth);
+    Drawn& drawn = all.emplace_back();
+    drawn.width = shown.width;
+    drawn.height = shown.height;
+    drawn.time_s = 3.0 + shown.time_s;
+    Frame& frame = experience.frame();
+    frame.begin();
+    drawn.viewpoint = headset.viewpoint(Pose{{12.0, 0.5, -7.0}, glm::angleAxis(0.4, glm::dvec3(0.0, 1.0, 0.0))});
+    draw_frame(experience, frame, drawn.viewpoint, drawn.time_s);
+    headset.end(frame, &experience.picture(), experience.shown_depth());
+    frame.finish();
+    read(device, experience, drawn);
+  }
+  return all;
+}
+
+std::vector<Drawn> drawn_without(Device& device, const Scene& scene, const ExperienceOptions& options,
+                                 const std::vector<Drawn>& as) {
+  Experience experience(device, test::shaders(), scene, options);
+  std::vector<Drawn> all;
+  for (const Drawn& one : as) {
+    Drawn& drawn = all.emplace_back(Drawn{one.viewpoint, one.time_s, one.width, one.height, {}, {}});
+    experience.resize(one.width, one.height);
+    Frame& frame = experience.frame();
+    frame.begin();
+    draw_frame(experience, frame, one.viewpoint, one.time_s);
+    frame.submit();
+    frame.finish();
+    read(device, experience, drawn);
+  }
+  return all;
+}
+
+// Depths that are 0 (the sky) and that are not.
+std::array<int, 2> sky_and_sea(const std::vector<std::uint8_t>& depths) {
+  std::array<int, 2> count{};
+  for (std::size_t i = 0; i + 4 <= depths.size(); i += 4) {
+    float depth = 0.0f;
+    std::memcpy(&depth, &depths[i], 4);
+    ++count[depth > 0.0f];
+  }
+  return count;
+}
+
+// Controls: the eyes' layers exchanged in end_frame() (the files); their views (the pictures); the area not set (the
+// frame of another size); the headset's head without its roll; copy_depth() left out; the second sample's depth.
+TEST(HeadsetPicturesTest, AreThoseWithoutAHeadset) {
+  const TemporaryFolder folder;
+  (void)test::take_validation_messages();
+  {
+    SimulatedRuntime for_device(wide_eyed(folder.path()));
+    HeadsetSystem system_of_device(for_device.get(), for_device.next());
+    DeviceOptions device_options;
+    device_options.validation = true;
+    system_of_device.make_device(device_options);
+    Device device(device_options);
+    for (const Look& look : looks) {
+      SimulatedRuntime runtime(wide_eyed(folder.path()));
+      HeadsetSystem system(runtime.get(), runtime.next());
+      Headset headset(system, device, {});
+      ASSERT_TRUE(headset.shows_depth());
+      const std::vector<Drawn> seen = drawn_in_headset(device, headset, scene_of(look, false));
+      const std::vector<Drawn> expected = drawn_without(device, scene_of(look, false), options_of(headset), seen);
+      const std::vector<Drawn> deep =
+          look.depth_of.empty() ? expected : drawn_without(device, scene_of(look, true), options_of(headset), seen);
+      EXPECT_EQ(runtime.frames_shown(), seen.size());
+      for (std::size_t number = 0; number < seen.size(); ++number)
+        for (std::size_t eye = 0; eye < 2; ++eye) {
+          const std::string what =
+              std::string(look.name) + " frame " + std::to_string(number) + " eye " + std::to_string(eye);
+          const Image8& picture = seen[number].pictures[eye];
+          ASSERT_EQ(picture.width, int(std::lround(width * (number == 1 ? 0.7 : 1.0)))) << what;
+          EXPECT_EQ(picture.pixels, expected[number].pictures[eye].pixels) << what;
+          EXPECT_GT(test::statistics(picture).deviation, 5.0) << what;
+          const Image8 file =
+              read_png(folder / ("frame_000" + std::to_string(number) + (eye == 0 ? "_left" : "_right") + ".png"));
+          EXPECT_EQ(test::differing_pixels(file, picture), 0) << what;
+          EXPECT_EQ(file.width, picture.width) << what;
+          ASSERT_EQ(seen[number].depths[eye].size(), std::size_t(picture.width) * std::size_t(picture.height) * 4)
+              << what;
+          EXPECT_TRUE(seen[number].depths[eye] == deep[number].depths[eye]) << what << ": depth";
+          for (const int pixels : sky_and_sea(seen[number].depths[eye])) EXPECT_GT(pixels, 300) << what;
+        }
+      EXPECT_GT(test::differing_pixels(seen[0].pictures[0], seen[0].pictures[1]), 1000) << look.name;
+    }
+  }
+  for (const std::string& message : test::take_validation_messages()) ADD_FAILURE() << message;
+}
+
+}  // namespace
+}  // namespace seascape
