@@ -44,6 +44,7 @@ void Headset::begin_session() {
 
 void Headset::end_session() {
   controllers_.reset();
+  if (layer_) layer_->reset();
   colours_ = {};
   depths_ = {};
   for (XrSpace* space : {&space_, &view_space_}) {

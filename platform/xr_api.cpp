@@ -47,7 +47,7 @@ void load_instance(XrApi& api, XrInstance instance) {
 }
 
 XrLoader::XrLoader() {
-  setenv("XR_LOADER_DEBUG", "none", 0);  // what it has to say is told in one line of our own
+  setenv("XR_LOADER_DEBUG", "none", 0);  // it tells each fault in four lines; ours tells it in one
   library_ = dlopen("libopenxr_loader.so.1", RTLD_NOW | RTLD_LOCAL);
   if (library_ == nullptr)
     throw Error("OpenXR", "its loader is not installed",
