@@ -72,10 +72,10 @@ struct Drawn {
   std::array<std::vector<std::uint8_t>, 2> depths;
 };
 
-void read(Device& device, const Experience& experience, Drawn& drawn) {
+void read(Device& device, const Experience& experience, const Image* depth, Drawn& drawn) {
   for (int eye = 0; eye < 2; ++eye) {
     drawn.pictures[std::size_t(eye)] = picture_of(device, experience, eye);
-    if (const Image* depth = experience.shown_depth())
+    if (depth)
       drawn.depths[std::size_t(eye)] = read_image(device, *depth, std::uint32_t(eye), 0, {drawn.width, drawn.height});
   }
 }
@@ -110,7 +110,12 @@ std::vector<Drawn> drawn_in_headset(Device& device, Headset& headset, const Scen
     draw_frame(experience, frame, drawn.viewpoint, drawn.time_s);
     headset.end(frame, &experience.picture(), experience.shown_depth());
     frame.finish();
-    read(device, experience, drawn);
+    // What lies in the image that the runtime lent, whatever the experience takes for it.
+    ImageSpec theirs{shown.lent->width, shown.lent->height, 2};
+    theirs.format = device.facts().depth_format;
+    const Image depth(device, "lent", shown.lent->depths[shown.depth], theirs);
+    depth.state() = experience.shown_depth()->state();
+    read(device, experience, &depth, drawn);
   }
   return all;
 }
@@ -127,7 +132,7 @@ std::vector<Drawn> drawn_without(Device& device, const Scene& scene, const Exper
     draw_frame(experience, frame, one.viewpoint, one.time_s);
     frame.submit();
     frame.finish();
-    read(device, experience, drawn);
+    read(device, experience, experience.shown_depth(), drawn);
   }
   return all;
 }
@@ -143,8 +148,8 @@ std::array<int, 2> sky_and_sea(const std::vector<std::uint8_t>& depths) {
   return count;
 }
 
-// Controls: the eyes' layers exchanged in end_frame() (the files); their views (the pictures); the area not set (the
-// frame of another size); the headset's head without its roll; copy_depth() left out; the second sample's depth.
+// Controls: the eyes' layers exchanged in end_frame() (the files); the area not set (the frame of another size);
+// copy_depth() left out; the first lent depth chosen for all frames; the pass's depth not resolved into what is lent.
 TEST(HeadsetPicturesTest, AreThoseWithoutAHeadset) {
   const TemporaryFolder folder;
   (void)test::take_validation_messages();
