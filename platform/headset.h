@@ -115,7 +115,7 @@ class Headset final : public Display {
   std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
   Layer* layer_ = nullptr;
   std::optional<Quad> quad_;  // of this frame
-  bool running_ = false;  // between xrBeginSession and xrEndSession
+  bool running_ = false;      // between xrBeginSession and xrEndSession
   bool session_lost_ = false, closed_ = false, recentre_wanted_ = false, moved_ = false;
   bool frame_begun_ = false, should_render_ = false, had_focus_ = false, lost_focus_ = false;
   XrFrameState frame_state_{XR_TYPE_FRAME_STATE};

@@ -21,7 +21,8 @@ void main() {
             side = quad % limb_sides + ((corner == 2 || corner == 4 || corner == 5) ? 1 : 0);
   // Four rings of each half, the limb's length between the middle two.
   const bool far_end = ring > limb_rings / 2;
-  const float up = radians(30.0) * float(far_end ? ring - 4 : ring - 3), about = radians(360.0) * float(side) / limb_sides;
+  const float up = radians(30.0) * float(far_end ? ring - 4 : ring - 3),
+              about = radians(360.0) * float(side) / limb_sides;
   const vec3 along = limb_to.xyz - limb_from.xyz;
   const vec3 axis = along / max(length(along), 1e-6);
   const vec3 across = normalize(abs(axis.y) < 0.9 ? vec3(-axis.z, 0.0, axis.x) : vec3(axis.y, -axis.x, 0.0));
