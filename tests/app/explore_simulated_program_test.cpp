@@ -102,7 +102,7 @@ glm::dvec3 went(const std::pair<Pose, Pose>& moved) {
 }
 
 // The frames that were asked for, of both eyes, of those that show anything; and the same again to the byte. Controls:
-// frames counted from 1; the eyes' files exchanged, which the second head's place shows; the sea's time by a clock.
+// frames counted from 1; the sea's time by a clock.
 TEST_F(ExploreSimulated, WritesThePicturesOfTheRightFrames) {
   std::vector<InputEvent> events{head_at(0, {0.0, 1.7, 0.0}), head_at(9, {0.0, 1.7, 0.0}), head_at(16, {2.0, 2.5, 1.0}),
                                  state(7, HeadsetState::off), state(10, HeadsetState::focused)};
@@ -145,7 +145,7 @@ TEST_F(ExploreSimulated, TurnsAboutTheHead) {
   EXPECT_NEAR(turned_deg(moved(events, 30)), -60.0, 1e-4);
 }
 
-// Controls: the turn of a frame not times its length; a press of `turn` taken for one of `snap_turn`.
+// Controls: the turn of a frame not times its length; the carrier turned about its own middle.
 TEST_F(ExploreSimulated, TurnsForAsLongAsItIsHeld) {
   std::vector<InputEvent> events;
   hold(events, 10, 8, Action::turn, 1.0);
@@ -207,7 +207,7 @@ TEST_F(ExploreSimulated, RecentresByAnActionAndByTheRuntime) {
 }
 
 // A session that is lost, the runtime's menu, a headset taken off, a person who leaves before the script's end.
-// Control: the old images kept after the loss, whose views validation tells of.
+// Control: a lost session taken for the end.
 TEST_F(ExploreSimulated, GoesThroughAllStates) {
   std::vector<InputEvent> events{head_at(0, {0.0, 1.7, 0.0}),        state(3, HeadsetState::unfocused),
                                  state(5, HeadsetState::focused),    state(7, HeadsetState::lost),
@@ -224,7 +224,7 @@ TEST_F(ExploreSimulated, GoesThroughAllStates) {
   EXPECT_EQ(files(), expected);
 }
 
-// Control: the script's fault told without its line.
+// Control: an action of an unknown name let through.
 TEST_F(ExploreSimulated, SaysWhatIsWrongWithAScript) {
   const auto error_of = [&](const std::string& text) {
     const std::filesystem::path file = folder_ / "input.json";
@@ -252,7 +252,7 @@ std::string loads(std::vector<std::string> words, int exit_code) {
 }
 
 // Nothing of OpenXR is opened by what shows nothing in a headset, nor by the simulated one. The control: what asks for
-// a headset does open it. Another: the program linked to it.
+// a headset does open it. Another: the loader opened by explore without a display.
 TEST_F(ExploreSimulated, OpensOpenXrOnlyWhereAHeadsetIsAskedFor) {
   const std::string out = (folder_ / "out").string();
   const std::vector<std::string> small{"--scene", "calm",     "--preset", "low",   "--set",
@@ -267,7 +267,7 @@ TEST_F(ExploreSimulated, OpensOpenXrOnlyWhereAHeadsetIsAskedFor) {
   EXPECT_THAT(loads(with({"explore", "--display", "headset"}), 1), HasSubstr("libopenxr_loader.so.1"));
 }
 
-// One line, at once. Control: without XR_LOADER_DEBUG, where the loader tells it in four lines of its own.
+// One line, at once. Control: XR_LOADER_DEBUG not set, where the loader tells it in four lines of its own.
 TEST_F(ExploreSimulated, SaysThatThereIsNoRuntime) {
   const ProgramResult result =
       run_program({"explore", "--display", "headset", "--scene", "calm"}, {"XR_RUNTIME_JSON=/nonexistent.json"});

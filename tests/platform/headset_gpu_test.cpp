@@ -188,8 +188,8 @@ TEST_F(HeadsetTest, OffItShowsNothingAndTimeGoesOn) {
 }
 
 // While the runtime's menu has the input, the picture goes on and nothing is done; what was held then does not count
-// when the focus comes back. Controls: sync() without its `focused`; what is held not forgotten as the focus comes;
-// presses of the time without the focus kept by the simulated runtime.
+// when the focus comes back. Controls: what is held not forgotten as the focus comes; a simulated runtime
+// that gives input without the focus.
 TEST_F(HeadsetTest, WithoutTheFocusNothingIsDone) {
   HeadsetRig rig(simulated({tracked(0, Tracker::left, standing({-0.2, 1.0, -0.4})), test::acted(2, Action::move_x, 1.0),
                             became(4, HeadsetState::unfocused), test::acted(5, Action::board, 1.0),
@@ -231,7 +231,7 @@ TEST_F(HeadsetTest, ALostSessionIsBegunAnew) {
 }
 
 // It ends by itself where the runtime says so, at the script's end, and where it is asked to leave. Controls: EXITING
-// ignored; xrRequestExitSession not called.
+// ignored; leave() empty.
 TEST_F(HeadsetTest, ItEnds) {
   const auto frames_until_closed = [](HeadsetRig& rig) {
     int frame = 0;

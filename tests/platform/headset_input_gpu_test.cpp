@@ -26,8 +26,8 @@ std::vector<InputEvent> hands() {
 }
 
 // Every action of a script: its value in the frames that it is held in, a press in the first of them and no other; one
-// that is over between two frames counts in the second. Controls: presses kept to the next frame; the quick ones left
-// out by the simulated runtime; controller_value not divided by.
+// that is over between two frames counts in the second. Controls: the quick ones left out by the simulated
+// runtime; its values not divided by controller_value().
 TEST_F(HeadsetInputTest, EveryActionCountsInItsFrame) {
   constexpr int each = 12;
   std::vector<InputEvent> events = hands();
@@ -62,8 +62,8 @@ TEST_F(HeadsetInputTest, EveryActionCountsInItsFrame) {
   }
 }
 
-// What steers a boat is silent afoot, and what moves one afoot is silent in a boat. Control: every set active at every
-// post, with holds_at() left out.
+// What steers a boat is silent afoot, and what moves one afoot is silent in a boat. Controls: every set active at every
+// post, with holds_at() left out; the set of one post active at all.
 TEST_F(HeadsetInputTest, ActionsHoldAtTheirPost) {
   std::vector<InputEvent> events = hands();
   for (const ActionRow& row : action_rows()) events.push_back(acted(1, row.action, 1.0));
@@ -78,8 +78,8 @@ TEST_F(HeadsetInputTest, ActionsHoldAtTheirPost) {
 }
 
 // Each input of each controller does what its rows say and nothing else, in either direction, for either hand.
-// Controls: a row's value turned (in suggest()'s table only); a path of another hand; mirrored() for the right-handed;
-// with bindings of one profile suggested for another.
+// Controls: a row's value turned in one profile; controller_value() not applied; bindings of one profile suggested for
+// another; left_handed not handed on.
 TEST_F(HeadsetInputTest, EveryBindingOfEveryControllerActs) {
   int tried = 0;
   for (const ControllerProfile& profile : controller_profiles())
@@ -184,7 +184,7 @@ TEST_F(HeadsetInputTest, ALostHandLetsGo) {
   }
 }
 
-// A new session has controllers of its own. Control: HeadsetInput not made anew, which then asks the lost session.
+// A new session has controllers of its own. Control: its action sets attached once only.
 TEST_F(HeadsetInputTest, ControllersWorkInANewSession) {
   std::vector<InputEvent> events = hands();
   events.push_back(became(4, HeadsetState::lost));
