@@ -30,13 +30,20 @@ void Explorer::look(const Input& input) {
 
 void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWish& wish) {
   const ComfortSettings& c = settings().comfort;
-  const double turn = input.value(Action::turn), snap = input.value(Action::snap_turn);
-  const double stick = types() ? 0.0 : std::abs(turn) > std::abs(snap) ? turn : snap;
+  // A controller's stick asks for both, and comfort says which it is; what asks for one gets it.
+  const double turn = types() ? 0.0 : input.value(Action::turn), snap = types() ? 0.0 : input.value(Action::snap_turn);
+  ComfortSettings stepped = c;
+  if (turn == 0.0) {
+    stepped.on = true;
+    if (stepped.snap_turn_deg == 0) stepped.snap_turn_deg = 30;
+  }
+  const bool smooth = turn != 0.0 && (snap == 0.0 || !c.on || c.snap_turn_deg == 0);
+  const double steps_deg = comfort_.turned_deg(stepped, smooth ? 0.0 : snap, dt_s);
   wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
-  wish.turn_deg = {comfort_.turned_deg(c, stick, dt_s), 0.0};
+  wish.turn_deg = {smooth ? turn * c.turn_deg_per_s * dt_s : steps_deg, 0.0};
   ComfortMotion motion;
   motion.velocity_mps = camera_.velocity_mps();
-  if (!c.on || c.snap_turn_deg == 0) motion.turn_deg_per_s = stick * c.turn_deg_per_s;
+  if (smooth) motion.turn_deg_per_s = turn * c.turn_deg_per_s;
   const glm::dvec3 at = head().position_m;
   if (camera_.travel() == Travel::ride) motion.carrier = Pose{{at.x, comfort_.ridden_m(c, water_m, dt_s), at.z}};
   comfort_.step(c, motion, dt_s);
