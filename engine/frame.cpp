@@ -349,6 +349,15 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
   slot.pending = true;
 }
 
+bool Frame::ready() const {
+  return std::all_of(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+    if (!slot.pending) return true;
+    const VkResult result = vkGetFenceStatus(device_.handle(), slot.fence.get());
+    if (result != VK_NOT_READY) check(result, "vkGetFenceStatus");
+    return result == VK_SUCCESS;
+  });
+}
+
 void Frame::finish() {
   collect(slots_[(number_ + 1) % slots]);
   collect(slots_[number_ % slots]);

@@ -169,6 +169,8 @@ class Frame {
   int slot() const { return int(number_ % slots); }
 
   void submit(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
+  // Whether all that was submitted has left the GPU: the next begin() waits for nothing.
+  bool ready() const;
   void finish();  // waits for all frames, reads their timers
 
   // What the processor's time goes to, from one begin() to the next.

@@ -5,6 +5,26 @@
 
 namespace seascape {
 
+Input joined(const Input& a, const Input& b) {
+  Input both = a;
+  for (const ActionRow& row : action_rows()) {
+    double& value = both.values[std::size_t(row.action)];
+    value = std::clamp(value + b.value(row.action), row.least(), 1.0);
+  }
+  for (const Press& press : b.pressed) {
+    const bool told = std::any_of(a.pressed.begin(), a.pressed.end(), [&](const Press& other) {
+      return other.action == press.action && other.value == press.value;
+    });
+    if (!told) both.pressed.push_back(press);
+  }
+  for (std::size_t hand = 0; hand < both.hands.size(); ++hand)
+    if (!both.hands[hand]) both.hands[hand] = b.hands[hand];
+  both.mouse_pixels += b.mouse_pixels;
+  both.wheel += b.wheel;
+  both.right_button = a.right_button || b.right_button;
+  return both;
+}
+
 Input InputGatherer::take() {
   constexpr double pressed_at = 0.5, free_at = 1.0 / 3.0;
   Input input;

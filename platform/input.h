@@ -34,6 +34,10 @@ struct Input {
   bool held(Action action) const { return std::abs(value(action)) >= 0.5; }
 };
 
+// What two of them ask for together: values add up within an action's range, presses follow each other, what both ask
+// for counts once. Hands are of the first that has them.
+Input joined(const Input& a, const Input& b);
+
 // Makes each frame's Input of what devices say. What was held when it was reset does not count until it is let go.
 class InputGatherer {
  public:

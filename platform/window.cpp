@@ -20,13 +20,6 @@ std::string desktop_fault() {
   return text ? text : "no reason given";
 }
 
-Owned<VkSemaphore> make_semaphore(Device& device, const char* name) {
-  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-  VkSemaphore semaphore = VK_NULL_HANDLE;
-  check(vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore), "vkCreateSemaphore");
-  return Owned<VkSemaphore>(device, semaphore, name);
-}
-
 }  // namespace
 
 struct WindowEvents {
@@ -85,6 +78,8 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
     : device_(device), options_(options), start_(std::chrono::steady_clock::now()) {
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_FOCUS_ON_SHOW, options.waits ? GLFW_TRUE : GLFW_FALSE);
   const int width = int(options.width) * options.views;
   window_ = glfwCreateWindow(width, int(options.height), options.title.c_str(), nullptr, nullptr);
   if (!window_)
@@ -102,7 +97,7 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
     const EffectScope scope(device_, "window");
     make_surface();
     make_overlay_pass();
-    for (auto& semaphore : acquired_) semaphore = make_semaphore(device_, "picture acquired");
+    make_waits();
   } catch (...) {
     surface_.reset();
     device_.frames_finished_to(~std::uint64_t{0});
@@ -113,6 +108,12 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
 
 Window::~Window() {
   device_.wait_for_gpu();
+  if (holds_image_) {  // a fence that the desktop still has is not to be destroyed
+    const VkFence fence = image_free_.get();
+    constexpr std::uint64_t patience_ns = 1'000'000'000;
+    (void)vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, patience_ns);
+  }
+  image_free_.reset();
   images_.clear();
   for (auto& semaphore : acquired_) semaphore.reset();
   swapchain_.reset();
@@ -176,76 +177,6 @@ void Window::make_overlay_pass() {
   overlay_pass_ = device_.cached_render_pass(fmt::format("window overlay {}", int(format_.format)), info);
 }
 
-bool Window::make_swapchain() {
-  const EffectScope scope(device_, "window");
-  VkSurfaceCapabilitiesKHR can{};
-  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_.get(), &can),
-        "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
-  VkExtent2D extent = can.currentExtent;
-  if (extent.width == UINT32_MAX)  // the surface takes the swapchain's size
-    extent = {std::clamp(std::uint32_t(width_), can.minImageExtent.width, can.maxImageExtent.width),
-              std::clamp(std::uint32_t(height_), can.minImageExtent.height, can.maxImageExtent.height)};
-  if (extent.width == 0 || extent.height == 0) return false;
-  // Neither frames nor presenting use the old images after this. What is given up here lives until the frame that is
-  // being recorded has finished, as everything does.
-  {
-    const std::lock_guard lock(device_.queue_mutex());
-    check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle");
-  }
-  images_.clear();
-  VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
-  info.surface = surface_.get();
-  info.minImageCount = std::max(3u, can.minImageCount);
-  if (can.maxImageCount > 0) info.minImageCount = std::min(info.minImageCount, can.maxImageCount);
-  info.imageFormat = format_.format;
-  info.imageColorSpace = format_.colorSpace;
-  info.imageExtent = extent;
-  info.imageArrayLayers = 1;
-  info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-  info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  info.preTransform = can.currentTransform;
-  info.compositeAlpha = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                            ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                            : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
-  info.clipped = VK_TRUE;
-  info.oldSwapchain = swapchain_.get();
-  VkSwapchainKHR made = VK_NULL_HANDLE;
-  check(vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &made), "vkCreateSwapchainKHR");
-  swapchain_ = Owned<VkSwapchainKHR>(device_, made, "window");
-  extent_ = extent;
-  ++swapchains_made_;
-
-  std::uint32_t count = 0;
-  check(vkGetSwapchainImagesKHR(device_.handle(), made, &count, nullptr), "vkGetSwapchainImagesKHR");
-  std::vector<VkImage> handles(count);
-  check(vkGetSwapchainImagesKHR(device_.handle(), made, &count, handles.data()), "vkGetSwapchainImagesKHR");
-  ImageSpec spec;
-  spec.width = extent.width;
-  spec.height = extent.height;
-  spec.format = format_.format;
-  spec.usage = info.imageUsage;
-  spec.array = false;
-  for (VkImage handle : handles) {
-    SwapImage& one = images_.emplace_back();
-    one.image = Image(device_, "window", handle, spec);
-    one.drawn = make_semaphore(device_, "picture drawn");
-    const VkImageView view = one.image.view();
-    VkFramebufferCreateInfo framebuffer{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
-    framebuffer.renderPass = overlay_pass_;
-    framebuffer.attachmentCount = 1;
-    framebuffer.pAttachments = &view;
-    framebuffer.width = extent.width;
-    framebuffer.height = extent.height;
-    framebuffer.layers = 1;
-    VkFramebuffer framebuffer_handle = VK_NULL_HANDLE;
-    check(vkCreateFramebuffer(device_.handle(), &framebuffer, nullptr, &framebuffer_handle), "vkCreateFramebuffer");
-    one.framebuffer = Owned<VkFramebuffer>(device_, framebuffer_handle, "window");
-  }
-  stale_ = false;
-  return true;
-}
-
 void Window::gather() {
   for (const KeyBinding& binding : key_bindings())
     if (keys_down_.test(std::size_t(binding.key)) && holds_at(binding.post, post_))
@@ -259,16 +190,18 @@ void Window::gather() {
   }
 }
 
+bool Window::shows() const {
+  return window_shows(width_, height_, glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0,
+                      glfwGetWindowAttrib(window_, GLFW_VISIBLE) != 0);
+}
+
 DisplayFrame Window::begin() {
+  if (before_events_) before_events_();
   glfwPollEvents();
   glfwGetFramebufferSize(window_, &width_, &height_);
-  const auto shows = [&] {
-    return window_shows(width_, height_, glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0,
-                        glfwGetWindowAttrib(window_, GLFW_VISIBLE) != 0);
-  };
   DisplayFrame frame;
   frame.should_render = shows();
-  if (!frame.should_render && !glfwWindowShouldClose(window_)) {
+  if (options_.waits && !frame.should_render && !glfwWindowShouldClose(window_)) {
     glfwWaitEventsTimeout(0.25);
     glfwGetFramebufferSize(window_, &width_, &height_);
     frame.should_render = shows();
@@ -296,47 +229,29 @@ Viewpoint Window::viewpoint(const Pose& carrier) const {
   return {carrier, {{carrier, fov}}, pixels};
 }
 
-// The swapchain's next image, or null when the window cannot take a picture at present.
-Window::SwapImage* Window::acquire(std::size_t slot) {
-  constexpr std::uint64_t patience_ns = 1'000'000'000;  // a desktop may withhold images of a hidden window for ever
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    if (stale_ && !make_swapchain()) return nullptr;
-    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_.get(), patience_ns,
-                                                  acquired_[slot].get(), VK_NULL_HANDLE, &image_index_);
-    if (result == VK_ERROR_OUT_OF_DATE_KHR) {
-      stale_ = true;
-      continue;
+void Window::draw(Frame& frame, SwapImage& target, std::span<const WindowPart> parts) {
+  Uses uses{use(target.image, Access::transfer_write, true)};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (i == 0 || parts[i].picture != parts[i - 1].picture) uses.add(use(*parts[i].picture, Access::transfer_read));
+  frame.pass("mirror", uses, [&](Commands& c) {
+    if (parts.empty()) {  // black, and not what was there before
+      constexpr VkClearColorValue black{};
+      constexpr VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+      vkCmdClearColorImage(c.raw(), target.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &all);
     }
-    check(result, "vkAcquireNextImageKHR");
-    if (result == VK_TIMEOUT || result == VK_NOT_READY) return nullptr;
-    if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // still good for this picture
-    SwapImage& image = images_[image_index_];
-    // The semaphore is waited for at the copy: the first barrier continues from there.
-    image.image.state() = {};
-    image.image.state().write_stages = VK_PIPELINE_STAGE_TRANSFER_BIT;
-    return &image;
-  }
-  return nullptr;
-}
-
-void Window::show(Frame& frame, SwapImage& target, const RenderTarget& picture) {
-  frame.pass("mirror", {use(picture.colour(), Access::transfer_read), use(target.image, Access::transfer_write, true)},
-             [&](Commands& c) {
-               const std::uint32_t views = std::uint32_t(picture.spec().views);
-               for (std::uint32_t view = 0; view < views; ++view) {
-                 VkImageBlit blit{};
-                 blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, view, 1};
-                 blit.srcOffsets[1] = {int(picture.spec().width), int(picture.spec().height), 1};
-                 blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-                 blit.dstOffsets[0] = {int(extent_.width * view / views), 0, 0};
-                 blit.dstOffsets[1] = {int(extent_.width * (view + 1) / views), int(extent_.height), 1};
-                 const bool same = blit.dstOffsets[1].x - blit.dstOffsets[0].x == blit.srcOffsets[1].x &&
-                                   blit.dstOffsets[1].y == blit.srcOffsets[1].y;
-                 vkCmdBlitImage(c.raw(), picture.colour().get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                target.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
-                                same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
-               }
-             });
+    for (const WindowPart& part : parts) {
+      VkImageBlit blit{};
+      blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, part.layer, 1};
+      blit.srcOffsets[0] = {part.from_least.x, part.from_least.y, 0};
+      blit.srcOffsets[1] = {part.from_most.x, part.from_most.y, 1};
+      blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+      blit.dstOffsets[0] = {part.to_least.x, part.to_least.y, 0};
+      blit.dstOffsets[1] = {part.to_most.x, part.to_most.y, 1};
+      const bool same = part.to_most - part.to_least == part.from_most - part.from_least;
+      vkCmdBlitImage(c.raw(), part.picture->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image.get(),
+                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+    }
+  });
   if (drawn_over_)
     frame.pass("panel", {use(target.image, Access::colour_target)}, [&](Commands& c) {
       VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
@@ -358,24 +273,19 @@ void Window::end(Frame& frame, const RenderTarget* picture, const Image*) {
     frame.submit();
     return;
   }
-  show(frame, *target, *picture);
+  std::vector<WindowPart> parts;  // the views side by side
+  const int views = picture->spec().views;
+  for (int view = 0; view < views; ++view)
+    parts.push_back({&picture->colour(),
+                     std::uint32_t(view),
+                     {0, 0},
+                     {int(picture->spec().width), int(picture->spec().height)},
+                     {size().x * view / views, 0},
+                     {size().x * (view + 1) / views, size().y}});
+  draw(frame, *target, parts);
   const VkSemaphore drawn = target->drawn.get();
   frame.submit(acquired_[slot].get(), drawn);
-  const VkSwapchainKHR swapchain = swapchain_.get();
-  VkPresentInfoKHR present{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
-  present.waitSemaphoreCount = 1;
-  present.pWaitSemaphores = &drawn;
-  present.swapchainCount = 1;
-  present.pSwapchains = &swapchain;
-  present.pImageIndices = &image_index_;
-  const VkResult result = [&] {
-    const std::lock_guard lock(device_.queue_mutex());
-    return vkQueuePresentKHR(device_.queue(), &present);
-  }();
-  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
-    stale_ = true;
-  else
-    check(result, "vkQueuePresentKHR");
+  present(drawn);
 }
 
 void Window::set_lens(double vertical_fov_deg, double eye_distance_m) {
@@ -395,6 +305,14 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, t
 std::unique_ptr<Overlay> Window::make_overlay() { return std::make_unique<WindowOverlay>(device_, *this); }
 
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+void Window::set_visible(bool visible) {
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  if (visible)
+    glfwShowWindow(window_);
+  else
+    glfwHideWindow(window_);
+}
 
 double Window::content_scale() const {
   float x = 1.0f, y = 1.0f;

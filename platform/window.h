@@ -4,6 +4,7 @@
 #include <bitset>
 #include <chrono>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,17 @@ struct WindowOptions {
   std::string title = "Seascape";
   std::uint32_t width = 1280, height = 720;  // pixels an eye; two views stand side by side in the window
   int views = 1;
+  // Whether begin(), end() and the swapchain may wait for the desktop. A window that may not shows a picture only where
+  // ready() says so, and not in step with the screen: it stands beside a headset, which waits for nothing.
+  bool waits = true;
+  bool visible = true;  // from the beginning
+};
+
+// A part of a picture, and where in the window it goes, stretched where the sizes differ. Pixels from the upper left.
+struct WindowPart {
+  const Image* picture;
+  std::uint32_t layer;
+  glm::ivec2 from_least, from_most, to_least, to_most;
 };
 
 // A picture is seen only while the window has an area and stands on the screen.
@@ -58,6 +70,20 @@ class Window final : public Display {
   void set_title(const std::string& title) override;
   std::unique_ptr<Overlay> make_overlay() override;
 
+  // Of a window that never waits. Whether a picture can be shown by `frame`, a loop of frames that draws nothing else:
+  // all that it drew before has left the GPU (and is on the screen from now), the window is to be seen, and its next
+  // image is free.
+  bool ready(const Frame& frame);
+  // After ready(): has the frame that was begun fill the window with these parts (none: black) and what is drawn over
+  // them, and submits it. ready() brings it to the screen.
+  void show(Frame& frame, std::span<const WindowPart> parts);
+  glm::ivec2 size() const { return {int(extent_.width), int(extent_.height)}; }  // of its images, pixels
+  void set_visible(bool visible);                                                // and no longer closed
+  bool shows() const;                                                            // something of it can be seen
+
+  // Asked before the desktop's events are handed out: a library that takes them for several windows has to be told
+  // whose they are.
+  void before_events(std::function<void()> asked) { before_events_ = std::move(asked); }
   // Drawn over the picture, in a render pass made like overlay_pass(), with the window's size in pixels.
   using DrawOver = std::function<void(VkCommandBuffer, std::uint32_t width, std::uint32_t height)>;
   void draw_over(DrawOver drawn) { drawn_over_ = std::move(drawn); }
@@ -77,10 +103,13 @@ class Window final : public Display {
   };
   friend struct WindowEvents;  // the desktop's callbacks
   void make_surface();
+  void make_waits();      // what tells that an image is there
   bool make_swapchain();  // false: the window has no area
   void make_overlay_pass();
   SwapImage* acquire(std::size_t slot);
-  void show(Frame& frame, SwapImage& target, const RenderTarget& picture);
+  bool hold_image();
+  void draw(Frame& frame, SwapImage& target, std::span<const WindowPart> parts);
+  void present(VkSemaphore drawn);
 
   Device& device_;
   WindowOptions options_;
@@ -92,10 +121,13 @@ class Window final : public Display {
   VkExtent2D extent_{0, 0};
   std::vector<SwapImage> images_;
   std::array<Owned<VkSemaphore>, Frame::slots> acquired_;
+  Owned<VkFence> image_free_;  // of a window that never waits: the image held is no longer on the screen
   std::uint32_t image_index_ = 0;
-  bool stale_ = true;  // the swapchain no longer fits the window
+  bool holds_image_ = false, shown_next_ = false;  // acquired; drawn, and to be presented once it has left the GPU
+  bool stale_ = true;                              // the swapchain no longer fits the window
   int swapchains_made_ = 0;
   DrawOver drawn_over_;
+  std::function<void()> before_events_;
 
   void gather();                                 // keys and gamepads
   static constexpr std::size_t key_codes = 512;  // GLFW's

@@ -24,7 +24,8 @@ WindowOverlay::WindowOverlay(Device& device, Window& window) : device_(device), 
   check(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &handle), "vkCreateDescriptorPool");
   pool_ = Owned<VkDescriptorPool>(device, handle, "overlay");
 
-  ImGui::CreateContext();
+  context_ = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // nothing is written but what the user asks for
   io.LogFilename = nullptr;
@@ -48,7 +49,9 @@ WindowOverlay::WindowOverlay(Device& device, Window& window) : device_(device), 
   ImGui_ImplVulkan_Init(&info, window.overlay_pass());
   device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
   ImGui_ImplVulkan_DestroyFontUploadObjects();
-  window.draw_over([](VkCommandBuffer commands, std::uint32_t width, std::uint32_t height) {
+  window.before_events([context = context_] { ImGui::SetCurrentContext(context); });
+  window.draw_over([context = context_](VkCommandBuffer commands, std::uint32_t width, std::uint32_t height) {
+    ImGui::SetCurrentContext(context);
     ImDrawData* data = ImGui::GetDrawData();
     // A window that has changed since the widgets were laid out: they are drawn when they fit again.
     if (data && data->DisplaySize.x * data->FramebufferScale.x <= float(width) &&
@@ -59,13 +62,16 @@ WindowOverlay::WindowOverlay(Device& device, Window& window) : device_(device), 
 
 WindowOverlay::~WindowOverlay() {
   window_.draw_over(nullptr);
+  window_.before_events(nullptr);
   device_.wait_for_gpu();
+  ImGui::SetCurrentContext(context_);
   ImGui_ImplVulkan_Shutdown();
   ImGui_ImplGlfw_Shutdown();
-  ImGui::DestroyContext();
+  ImGui::DestroyContext(context_);
 }
 
 void WindowOverlay::begin(bool pointer_is_free) {
+  ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   if (pointer_is_free)
     io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
@@ -76,9 +82,19 @@ void WindowOverlay::begin(bool pointer_is_free) {
   ImGui::NewFrame();
 }
 
-void WindowOverlay::end() { ImGui::Render(); }
+void WindowOverlay::end() {
+  ImGui::SetCurrentContext(context_);
+  ImGui::Render();
+}
 
-bool WindowOverlay::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
-bool WindowOverlay::wants_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+bool WindowOverlay::wants_keyboard() const {
+  ImGui::SetCurrentContext(context_);
+  return ImGui::GetIO().WantTextInput;
+}
+
+bool WindowOverlay::wants_pointer() const {
+  ImGui::SetCurrentContext(context_);
+  return ImGui::GetIO().WantCaptureMouse;
+}
 
 }  // namespace seascape

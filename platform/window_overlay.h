@@ -2,6 +2,8 @@
 #pragma once
 #include "platform/window.h"
 
+struct ImGuiContext;
+
 namespace seascape {
 
 class WindowOverlay final : public Overlay {
@@ -20,6 +22,7 @@ class WindowOverlay final : public Overlay {
  private:
   Device& device_;
   Window& window_;
+  ImGuiContext* context_;  // its own: other overlays have theirs
   Owned<VkDescriptorPool> pool_;
 };
 

@@ -74,5 +74,31 @@ TEST(InputGatherer, TakesNoNonsense) {
   EXPECT_EQ(gatherer.take().value(Action::turn), 0.0);
 }
 
+// A headset's and a desk's. Controls: values of the first alone; presses that are not compared.
+TEST(Input, OfTwoAddsUp) {
+  Input a, b;
+  a.values[std::size_t(Action::move_x)] = 0.7;
+  b.values[std::size_t(Action::move_x)] = 0.6;
+  b.values[std::size_t(Action::move_z)] = -0.5;
+  a.pressed = {{Action::pause, 1.0}, {Action::snap_turn, 1.0}};
+  b.pressed = {{Action::snap_turn, -1.0}, {Action::pause, 1.0}, {Action::record, 1.0}};
+  a.hands[1] = Hand{};
+  b.mouse_pixels = {3.0, 4.0};
+  b.wheel = 1.0;
+  b.right_button = true;
+  const Input both = joined(a, b);
+  EXPECT_EQ(both.value(Action::move_x), 1.0);
+  EXPECT_EQ(both.value(Action::move_z), -0.5);
+  ASSERT_EQ(both.pressed.size(), 4u);
+  EXPECT_EQ(both.pressed[2].action, Action::snap_turn);
+  EXPECT_EQ(both.pressed[2].value, -1.0);
+  EXPECT_EQ(both.pressed[3].action, Action::record);
+  EXPECT_TRUE(both.hands[1].has_value());
+  EXPECT_FALSE(both.hands[0].has_value());
+  EXPECT_EQ(both.mouse_pixels, glm::dvec2(3.0, 4.0));
+  EXPECT_EQ(both.wheel, 1.0);
+  EXPECT_TRUE(both.right_button);
+}
+
 }  // namespace
 }  // namespace seascape
