@@ -67,6 +67,10 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
   told_ = remarks_of(scene_);  // by who read the scene
 }
 
+Experience::~Experience() {
+  if (before_build_) before_build_();
+}
+
 void Experience::tell_remarks() {
   std::vector<std::string> remarks = remarks_of(scene_);
   for (const std::string& remark : remarks)
@@ -76,6 +80,7 @@ void Experience::tell_remarks() {
 
 void Experience::reload_shaders() {
   if (!shaders_.reload()) return;
+  if (before_build_) before_build_();
   sky_ = std::make_unique<Sky>(device_, shaders_);
   build();
 }
@@ -110,6 +115,7 @@ void Experience::go_on() {
 }
 
 void Experience::build() {
+  if (before_build_) before_build_();
   ++builds_;
   RenderSettings& render = scene_.settings.render;
   int samples = render.msaa;  // software drivers have 1 and 4 but not 2
@@ -135,7 +141,8 @@ void Experience::build() {
   ocean_ = std::make_unique<Ocean>(
       device_, shaders_, *sea_,
       OceanSettings{s.wave_place, s.lod, s.water, s.place, foam_spec(scene_), s.baked.fade_m,
-                    calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt},
+                    calls_for(scene_.effects, "spray") && !is_debug(s) ? std::optional(s.spray) : std::nullopt,
+                    options_.seen_elsewhere},
       std::move(before));
   build_targets();
   const bool tile = in_tile();

@@ -1,5 +1,6 @@
 // A scene built for a device: the ocean, the sky and the targets that its frames are drawn into.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "app/comfort_overlay.h"
@@ -23,6 +24,7 @@ struct ExperienceOptions {
   bool hands = false;                         // hands can be shown (show_hands)
   bool show_depth = false;                    // whoever shows the picture gets its depth too
   bool comfort = false;                       // a vignette and a horizon line can be shown (show_comfort)
+  bool seen_elsewhere = false;                // another viewer may draw its sea in frames of his own, one at a time
 };
 
 class Experience {
@@ -31,6 +33,7 @@ class Experience {
   // notice.
   Experience(Device& device, ShaderLibrary& shaders, const Scene& scene, const ExperienceOptions& options,
              std::shared_ptr<Sea> sea = nullptr);
+  ~Experience();
 
   // Other picture size: new targets where there is no room (ExperienceOptions::most_width), the same pipelines.
   void resize(std::uint32_t width, std::uint32_t height);
@@ -53,6 +56,9 @@ class Experience {
   // Where a shader has changed on disk, builds its objects anew from it. Throws Error where one cannot be read, and
   // stays as it was.
   void reload_shaders();
+
+  // Asked before its objects are built anew or go, by who draws with them too.
+  void before_build(std::function<void()> asked) { before_build_ = std::move(asked); }
 
   // Sea::go_on, for this sea and those that come after it.
   void go_on();
@@ -120,6 +126,7 @@ class Experience {
   Bindings sky_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
   bool goes_on_ = false;
+  std::function<void()> before_build_;
   std::vector<std::string> told_;  // remarks
 };
 

@@ -22,6 +22,8 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
+}  // namespace
+
 gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height) {
   gpu::FrameData data{};
   for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
@@ -32,8 +34,6 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
   data.shown.x = int(settings.render.debug);
   return data;
 }
-
-}  // namespace
 
 QueryAnswer water_at_camera(Experience& experience, const glm::dvec3& camera_m, double time_s) {
   constexpr double float_m = 0.5;  // what floats there is so large

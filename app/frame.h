@@ -9,6 +9,9 @@ namespace seascape {
 // done.
 void draw_frame(Experience& experience, Frame& frame, const Viewpoint& viewpoint, double time_s);
 
+// What shaders are told of a viewpoint before the ocean adds what it knows; of a picture `height` pixels high.
+gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height);
+
 // The water (`felt`) that a camera at `camera_m` floats on in the frame that comes, for whoever moves it before
 // draw_frame(). Has the sea advanced to `time_s` (s) and the frame's waves made, so that both share them.
 QueryAnswer water_at_camera(Experience& experience, const glm::dvec3& camera_m, double time_s);

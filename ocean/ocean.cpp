@@ -29,7 +29,8 @@ Piece* Ocean::add(std::unique_ptr<Piece> piece) {
 Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettings& settings, OceanState before)
     : sea_(sea), settings_(settings), mesher_(std::make_unique<Quadtree>(settings.lod)) {
   const SeaSpec& spec = sea.spec();
-  waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy));
+  waves_ = add(std::make_unique<DrawnWaves>(device, shaders, sea, settings.wave_place, settings.water.anisotropy,
+                                            Frame::slots + int(settings.seen_elsewhere)));
   for (const auto& source : spec.sources)
     sources_.push_back(add(std::make_unique<DrawnSource>(device, source, waves().half_storage())));
   measure_sources();
@@ -153,12 +154,12 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
 }
 
 const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
-  selection_ = &select(viewpoint, *mesher_);
+  selection_ = &select(viewpoint, *mesher_, settings_.lod);
   return *selection_;
 }
 
-const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher) const {
-  mesher.apply(settings_.lod);
+const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher, const LodSettings& lod) const {
+  mesher.apply(lod);
   MeshWater water(bounds(viewpoint));
   const SeaView& drawn = waves_->view();
   if (drawn && waves_alone()) {

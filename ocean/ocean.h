@@ -28,6 +28,7 @@ struct OceanSettings {
   std::optional<FoamSpec> foam;        // none: the effect is not called for
   double baked_fade_m = 0.0;           // BakedSettings::fade_m
   std::optional<SpraySettings> spray;  // none: the effect is not called for
+  bool seen_elsewhere = false;         // another viewer may draw it in frames of his own, one at a time
 };
 
 // What an ocean has simulated of its own, for another one that draws the same sea.
@@ -54,8 +55,8 @@ class Ocean {
   // The patches for a viewpoint. The result stays until the next call.
   const SurfaceSelection& select(const Viewpoint& viewpoint);
   // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with a mesher of its own,
-  // whose patches stay until it selects again. It takes this sea's settings.
-  const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher) const;
+  // whose patches stay until it selects again.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher, const LodSettings& lod) const;
   // What selecting is told of the water for a viewpoint, as it is since the last update.
   DisplacementBounds bounds(const Viewpoint& viewpoint) const;
   // The patches selected last, null before the first.
@@ -85,6 +86,9 @@ class Ocean {
   // All that the surface is drawn from.
   std::span<const std::unique_ptr<DrawnPiece>> pieces() const { return pieces_; }
   const WaveImages& waves() const { return waves_->images(); }
+  // The waves that are drawn. Who draws them in frames of his own (OceanSettings::seen_elsewhere) keeps this until they
+  // have left the GPU, for it holds what the images hold; nothing where the GPU makes them.
+  SeaView waves_held() const { return waves_->view(); }
   // Those that are not still.
   std::span<const DrawnSource* const> sources() const { return sources_; }
   // Null where the scene has none, or nothing that could ever push the water.

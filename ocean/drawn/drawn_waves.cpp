@@ -8,10 +8,11 @@ bool on_gpu(const Device& device, WavePlace place) {
 }
 }  // namespace
 
-DrawnWaves::DrawnWaves(Device& device, ShaderLibrary& shaders, Sea& sea, WavePlace where, double anisotropy)
+DrawnWaves::DrawnWaves(Device& device, ShaderLibrary& shaders, Sea& sea, WavePlace where, double anisotropy,
+                       int in_flight)
     : sea_(sea),
       images_(device, sea.state(), sea.spec().drawn, sea.bins(), sea.statistics(), anisotropy,
-              on_gpu(device, where) ? WaveImages::Filled::stored : WaveImages::Filled::written),
+              on_gpu(device, where) ? WaveImages::Filled::stored : WaveImages::Filled::written, in_flight),
       version_(sea.waves_version()) {
   if (!sea.spec().has_waves) return;
   if (on_gpu(device, where))

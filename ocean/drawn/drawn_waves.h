@@ -13,7 +13,8 @@ namespace seascape {
 class DrawnWaves final : public DrawnPiece {
  public:
   // In the sea's quality of the picture; the sea outlives it. A sea without waves has images of none.
-  DrawnWaves(Device& device, ShaderLibrary& shaders, Sea& sea, WavePlace where, double anisotropy);
+  DrawnWaves(Device& device, ShaderLibrary& shaders, Sea& sea, WavePlace where, double anisotropy,
+             int in_flight = Frame::slots);
 
   // Has the waves of a time in this frame's images; nothing where they are there.
   void make(Frame& frame, double time_s);

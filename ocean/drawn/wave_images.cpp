@@ -27,7 +27,7 @@ glm::dvec3 tile_moments(const WaveBins& bins, int index) {
 }  // namespace
 
 WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
-                       const SeaStatistics& statistics, double anisotropy, Filled filled)
+                       const SeaStatistics& statistics, double anisotropy, Filled filled, int in_flight)
     : ladder_(bins.ladder), warp_(bins.ladder), statistics_(statistics), chop_(sea.chop), filled_(filled) {
   const EffectScope scope(device, "waves");
   half_ = quality.half_storage || !device.facts().float32_linear;
@@ -54,7 +54,7 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
     if (filled_ == Filled::copied) tile.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     tile.host = filled_ == Filled::written;
   }
-  copies_.resize(filled_ == Filled::written ? std::size_t(Frame::slots) : 1);
+  copies_.resize(filled_ == Filled::written ? std::size_t(in_flight) : 1);
   for (std::vector<Set>& sets : copies_)
     for (const ImageSpec& tile : specs)
       sets.push_back({sets.empty() ? 0 : 1, int(tile.layers), int(tile.width), int(tile.levels),

@@ -14,10 +14,10 @@ namespace seascape {
 class WaveImages {
  public:
   // How the images are filled: stored into by WaveCompute; by WaveUpload written where they lie, if the device samples
-  // such images, or else copied into.
+  // such images, or else copied into. `in_flight`: how many frames may be on the GPU that read them.
   enum class Filled { stored, written, copied };
   WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
-             const SeaStatistics& statistics, double anisotropy, Filled filled);
+             const SeaStatistics& statistics, double anisotropy, Filled filled, int in_flight = Frame::slots);
 
   // Other amplitudes and chop: what shaders are told of the waves' statistics.
   void take(const WaveBins& bins, double chop, const SeaStatistics& statistics);
@@ -37,7 +37,7 @@ class WaveImages {
   // The longest tile, and all others where there are any; of images that the processor writes, those drawn from now.
   const std::vector<Set>& sets() const { return copies_[shown_]; }
   Filled filled() const { return filled_; }
-  // Images that the processor writes are there once for each frame in flight.
+  // Images that the processor writes are there once for each frame in flight, those of other viewers included.
   const std::vector<std::vector<Set>>& copies() const { return copies_; }
   std::size_t shown() const { return shown_; }
   void show(std::size_t copy) { shown_ = copy; }
