@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/comfort_settings.h"
+#include "app/mirror_settings.h"
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
 #include "ocean/foam/foam_settings.h"
@@ -41,6 +42,7 @@ struct Settings {
   SkySettings sky;                              // keys sky.*
   RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
   ComfortSettings comfort;                      // keys comfort.*
+  MirrorSettings mirror;                        // keys mirror.*
   double sea_change_s = 6.0;                    // key waves.change_s
   double time_scale = 1.0;                      // key time.scale
   double time_start_s = 0.0;                    // key time.start_s

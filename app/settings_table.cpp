@@ -65,6 +65,10 @@ constexpr auto render = &at<&Settings::render, member>;
 template <auto member>
 constexpr auto comfort = &at<&Settings::comfort, member>;
 template <auto member>
+constexpr auto mirror = &at<&Settings::mirror, member>;
+template <auto member>
+constexpr ChoiceMember mirror_choice{&choice_of<&Settings::mirror, member>, &set_choice<&Settings::mirror, member>};
+template <auto member>
 constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choice<&Settings::sea, member>};
 template <auto member>
 constexpr ChoiceMember lod_choice{&choice_of<&Settings::lod, member>, &set_choice<&Settings::lod, member>};
@@ -842,6 +846,25 @@ const std::vector<Setting>& table() {
        0.0,
        0.0,
        {"none", "carried", "always"}},
+      {"mirror.view",
+       "",
+       "What a desktop shows of a headset's pictures: an eye's, both, a view from behind the head, or nothing.",
+       mirror_choice<&MirrorSettings::view>,
+       0.0,
+       0.0,
+       {"left", "right", "both", "third", "off"}},
+      {"mirror.rate_hz", "1/s", "Pictures a second on the desktop; the headset's are as many as it asks for.",
+       mirror<&MirrorSettings::rate_hz>, 1.0, 240.0},
+      {"mirror.overlay", "", "Frame times and the headset's state over the desktop's picture.",
+       mirror<&MirrorSettings::overlay>, 0.0, 1.0},
+      {"mirror.size", "", "Width and height of the view from behind, as a share of its window's.",
+       mirror<&MirrorSettings::size>, 0.1, 1.0},
+      {"mirror.distance_m", "m", "How far behind the head that view's camera is.", mirror<&MirrorSettings::distance_m>,
+       0.5, 100.0},
+      {"mirror.height_m", "m", "How far above the head that view's camera is.", mirror<&MirrorSettings::height_m>, 0.0,
+       100.0},
+      {"mirror.smooth_s", "s", "Time in which that camera comes within a tenth of where the head has gone.",
+       mirror<&MirrorSettings::smooth_s>, 0.0, 10.0},
 
       {"time.scale", "", "Speed of the sea's time; 0 stands still, below 0 it runs backwards.",
        real<&Settings::time_scale>, -8.0, 8.0},

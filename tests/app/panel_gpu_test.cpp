@@ -47,7 +47,7 @@ class PanelUnderTheMouse : public testing::Test {
       for (const char* title : {"Waves", "Gerstner", "Wave particles",  "Dynamic waves", "Foam",
                                 "Spray", "Level",    "Sea depth",       "Flow",          "Clip",
                                 "Place", "Baked",    "Level of detail", "Water",         "Sky",
-                                "Frame", "Stereo",   "Camera",          "Comfort",       "Time",
+                                "Frame", "Stereo",   "Camera",          "Comfort", "Mirror",       "Time",
                                 "Debug"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
