@@ -1,7 +1,9 @@
 // `seascape explore`: the sea in a window to fly, walk and ride over, or a few pictures of it without a display.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cstdlib>
+#include <memory>
 
 #include "app/commands.h"
 #include "app/explorer.h"
@@ -25,9 +27,11 @@ bool has_value(const char* name) {
   return value != nullptr && *value != '\0';
 }
 
+bool has_desktop() { return has_value("DISPLAY") || has_value("WAYLAND_DISPLAY"); }
+
 DisplayKind resolve_display(DisplayKind wanted) {
   if (wanted != DisplayKind::automatic) return wanted;
-  return has_value("DISPLAY") || has_value("WAYLAND_DISPLAY") ? DisplayKind::window : DisplayKind::headless;
+  return has_desktop() ? DisplayKind::window : DisplayKind::headless;
 }
 
 void explore_in_window(const Arguments& arguments) {
@@ -48,9 +52,24 @@ void explore_in_window(const Arguments& arguments) {
   expect_no_validation_messages(*program.device);
 }
 
+// The desktop that mirrors a headset, whose device then presents there too; nothing where none answers.
+std::unique_ptr<WindowSystem> desktop_beside(DeviceOptions& options) {
+  if (!has_desktop()) return nullptr;
+  try {
+    auto desktop = std::make_unique<WindowSystem>();
+    options.instance_extensions = desktop->instance_extensions();
+    options.present = true;
+    return desktop;
+  } catch (const Error& fault) {
+    spdlog::warn("no mirror on the desktop: {}", fault.what());
+    return nullptr;
+  }
+}
+
 // `system` outlives what is made for it.
 void explore_with(HeadsetSystem& system, const Arguments& arguments) {
   DeviceOptions options = device_options();
+  const std::unique_ptr<WindowSystem> desktop = desktop_beside(options);
   system.make_device(options);
   Program program = make_program(arguments, options);
   {
@@ -59,7 +78,7 @@ void explore_with(HeadsetSystem& system, const Arguments& arguments) {
     headset.width = std::uint32_t(arguments.width);
     headset.height = std::uint32_t(arguments.height);
     Headset display(system, *program.device, headset);
-    Explorer(arguments, program, display).run();
+    Explorer(arguments, program, display, desktop.get()).run();
   }
   expect_no_validation_messages(*program.device);
 }

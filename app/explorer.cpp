@@ -35,10 +35,12 @@ std::vector<std::string> scene_names() {
 
 }  // namespace
 
-Explorer::Explorer(const Arguments& arguments, Program& program, Display& display)
+Explorer::Explorer(const Arguments& arguments, Program& program, Display& display, WindowSystem* desktop)
     : arguments_(arguments),
       program_(program),
       display_(display),
+      desktop_(display.tracks_head() ? desktop : nullptr),
+      copy_(*program.device),
       loader_(*program.device, program.shaders),
       overlay_(display.make_overlay()),
       camera_(program.scene.start),
@@ -61,6 +63,7 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
   result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, display_.views());
   result.colour = display_.colour();
   result.show_depth = display_.shows_depth();
+  result.seen_elsewhere = desktop_ != nullptr;
   result.most_width = display_.most_size().x;
   result.most_height = display_.most_size().y;
   result.comfort = result.hands = display_.tracks_head();
@@ -70,7 +73,17 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
 void Explorer::build() {
   experience_ =
       std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene, options(program_.scene));
-  display_.set_title("Seascape: " + program_.scene.title);
+  take_experience();
+}
+
+// What else has to know of another experience.
+void Explorer::take_experience() {
+  experience_->before_build([this] {
+    if (mirror_) mirror_->let_go();
+  });
+  const std::string title = "Seascape: " + program_.scene.title;
+  display_.set_title(title);
+  if (mirror_) mirror_->set_title(title);
 }
 
 double Explorer::sea_time_s() const { return settings().time_start_s + sea_elapsed_s_; }
@@ -170,7 +183,7 @@ void Explorer::take_loaded() {
   }
   program_.scene = experience_->scene();
   tell_remarks(program_.scene);
-  display_.set_title("Seascape: " + program_.scene.title);
+  take_experience();
   camera_ = ExploreCamera(program_.scene.start);
   comfort_.begin_anew();
   begin_time();
@@ -217,11 +230,12 @@ void Explorer::take_screenshot() {
   const int views = display_.views();
   keep("screenshot", "screenshot", views == 1 ? ".png" : "_left.png", [&](const std::filesystem::path& file) {
     experience_->frame().finish();
-    write_png(file, picture_of(*program_.device, *experience_, 0));
+    write_png(file, copy_.read(0));
     if (views == 1) return;
     const std::string first = file.string();
-    write_png(first.substr(0, first.size() - std::string_view("_left.png").size()) + "_right.png",
-              picture_of(*program_.device, *experience_, 1));
+    write_png(first.substr(0, first.size() - std::string_view("_left.png").size()) + "_right.png", copy_.read(1));
+    if (const auto outside = mirror_ ? mirror_->third() : std::nullopt)
+      write_png(first.substr(0, first.size() - std::string_view("_left.png").size()) + "_third.png", *outside);
   });
 }
 
@@ -233,59 +247,6 @@ void Explorer::toggle_recording() {
   keep("path", "recorded", ".json", [&](const std::filesystem::path& file) {
     save_camera_path(recorder_.stop(now_s_, head_.value_or(head()), scene_time_s(), file.stem().string()), file);
   });
-}
-
-void Explorer::obey(const Input& input) {
-  if (types()) return;
-  for (const auto& [action, value] : input.pressed) switch (action) {
-      case Action::fly:
-        set_travel(Travel::fly);
-        break;
-      case Action::walk:
-        set_travel(Travel::walk);
-        break;
-      case Action::ride:
-        set_travel(Travel::ride);
-        break;
-      case Action::pause:
-        toggle_pause();
-        break;
-      case Action::time_scale:
-        scale_time(value < 0.0 ? 0.5 : 2.0);
-        break;
-      case Action::scrub:
-        scrub((input.held(Action::fast) ? 10.0 : 1.0) * value);
-        break;
-      case Action::debug_view:
-        next_debug_view();
-        break;
-      case Action::menu:
-        panel_.visible = !panel_.visible;
-        break;
-      case Action::screenshot:
-        screenshot_wanted_ = true;
-        break;
-      case Action::record:
-        toggle_recording();
-        break;
-      case Action::comfort:
-        toggle_comfort();
-        break;
-      case Action::recentre:
-        display_.recentre();
-        break;
-      case Action::look:
-        look_by_key_ = !look_by_key_;
-        break;
-      case Action::leave:
-        if (look_by_key_)
-          look_by_key_ = false;
-        else
-          leave();
-        break;
-      default:
-        break;  // held to move, or for what no scene has yet
-    }
 }
 
 PanelFacts Explorer::facts(const DisplayFrame& shown) const {
@@ -309,6 +270,9 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.recording = recorder_.recording();
   facts.recorded_s = now_s_ - recording_began_s_;
   facts.frame_ms = frame_ms_;
+  facts.period_ms = 1000.0 * shown.period_s;
+  facts.dropped = dropped_;
+  facts.state = !shown.should_render ? "away" : shown.focused ? "focused" : "unfocused";
   facts.cpu_ms = cpu_ms_;
   facts.gpu_ms = frame.gpu_ms();
   facts.passes = frame.times();
@@ -363,16 +327,20 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double waited_s = seconds();
   frame.begin();  // waits for the frame before the last
   const double ready_s = seconds();
-  move(display_.input(), dt_s);
-  if (display_.tracks_head()) show_hands(display_.input());
+  move(input_, dt_s);
+  if (display_.tracks_head()) show_hands(input_);
   const Viewpoint viewpoint = display_.viewpoint(carrier());
-  record(display_.input(), viewpoint.viewer);
+  record(input_, viewpoint.viewer);
   draw_frame(*experience_, frame, viewpoint, sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
   patches_ = experience_->ocean().selection()->patches.size();
+  const bool keeps = std::exchange(screenshot_wanted_, false);
+  if (keeps || (mirror_ && mirror_->wants_copy()))
+    copy_.record(frame, experience_->picture());  // for the picture may be gone once the frame is ended
   display_.end(frame, &experience_->picture(), experience_->shown_depth());
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
-  if (std::exchange(screenshot_wanted_, false)) take_screenshot();
+  if (keeps) take_screenshot();
+  if (mirror_) show_desk(shown, dt_s);
 }
 
 void Explorer::reload_shaders() {
@@ -403,12 +371,18 @@ void Explorer::run() {
     if (shown.closed) break;
     const double passed_s = last_s ? shown.time_s - *last_s : 0.0, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
     last_s = shown.time_s;
-    obey(display_.input());
-    look(display_.input());
+    input_ = display_.input();
+    serve_desk();
+    obey(input_);
+    look(input_);
     if (!shown.should_render) {  // time stands still meanwhile
       display_.end(experience_->frame(), nullptr);
+      was_shown_ = false;
+      if (mirror_) show_desk(shown, 0.0);
       continue;
     }
+    if (std::exchange(was_shown_, true) && shown.period_s > 0.0 && passed_s > 1.5 * shown.period_s)
+      dropped_ += std::uint64_t(std::lround(passed_s / shown.period_s)) - 1;
     frame_ms_ = 1000.0 * passed_s;
     period_s_ = shown.period_s;
     now_s_ += dt_s;

@@ -9,8 +9,10 @@
 #include "app/comfort.h"
 #include "app/explore_camera.h"
 #include "app/hands_in_water.h"
+#include "app/mirror.h"
 #include "app/panel.h"
 #include "app/path_recorder.h"
+#include "app/picture_copy.h"
 #include "app/program.h"
 #include "app/scene_loader.h"
 #include "platform/display.h"
@@ -19,14 +21,19 @@ namespace seascape {
 
 class Explorer {
  public:
-  // The program and the display must outlive it.
-  Explorer(const Arguments& arguments, Program& program, Display& display);
+  // All outlive it.
+  // `desktop`: what shows a mirror of a display that tracks a head; null: none.
+  Explorer(const Arguments& arguments, Program& program, Display& display, WindowSystem* desktop = nullptr);
   // Until the display is closed, or --frames pictures have been shown. Throws Error.
   void run();
 
  private:
   void build();  // the experience of program_.scene
   ExperienceOptions options(const Scene& scene) const;
+  void take_experience();
+  void serve_desk();
+  void show_desk(const DisplayFrame& shown, double dt_s);
+  void next_mirror_view();
   void obey(const Input& input);  // what was pressed
   void look(const Input& input);
   void move(const Input& input, double dt_s);
@@ -42,7 +49,7 @@ class Explorer {
   void jump(const glm::dvec3& to_m);
   void aim(const Input& input);  // a teleport, and goes when it is let go
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
-  bool points_at_widgets() const { return overlay_ && overlay_->wants_pointer(); }
+  bool points_at_widgets() const { return mirror_ ? mirror_->takes_pointer() : overlay_ && overlay_->wants_pointer(); }
   void draw(const DisplayFrame& shown, double dt_s);
   PanelFacts facts(const DisplayFrame& shown) const;
   void obey(const PanelWish& wish);
@@ -54,8 +61,8 @@ class Explorer {
   void scale_time(double factor);
   void next_debug_view();
   void toggle_comfort();
-  void take_screenshot();
-  void reload_shaders();  // of a debug build, where one has changed on disk
+  void take_screenshot();  // of the copy that the frame made
+  void reload_shaders();   // of a debug build, where one has changed on disk
   void toggle_recording();
   // On the terminal and, for a few seconds, in the picture.
   void tell(const std::string& line);
@@ -73,7 +80,10 @@ class Explorer {
   const Arguments& arguments_;
   Program& program_;
   Display& display_;
+  WindowSystem* desktop_;           // null: no mirror, or no more
+  std::unique_ptr<Mirror> mirror_;  // outlives what it draws; null: not yet asked for
   std::unique_ptr<Experience> experience_;
+  PictureCopy copy_;  // of the last frame that anybody wanted to keep
   SceneLoader loader_;
   std::string loading_;               // the scene asked for last
   std::unique_ptr<Overlay> overlay_;  // null: nowhere to show one
@@ -82,6 +92,7 @@ class Explorer {
   Comfort comfort_;
   HandsInWater hands_;
   PathRecorder recorder_;
+  Input input_;  // of this frame: the display's, and what was done at the desk
   std::vector<std::string> scenes_;
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
   bool aiming_ = false;                   // a teleport is held
@@ -95,6 +106,8 @@ class Explorer {
   double recording_began_s_ = 0.0, message_until_s_ = 0.0, shaders_looked_at_s_ = 0.0;
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
   std::size_t patches_ = 0;
+  std::uint64_t dropped_ = 0;
+  bool was_shown_ = false;  // the frame before
   std::string message_;
 };
 

@@ -25,7 +25,8 @@ void Explorer::look(const Input& input) {
   if (input.right_button && !button_was_down_ && !points_at_widgets()) look_by_button_ = true;
   if (!input.right_button) look_by_button_ = false;
   button_was_down_ = input.right_button;
-  display_.hold_mouse(look_by_button_ || look_by_key_);
+  const bool held = look_by_button_ || look_by_key_;
+  mirror_ ? mirror_->hold_mouse(held) : display_.hold_mouse(held);
 }
 
 void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWish& wish) {
@@ -54,21 +55,24 @@ void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWis
 void Explorer::move(const Input& input, double dt_s) {
   CameraWish wish;
   const ComfortSettings& c = settings().comfort;
+  const bool worn = display_.tracks_head();
   if (!types()) {
     wish.move = {input.value(Action::move_x), input.value(Action::move_y), -input.value(Action::move_z)};
     wish.fast = input.held(Action::fast);
+  }
+  if (!types() && !worn) {
     wish.turn_deg = glm::dvec2(input.value(Action::turn), input.value(Action::pitch)) * (c.turn_deg_per_s * dt_s);
     for (const auto& [action, value] : input.pressed)
       if (action == Action::snap_turn) wish.turn_deg.x += value * (c.snap_turn_deg > 0 ? c.snap_turn_deg : 30);
   }
-  if (look_by_button_ || look_by_key_)
-    wish.turn_deg += glm::dvec2(input.mouse_pixels.x, -input.mouse_pixels.y) *
-                     (degrees_a_pixel * settings().render.vertical_fov_deg);
   if (!points_at_widgets()) wish.faster_notches = input.wheel;
   hands_.follow(experience_->sea());
   hands_.move(hands(input), sea_time_s());
   const double water_m = water_at_camera(*experience_, head().position_m, sea_time_s()).height_m;
-  if (display_.tracks_head()) soften(input, dt_s, water_m, wish);
+  if (worn) soften(input, dt_s, water_m, wish);
+  if (look_by_button_ || look_by_key_)
+    wish.turn_deg += glm::dvec2(input.mouse_pixels.x, worn ? 0.0 : -input.mouse_pixels.y) *
+                     (degrees_a_pixel * settings().render.vertical_fov_deg);
   camera_.step(wish, dt_s, water_m);
   aim(input);
 }

@@ -24,6 +24,10 @@ struct PanelFacts {
   double speed_mps = 0.0, sea_time_s = 0.0, recorded_s = 0.0;
   bool paused = false, recording = false;
   double frame_ms = 0.0, cpu_ms = 0.0, gpu_ms = 0.0;
+  double period_ms = 0.0;              // from one frame to the next as the display has it; 0: it does not say
+  double scale = 1.0;                  // of the size that the display asks for
+  std::uint64_t dropped = 0;           // frames that the display showed nothing new in
+  std::string_view state = "focused";  // of a headset: "focused", "unfocused", "away"
   std::span<const PassTime> passes;
   std::span<const StageTime> stages;
   FrameCounts counts;

@@ -13,8 +13,7 @@
 #include "tests/support/gpu/picture.h"
 #include "tests/support/run_program.h"
 
-#include <X11/Xlib.h>  // last: its macros take common names
-#include <X11/Xutil.h>
+#include "tests/support/x11.h"  // last: X11's macros take common names
 
 namespace seascape {
 namespace {
@@ -24,6 +23,8 @@ using test::run_program;
 using test::TemporaryFolder;
 using test::VirtualDisplay;
 using test::wait_until;
+using test::WindowManager;
+using test::X11Reader;
 
 std::size_t colours_of(const Image8& image) {
   std::set<std::uint32_t> colours;
@@ -32,61 +33,6 @@ std::size_t colours_of(const Image8& image) {
                    image.pixels[i + 2]);
   return colours.size();
 }
-
-// What a window manager says to windows, for there is none on the virtual display.
-class WindowManager {
- public:
-  explicit WindowManager(const VirtualDisplay& display) : x_(XOpenDisplay(display.name().c_str())) {}
-  ~WindowManager() { XCloseDisplay(x_); }
-  void close_button(::Window window) {
-    XEvent event{};
-    event.xclient.type = ClientMessage;
-    event.xclient.window = window;
-    event.xclient.message_type = XInternAtom(x_, "WM_PROTOCOLS", False);
-    event.xclient.format = 32;
-    event.xclient.data.l[0] = long(XInternAtom(x_, "WM_DELETE_WINDOW", False));
-    XSendEvent(x_, window, False, NoEventMask, &event);
-    XSync(x_, False);
-  }
-  void set_iconic(::Window window, bool iconic) {
-    const long state[] = {iconic ? IconicState : NormalState, 0};
-    const Atom name = XInternAtom(x_, "WM_STATE", False);
-    XChangeProperty(x_, window, name, name, 32, PropModeReplace, reinterpret_cast<const unsigned char*>(state), 2);
-    XSync(x_, False);
-  }
-
- private:
-  ::Display* x_;
-};
-
-// Reads what a window shows, as a screen does.
-class X11Reader {
- public:
-  X11Reader(const VirtualDisplay& display, ::Window window)
-      : x_(XOpenDisplay(display.name().c_str())), window_(window) {}
-  ~X11Reader() { XCloseDisplay(x_); }
-  X11Reader(const X11Reader&) = delete;
-  X11Reader& operator=(const X11Reader&) = delete;
-  Image8 read() const {
-    XWindowAttributes is{};
-    XGetWindowAttributes(x_, window_, &is);
-    XImage* image = XGetImage(x_, window_, 0, 0, unsigned(is.width), unsigned(is.height), AllPlanes, ZPixmap);
-    if (image == nullptr) throw std::runtime_error("the window cannot be read");
-    Image8 result{is.width, is.height, 4, {}};
-    for (int y = 0; y < is.height; ++y)
-      for (int x = 0; x < is.width; ++x) {
-        const unsigned long pixel = XGetPixel(image, x, y);
-        for (const unsigned shift : {16u, 8u, 0u}) result.pixels.push_back(std::uint8_t(pixel >> shift));
-        result.pixels.push_back(255);
-      }
-    XDestroyImage(image);
-    return result;
-  }
-
- private:
-  ::Display* x_;
-  ::Window window_;
-};
 
 // Of a picture of 200 rows the upper 140, 320 columns from `left` on, three colours.
 Image8 upper_rows(const Image8& image, int left) {

@@ -1,0 +1,35 @@
+// A virtual display of its own, and a device that shows windows there, under validation.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "platform/window.h"
+#include "tests/support/desktop.h"
+
+namespace seascape::test {
+
+// After every test the validation layer has said nothing.
+class DeskTest : public testing::Test {
+ protected:
+  DeskTest() {
+    setenv("DISPLAY", display_.name().c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+    system_ = std::make_unique<WindowSystem>();
+    DeviceOptions options;
+    options.validation = options.present = true;
+    options.instance_extensions = system_->instance_extensions();
+    device_ = std::make_unique<Device>(options);
+  }
+  void TearDown() override {
+    device_->wait_idle();
+    EXPECT_TRUE(device_->validation_messages().empty()) << device_->validation_messages().front();
+  }
+
+  VirtualDisplay display_;
+  std::unique_ptr<WindowSystem> system_;
+  std::unique_ptr<Device> device_;
+};
+
+}  // namespace seascape::test
