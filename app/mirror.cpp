@@ -50,7 +50,10 @@ Input Mirror::begin(double now_s, const MirrorSettings& settings) {
   const bool free = window_.ready(frame_);
   if (outside_ && frame_.ready()) outside_->release();
   due_ = visible_ && free && now_s >= next_s_;
-  if (due_) next_s_ = std::max(next_s_ + 1.0 / settings.rate_hz, now_s);
+  if (due_) {
+    const double period_s = 1.0 / settings.rate_hz;
+    next_s_ = next_s_ + period_s > now_s ? next_s_ + period_s : now_s + period_s;  // what came late is not made up for
+  }
 
   if (overlay_->wants_keyboard()) {
     input.pressed.clear();
