@@ -21,7 +21,8 @@ using Desk = test::DeskTest;
 
 constexpr int side = 320;  // of an eye's picture, pixels
 
-// Each overlay has widgets of its own, whatever another one does between. Control seen: begin() without its context.
+// Each overlay has widgets of its own, whatever another one does between. Controls seen:
+// begin() without its context, end() without it.
 TEST_F(Desk, OverlaysLiveTogether) {
   WindowOptions options;
   options.waits = false;
@@ -39,8 +40,8 @@ TEST_F(Desk, OverlaysLiveTogether) {
   };
   for (int i = 0; i < 3; ++i) {
     first_window->begin();
-    EXPECT_EQ(widgets(*first, 111.0f), 111.0f);
     second_window.begin();
+    EXPECT_EQ(widgets(*first, 111.0f), 111.0f);
     EXPECT_EQ(widgets(*second, 222.0f), 222.0f);
     first->end();
     second->end();

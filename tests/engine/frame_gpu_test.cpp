@@ -1,8 +1,9 @@
-// Room for the lists of vertices that frames ask for.
+// Frames: room for the lists of vertices that they ask for, and whether they have left the GPU.
 #include "engine/frame.h"
 
 #include <cstring>
 
+#include "tests/support/gpu/blockade.h"
 #include "tests/support/gpu/gpu_test.h"
 
 namespace seascape {
@@ -56,6 +57,21 @@ TEST_F(FrameVertices, GrowWithWhatFramesAskFor) {
   frame.finish();
   EXPECT_EQ(device.objects().size(), objects);
   EXPECT_EQ(device.memory().used_bytes(), bytes);
+}
+
+// Control seen: ready() that asks for the frame before the last.
+TEST_F(FrameVertices, AreReadyWhenTheGpuHasDone) {
+  Device& device = test::device();
+  Frame frame(device, 64);
+  EXPECT_TRUE(frame.ready());
+  test::Blockade blockade(device);
+  EXPECT_FALSE(blockade.frame().ready());
+  frame.begin();
+  frame.submit();
+  EXPECT_FALSE(frame.ready());
+  EXPECT_TRUE(blockade.lift()) << "ready() waited";
+  frame.finish();
+  EXPECT_TRUE(frame.ready());
 }
 
 }  // namespace

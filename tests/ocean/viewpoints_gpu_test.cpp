@@ -25,7 +25,9 @@ struct Camera {
     TargetSpec spec = shot.experience().picture().spec();
     picture = RenderTarget(shot.device(), name, spec);
   }
-  void select(SeaShot& shot) { selection = &shot.experience().ocean().select(view, patches); }
+  void select(SeaShot& shot) {
+    selection = &shot.experience().ocean().select(view, patches, shot.scene().settings.lod);
+  }
   void draw(SeaShot& shot, Frame& frame) const {
     Experience& e = shot.experience();
     gpu::FrameData data{};
