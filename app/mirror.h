@@ -56,6 +56,8 @@ class Mirror {
   void hold_mouse(bool held);
   void set_title(const std::string& title) { window_.set_title(title + " (mirror)"); }
   bool takes_pointer() const { return overlay_->wants_pointer(); }
+  // What the GPU took for the newest of its pictures that is known to have left it.
+  double gpu_ms() const { return frame_.gpu_ms(); }
   // Why there is no view from behind; once.
   std::optional<std::string> take_fault() { return std::exchange(fault_, std::nullopt); }
 
