@@ -44,11 +44,11 @@ class PanelUnderTheMouse : public testing::Test {
   void open_all() {
     frame(-1.0f, -1.0f, false, [] {
       ImGui::Begin("Seascape");
-      for (const char* title : {"Waves", "Gerstner", "Wave particles",  "Dynamic waves", "Foam",
-                                "Spray", "Level",    "Sea depth",       "Flow",          "Clip",
-                                "Place", "Baked",    "Level of detail", "Water",         "Sky",
-                                "Frame", "Stereo",   "Camera",          "Comfort", "Mirror",       "Time",
-                                "Debug"})
+      for (const char* title :
+           {"Waves",     "Gerstner", "Wave particles", "Dynamic waves", "Foam",    "Spray",           "Level",
+            "Sea depth", "Flow",     "Clip",           "Place",         "Baked",   "Level of detail", "Water",
+            "Sky",       "Frame",    "Stereo",         "Camera",        "Comfort", "Mirror",          "Time",
+            "Debug"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
     });
