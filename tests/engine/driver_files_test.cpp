@@ -10,26 +10,14 @@
 #include <optional>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/variable.h"
 
 namespace seascape {
 namespace {
 
 using test::TemporaryFolder;
+using test::Variable;
 using testing::StartsWith;
-
-// An environment variable for the length of a test.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    value != nullptr ? setenv(name, value, 1) : unsetenv(name);
-  }
-  ~Variable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 // Controls seen: an empty variable taken for one that is unset, and a folder without files passed over; without the
 // look at is_discarded() what is not JSON is told as no driver's.

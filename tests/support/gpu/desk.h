@@ -2,11 +2,11 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
 
 #include "platform/window.h"
 #include "tests/support/desktop.h"
+#include "tests/support/variable.h"
 
 namespace seascape::test {
 
@@ -14,8 +14,6 @@ namespace seascape::test {
 class DeskTest : public testing::Test {
  protected:
   DeskTest() {
-    setenv("DISPLAY", display_.name().c_str(), 1);
-    unsetenv("WAYLAND_DISPLAY");
     system_ = std::make_unique<WindowSystem>();
     DeviceOptions options;
     options.validation = options.present = true;
@@ -28,6 +26,7 @@ class DeskTest : public testing::Test {
   }
 
   VirtualDisplay display_;
+  Variable x11_{"DISPLAY", display_.name().c_str()}, wayland_{"WAYLAND_DISPLAY", nullptr};
   std::unique_ptr<WindowSystem> system_;
   std::unique_ptr<Device> device_;
 };
