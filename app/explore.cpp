@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
@@ -67,9 +68,9 @@ std::unique_ptr<WindowSystem> desktop_beside(DeviceOptions& options) {
 }
 
 // `system` outlives what is made for it.
-void explore_with(HeadsetSystem& system, const Arguments& arguments) {
+void explore_with(HeadsetSystem& system, const Arguments& arguments, bool mirrored) {
   DeviceOptions options = device_options();
-  const std::unique_ptr<WindowSystem> desktop = desktop_beside(options);
+  const std::unique_ptr<WindowSystem> desktop = mirrored ? desktop_beside(options) : nullptr;
   system.make_device(options);
   Program program = make_program(arguments, options);
   {
@@ -86,7 +87,7 @@ void explore_with(HeadsetSystem& system, const Arguments& arguments) {
 void explore_in_headset(const Arguments& arguments) {
   const XrLoader loader;
   HeadsetSystem system(loader.get());
-  explore_with(system, arguments);
+  explore_with(system, arguments, true);
 }
 
 void explore_simulated(const Arguments& arguments) {
@@ -98,7 +99,10 @@ void explore_simulated(const Arguments& arguments) {
   const OutputFolder held(arguments.out);
   SimulatedRuntime runtime(options);
   HeadsetSystem system(runtime.get(), runtime.next());
-  explore_with(system, arguments);
+  // A script plays alone, unless somebody asks to see it.
+  const bool watched = std::any_of(arguments.overrides.begin(), arguments.overrides.end(),
+                                   [](const Override& one) { return one.key == "mirror.view"; });
+  explore_with(system, arguments, watched);
 }
 
 // Draws as many frames as asked for, one by default, and keeps the last as pictures.
