@@ -212,10 +212,10 @@ std::span<const KeyBinding> key_bindings() { return keys; }
 
 std::span<const GamepadBinding> gamepad_bindings() { return gamepad; }
 
-double stick_value(double stick) {
+double stick_value(double pushed) {
   constexpr double dead = 0.15;
-  const double size = std::abs(stick);
-  return size <= dead ? 0.0 : std::copysign(std::min(1.0, (size - dead) / (1.0 - dead)), stick);
+  const double size = std::abs(pushed);
+  return size <= dead ? 0.0 : std::copysign(std::min(1.0, (size - dead) / (1.0 - dead)), pushed);
 }
 
 void gather_gamepad(InputGatherer& gatherer, Post post, std::span<const unsigned char> buttons,

@@ -32,7 +32,7 @@ struct GamepadBinding {
 };
 std::span<const GamepadBinding> gamepad_bindings();
 // What a stick (-1 to 1) gives: nothing near its middle, where it never quite rests.
-double stick_value(double stick);
+double stick_value(double pushed);
 // Adds what a gamepad says, by GLFW's numbers of buttons (0 or 1) and axes (-1 to 1), to a frame's actions.
 void gather_gamepad(InputGatherer& gatherer, Post post, std::span<const unsigned char> buttons,
                     std::span<const float> axes);
