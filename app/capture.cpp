@@ -205,7 +205,7 @@ void print_table(const std::vector<Measured>& all) {
 int run_capture(const Arguments& arguments) {
   if (arguments.display == DisplayKind::headset || arguments.display == DisplayKind::simulated)
     throw Error(arguments.display == DisplayKind::headset ? "--display headset" : "--display simulated",
-                "this version draws to windows and to files, not yet to headsets", "take --display window or headless");
+                "capture measures in a window or without a display", "take --display window or headless");
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;

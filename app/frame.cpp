@@ -66,6 +66,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
+  // What is drawn of the viewer himself, and over what he sees.
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, viewpoint.viewer.position_m);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
@@ -74,8 +75,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.spray_)
     stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
 
-  // 5. Sea, then the sky where no sea is, and spray over both: in the tile up to the finished picture, or into the
-  // desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
+  // 5. Sea, then the sky where no sea is, hands before them, and spray over all: in the tile up to the finished
+  // picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of
+  // all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =

@@ -10,6 +10,18 @@ Pose composed(const Pose& from, const Pose& pose) {
   return {from.position_m + from.orientation * pose.position_m, glm::normalize(from.orientation * pose.orientation)};
 }
 
+Pose inverse(const Pose& pose) {
+  const glm::dquat back = glm::conjugate(pose.orientation);
+  return {back * -pose.position_m, back};
+}
+
+glm::dquat heading(const glm::dquat& orientation) {
+  const glm::dvec3 ahead = orientation * glm::dvec3(0.0, 0.0, -1.0), right = orientation * glm::dvec3(1.0, 0.0, 0.0);
+  const double yaw =
+      std::hypot(ahead.x, ahead.z) > 1e-3 ? std::atan2(-ahead.x, -ahead.z) : std::atan2(-right.z, right.x);
+  return glm::angleAxis(yaw, glm::dvec3(0.0, 1.0, 0.0));
+}
+
 Fov symmetric_fov(double vertical_deg, double aspect) {
   const double t = std::tan(glm::radians(vertical_deg) * 0.5);
   return {-t * aspect, t * aspect, t, -t};

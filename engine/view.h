@@ -14,6 +14,10 @@ struct Pose {
 
 // Where a pose lies that is given as seen from another.
 Pose composed(const Pose& from, const Pose& pose);
+// composed(inverse(p), p) is the origin.
+Pose inverse(const Pose& pose);
+// The turn about +y that faces where an orientation looks; where it looks straight up or down, by its right ear.
+glm::dquat heading(const glm::dquat& orientation);
 
 // Tangents of the four half angles, as OpenXR has them: left and down are negative for a usual view.
 struct Fov {

@@ -16,23 +16,15 @@ namespace seascape {
 
 namespace {
 
-XrPosef xr_pose(const Pose& pose) {
-  const glm::quat q(pose.orientation);
-  const glm::vec3 p(pose.position_m);
-  return {{q.x, q.y, q.z, q.w}, {p.x, p.y, p.z}};
-}
-
-double yaw_of(const glm::dquat& orientation) {  // about +y, radians
-  const glm::dvec3 ahead = orientation * glm::dvec3(0.0, 0.0, -1.0);
-  const glm::dvec3 right = orientation * glm::dvec3(1.0, 0.0, 0.0);
-  return std::hypot(ahead.x, ahead.z) > 1e-3 ? std::atan2(-ahead.x, -ahead.z) : std::atan2(-right.z, right.x);
-}
-
 bool fov_is_sound(const XrFovf& fov) {
   constexpr float most = 1.55f, least = 0.017f;  // 89 degrees, and one from side to side
   return fov.angleRight - fov.angleLeft > least && fov.angleUp - fov.angleDown > least &&
          std::abs(fov.angleLeft) < most && std::abs(fov.angleRight) < most && std::abs(fov.angleUp) < most &&
          std::abs(fov.angleDown) < most;
+}
+
+std::uint32_t pixels(double asked, std::uint32_t most) {
+  return std::uint32_t(std::clamp(std::round(asked), 1.0, double(most)));
 }
 
 constexpr XrFovf usual_fov{-0.785f, 0.785f, 0.785f, -0.785f};
@@ -47,12 +39,10 @@ Fov fov_from(const XrFovf& fov) {
 Headset::Headset(HeadsetSystem& system, Device& device, const HeadsetOptions& options)
     : system_(system), api_(system.api()), device_(device), options_(options) {
   const HeadsetFacts& facts = system.facts();
-  const auto wide = [](std::uint32_t wanted, std::uint32_t recommended, double scale, std::uint32_t most) {
-    const double size = wanted ? double(wanted) : double(recommended) * scale;
-    return std::uint32_t(std::clamp(std::round(size), 1.0, double(most)));
-  };
-  most_width_ = wide(options.width, facts.width, options.most_scale, facts.most_width);
-  most_height_ = wide(options.height, facts.height, options.most_scale, facts.most_height);
+  most_width_ = options.width ? options.width : pixels(facts.width * options.most_scale, facts.most_width);
+  most_height_ = options.height ? options.height : pixels(facts.height * options.most_scale, facts.most_height);
+  most_width_ = std::min(most_width_, facts.most_width);
+  most_height_ = std::min(most_height_, facts.most_height);
   set_scale(options.scale);
   for (XrView& view : located_) view = {XR_TYPE_VIEW, nullptr, nowhere, usual_fov};
   try {
@@ -76,12 +66,8 @@ Headset::~Headset() {
 
 void Headset::set_scale(double scale) {
   const HeadsetFacts& facts = system_.facts();
-  const auto size = [&](std::uint32_t wanted, std::uint32_t recommended, std::uint32_t most) {
-    const double asked = double(wanted ? wanted : recommended) * scale;
-    return std::uint32_t(std::clamp(std::round(asked), 1.0, double(most)));
-  };
-  width_ = size(options_.width, facts.width, most_width_);
-  height_ = size(options_.height, facts.height, most_height_);
+  width_ = pixels((options_.width ? options_.width : facts.width) * scale, most_width_);
+  height_ = pixels((options_.height ? options_.height : facts.height) * scale, most_height_);
 }
 
 // begin() makes another. There is no frame of a lost session to end.
@@ -183,13 +169,8 @@ void Headset::controllers_gather() {
 
 // The space's new origin, seen from the old one, is the floor under the head, turned as the head is.
 void Headset::centre_under_head() {
-  const double yaw = yaw_of(head_->orientation);
-  const Pose before = pose_from(space_offset_);
-  Pose offset;
-  offset.orientation = before.orientation * glm::angleAxis(yaw, glm::dvec3(0.0, 1.0, 0.0));
-  offset.position_m =
-      before.position_m + before.orientation * glm::dvec3(head_->position_m.x, 0.0, head_->position_m.z);
-  space_offset_ = xr_pose(offset);
+  const Pose floor{{head_->position_m.x, 0.0, head_->position_m.z}, heading(head_->orientation)};
+  space_offset_ = xr_pose(composed(pose_from(space_offset_), floor));
   move_space();
   moved_ = true;
 }
@@ -251,7 +232,11 @@ void Headset::hand_over(Frame& frame, const RenderTarget& picture, const Image* 
 void Headset::end(Frame& frame, const RenderTarget* picture, const Image* depth) {
   const bool shown = picture != nullptr && should_render_;
   quad_.reset();
-  if (shown && layer_) quad_ = layer_->draw(frame);
+  try {
+    if (shown && layer_) quad_ = layer_->draw(frame);
+  } catch (const SessionLost& fault) {
+    lose_session(fault);  // what the frame has drawn is submitted all the same
+  }
   if (shown) hand_over(frame, *picture, depth);
   if (picture) frame.submit();
   try {

@@ -17,7 +17,6 @@ struct HeadsetOptions {
   double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor
   double rate_hz = 0.0;       // asked for; 0: the runtime's own
   bool left_handed = false;
-  bool symmetric = false;  // draws as wide to one side of an eye as to the other, and shows what was asked for
   std::uint32_t width = 0, height = 0;  // pixels an eye; 0: as recommended
 };
 

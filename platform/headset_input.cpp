@@ -16,21 +16,6 @@ constexpr const char* hand_names[] = {"/user/hand/left", "/user/hand/right"};
 
 }  // namespace
 
-Pose pose_from(const XrPosef& pose) {
-  const auto& p = pose.position;
-  const auto& q = pose.orientation;
-  return {{p.x, p.y, p.z}, glm::normalize(glm::dquat(q.w, q.x, q.y, q.z))};
-}
-
-bool pose_is_sound(const XrPosef& pose) {
-  const auto& p = pose.position;
-  const auto& q = pose.orientation;
-  const double length = std::sqrt(double(q.x) * q.x + double(q.y) * q.y + double(q.z) * q.z + double(q.w) * q.w);
-  constexpr float far_m = 1e5f;
-  return std::abs(p.x) < far_m && std::abs(p.y) < far_m && std::abs(p.z) < far_m &&
-         std::abs(length - 1.0) < 0.01;  // as OpenXR has it
-}
-
 HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed) : system_(system) {
   const XrApi& api = system.api();
   try {

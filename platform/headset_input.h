@@ -5,6 +5,7 @@
 
 #include "platform/bindings.h"
 #include "platform/headset_system.h"
+#include "platform/xr_pose.h"
 
 namespace seascape {
 
@@ -50,9 +51,5 @@ class HeadsetInput {
   bool focused_ = false;
   std::array<bool, 2> let_go_{};  // closed since it was lost
 };
-
-Pose pose_from(const XrPosef& pose);
-// Whether it is a place and a direction at all; the orientation is then taken to unit length.
-bool pose_is_sound(const XrPosef& pose);
 
 }  // namespace seascape

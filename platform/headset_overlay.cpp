@@ -4,15 +4,17 @@
 
 #include <backends/imgui_impl_vulkan.h>
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
-#include "platform/overlay_style.h"
+#include "platform/overlay_drawing.h"
 
 namespace seascape {
 
 namespace {
 
-constexpr double before_m = 1.2, below_m = 0.15;  // of the board, against the head
+constexpr double before_m = 1.2, below_m = 0.15;        // of the board, against the head
+constexpr double press_strength = 0.4, press_s = 0.02;  // what a hand feels of it
 constexpr float font_scale = 2.0f;  // 13 pixels of 0.9 m on 900 at 1.2 m are 0.6 degrees: too small to read
 
 // ImGui's calls go to the context that is current: each overlay has its own.
@@ -40,9 +42,8 @@ TargetSpec board_spec(std::uint32_t width, std::uint32_t height, VkFormat colour
 }  // namespace
 
 std::optional<glm::dvec2> pointed_at(const Pose& ray, const Pose& board, const glm::dvec2& size_m) {
-  const glm::dquat back = glm::conjugate(board.orientation);
-  const glm::dvec3 from = back * (ray.position_m - board.position_m),
-                   ahead = back * (ray.orientation * glm::dvec3(0.0, 0.0, -1.0));
+  const Pose seen = composed(inverse(board), ray);
+  const glm::dvec3 from = seen.position_m, ahead = seen.orientation * glm::dvec3(0.0, 0.0, -1.0);
   if (from.z <= 0.0 || ahead.z >= -1e-6) return std::nullopt;
   const glm::dvec3 met = from + ahead * (from.z / -ahead.z);
   const glm::dvec2 share(met.x / size_m.x + 0.5, 0.5 - met.y / size_m.y);
@@ -52,40 +53,12 @@ std::optional<glm::dvec2> pointed_at(const Pose& ray, const Pose& board, const g
 
 HeadsetOverlay::HeadsetOverlay(Device& device, Headset& headset) : device_(device), headset_(headset) {
   const EffectScope scope(device, "panel");
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4};
-  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
-  pool.maxSets = 4;
-  pool.poolSizeCount = 1;
-  pool.pPoolSizes = &size;
-  VkDescriptorPool handle = VK_NULL_HANDLE;
-  check(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &handle), "vkCreateDescriptorPool");
-  pool_ = Owned<VkDescriptorPool>(device, handle, "panel");
   make_board();
   context_ = ImGui::CreateContext();
   const Current current(context_);
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // nothing is written but what the user asks for
-  io.LogFilename = nullptr;
-  io.DisplaySize = {float(width_), float(height_)};
-  io.MouseDrawCursor = true;
-  ImFontConfig font;
-  font.SizePixels = 13.0f * font_scale;
-  io.Fonts->AddFontDefault(&font);
-  set_overlay_style(font_scale);
-  ImGui_ImplVulkan_InitInfo info{};
-  info.Instance = device.instance();
-  info.PhysicalDevice = device.physical();
-  info.Device = device.handle();
-  info.QueueFamily = device.queue_family();
-  info.Queue = device.queue();
-  info.DescriptorPool = handle;
-  info.MinImageCount = info.ImageCount = Frame::slots;  // how many of its vertex buffers may be in flight
-  info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
-  info.CheckVkResultFn = [](VkResult result) { check(result, "the panel's drawing"); };
-  ImGui_ImplVulkan_Init(&info, board_.render_pass());
-  device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
-  ImGui_ImplVulkan_DestroyFontUploadObjects();
+  ImGui::GetIO().DisplaySize = {float(width_), float(height_)};
+  ImGui::GetIO().MouseDrawCursor = true;
+  pool_ = start_overlay_drawing(device, board_.render_pass(), font_scale, "panel");
   headset.show(this);
 }
 
@@ -116,8 +89,7 @@ void HeadsetOverlay::reset() {
 // Before the head, upright, facing it.
 void HeadsetOverlay::place() {
   const Pose head = headset_.head().value_or(Pose{{0.0, 1.7, 0.0}});
-  const glm::dvec3 ahead = head.orientation * glm::dvec3(0.0, 0.0, -1.0);
-  const glm::dquat turned = glm::angleAxis(std::atan2(-ahead.x, -ahead.z), glm::dvec3(0.0, 1.0, 0.0));
+  const glm::dquat turned = heading(head.orientation);
   at_ = {head.position_m + turned * glm::dvec3(0.0, -below_m, -before_m), turned};
 }
 
@@ -128,7 +100,7 @@ void HeadsetOverlay::point() {
   pointed_at_ = false;
   constexpr float away = -1e9f;
   io.MousePos = {away, away};
-  io.MouseDown[0] = false;
+  const bool was_down = std::exchange(io.MouseDown[0], false);
   if (!shown_) return;
   for (const std::size_t hand : {1u, 0u}) {
     if (!input.hands[hand]) continue;
@@ -137,6 +109,7 @@ void HeadsetOverlay::point() {
     io.MousePos = {float(at->x * width_), float(at->y * height_)};
     io.MouseDown[0] = input.held(hand == 0 ? Action::select_left : Action::select_right);
     io.MouseWheel = float(input.value(Action::move_y)) * io.DeltaTime * 10.0f;
+    if (io.MouseDown[0] && !was_down) headset_.buzz(int(hand), press_strength, press_s);
     pointed_at_ = true;
     return;
   }

@@ -18,17 +18,9 @@ const char* state_name(XrSessionState state) {
 }  // namespace
 
 void Headset::begin_session() {
-  XrGraphicsBindingVulkan2KHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR};
-  binding.instance = device_.instance();
-  binding.physicalDevice = device_.physical();
-  binding.device = device_.handle();
-  binding.queueFamilyIndex = device_.queue_family();
-  XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
-  info.next = &binding;
-  info.systemId = system_.id();
   {
     const std::lock_guard lock(device_.queue_mutex());
-    check_xr(api_.CreateSession(system_.instance(), &info, &session_), "xrCreateSession");
+    session_ = make_session(system_, device_);
   }
   state_ = XR_SESSION_STATE_UNKNOWN;
   session_lost_ = running_ = false;
@@ -61,12 +53,10 @@ void Headset::end_session() {
 
 // LOCAL_FLOOR, or STAGE, whose origins lie on the floor, or LOCAL, which is at the head's height.
 void Headset::choose_space() {
-  std::uint32_t count = 0;
-  check_xr(api_.EnumerateReferenceSpaces(session_, 0, &count, nullptr), "xrEnumerateReferenceSpaces");
-  std::vector<XrReferenceSpaceType> types(std::min(count, 64u));
-  count = std::uint32_t(types.size());
-  if (count > 0)
-    check_xr(api_.EnumerateReferenceSpaces(session_, count, &count, types.data()), "xrEnumerateReferenceSpaces");
+  const auto types = xr_list("xrEnumerateReferenceSpaces", XrReferenceSpaceType{},
+                             [&](std::uint32_t room, std::uint32_t* found, XrReferenceSpaceType* to) {
+                               return api_.EnumerateReferenceSpaces(session_, room, found, to);
+                             });
   space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   for (const XrReferenceSpaceType type : {XR_REFERENCE_SPACE_TYPE_STAGE, XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT})
     if (std::find(types.begin(), types.end(), type) != types.end() &&

@@ -72,13 +72,10 @@ void HeadsetSwapchain::release() {
 }
 
 VkFormat headset_format(const HeadsetSystem& system, XrSession session, std::initializer_list<VkFormat> wanted) {
-  std::uint32_t count = 0;
-  const XrApi& api = system.api();
-  check_xr(api.EnumerateSwapchainFormats(session, 0, &count, nullptr), "xrEnumerateSwapchainFormats");
-  std::vector<std::int64_t> formats(std::min(count, 4096u));
-  count = std::uint32_t(formats.size());
-  if (count > 0)
-    check_xr(api.EnumerateSwapchainFormats(session, count, &count, formats.data()), "xrEnumerateSwapchainFormats");
+  const auto formats = xr_list("xrEnumerateSwapchainFormats", std::int64_t{},
+                               [&](std::uint32_t room, std::uint32_t* found, std::int64_t* to) {
+                                 return system.api().EnumerateSwapchainFormats(session, room, found, to);
+                               });
   // The runtime's own order is by what it likes best.
   for (const std::int64_t format : formats)
     if (std::find(wanted.begin(), wanted.end(), VkFormat(format)) != wanted.end()) return VkFormat(format);

@@ -13,19 +13,6 @@ namespace seascape {
 
 namespace {
 
-// A runtime's list: how many there are, then all of them.
-template <class T, class Ask>
-std::vector<T> listed_by(const char* call, const T& blank, const Ask& ask) {
-  std::vector<T> all;
-  std::uint32_t count = 0;
-  check_xr(ask(0u, &count, static_cast<T*>(nullptr)), call);
-  if (count > 4096) throw Error("OpenXR", fmt::format("{} counts {}", call, count), "update the headset's runtime");
-  all.resize(count, blank);
-  if (count > 0) check_xr(ask(count, &count, all.data()), call);
-  all.resize(std::min<std::size_t>(count, all.size()));
-  return all;
-}
-
 // Used where the runtime has them. What must be there is asked for by name below.
 constexpr const char* wanted[] = {
     XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
@@ -71,10 +58,10 @@ void HeadsetSystem::create_instance(const void* next) {
     if (none == XR_ERROR_RUNTIME_UNAVAILABLE || none == XR_ERROR_RUNTIME_FAILURE)
       throw Error("OpenXR", "no headset runtime answers",
                   "start the headset's runtime (Monado, SteamVR) and see `seascape doctor`, or take --display window");
-    return listed_by("xrEnumerateInstanceExtensionProperties", blank,
-                     [&](std::uint32_t room, std::uint32_t* found, XrExtensionProperties* to) {
-                       return api_.EnumerateInstanceExtensionProperties(nullptr, room, found, to);
-                     });
+    return xr_list("xrEnumerateInstanceExtensionProperties", blank,
+                   [&](std::uint32_t room, std::uint32_t* found, XrExtensionProperties* to) {
+                     return api_.EnumerateInstanceExtensionProperties(nullptr, room, found, to);
+                   });
   }();
   for (const XrExtensionProperties& one : extensions)
     facts_.extensions.emplace_back(one.extensionName, strnlen(one.extensionName, sizeof one.extensionName));
@@ -118,18 +105,18 @@ void HeadsetSystem::find_system() {
   check_xr(api_.GetSystemProperties(instance_, id_, &system), "xrGetSystemProperties");
   facts_.headset = std::string(system.systemName, strnlen(system.systemName, sizeof system.systemName));
 
-  const auto kinds = listed_by("xrEnumerateViewConfigurations", XrViewConfigurationType{},
-                               [&](std::uint32_t room, std::uint32_t* found, XrViewConfigurationType* to) {
-                                 return api_.EnumerateViewConfigurations(instance_, id_, room, found, to);
-                               });
+  const auto kinds = xr_list("xrEnumerateViewConfigurations", XrViewConfigurationType{},
+                             [&](std::uint32_t room, std::uint32_t* found, XrViewConfigurationType* to) {
+                               return api_.EnumerateViewConfigurations(instance_, id_, room, found, to);
+                             });
   constexpr XrViewConfigurationType stereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   if (std::find(kinds.begin(), kinds.end(), stereo) == kinds.end())
     throw Error(facts_.headset, "it has no views for two eyes", "take another headset, or --display window");
   const auto views =
-      listed_by("xrEnumerateViewConfigurationViews", XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
-                [&](std::uint32_t room, std::uint32_t* found, XrViewConfigurationView* to) {
-                  return api_.EnumerateViewConfigurationViews(instance_, id_, stereo, room, found, to);
-                });
+      xr_list("xrEnumerateViewConfigurationViews", XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
+              [&](std::uint32_t room, std::uint32_t* found, XrViewConfigurationView* to) {
+                return api_.EnumerateViewConfigurationViews(instance_, id_, stereo, room, found, to);
+              });
   facts_.views = std::uint32_t(views.size());
   if (views.size() != 2)
     throw Error(facts_.headset, fmt::format("it has {} views, not two", views.size()),
@@ -209,9 +196,7 @@ void HeadsetSystem::make_device(DeviceOptions& options) {
   options.show_depth = uses(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
 }
 
-std::vector<float> headset_rates(const HeadsetSystem& system, const Device& device) {
-  const XrApi& api = system.api();
-  if (!system.uses(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME) || !api.EnumerateDisplayRefreshRatesFB) return {};
+XrSession make_session(const HeadsetSystem& system, const Device& device) {
   XrGraphicsBindingVulkan2KHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR};
   binding.instance = device.instance();
   binding.physicalDevice = device.physical();
@@ -221,7 +206,14 @@ std::vector<float> headset_rates(const HeadsetSystem& system, const Device& devi
   info.next = &binding;
   info.systemId = system.id();
   XrSession session = XR_NULL_HANDLE;
-  check_xr(api.CreateSession(system.instance(), &info, &session), "xrCreateSession");
+  check_xr(system.api().CreateSession(system.instance(), &info, &session), "xrCreateSession");
+  return session;
+}
+
+std::vector<float> headset_rates(const HeadsetSystem& system, const Device& device) {
+  const XrApi& api = system.api();
+  if (!system.uses(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME) || !api.EnumerateDisplayRefreshRatesFB) return {};
+  const XrSession session = make_session(system, device);
   std::array<float, 64> rates{};
   std::uint32_t count = 0;
   const XrResult result =

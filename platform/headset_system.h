@@ -55,6 +55,10 @@ class HeadsetSystem {
   std::vector<std::string> used_;
 };
 
+// A session of a device that was made for it, whose queue must be still meanwhile (Device::queue_mutex). Whoever asks
+// gives it back by xrDestroySession. Throws Error.
+XrSession make_session(const HeadsetSystem& system, const Device& device);
+
 // The pictures a second that the headset can be switched to; empty where it does not say. The device was made for it.
 std::vector<float> headset_rates(const HeadsetSystem& system, const Device& device);
 

@@ -89,7 +89,7 @@ XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession session, const XrActionSpa
   const int hand = hand_of(s, info->subactionPath);
   if (hand < 0) return XR_ERROR_PATH_UNSUPPORTED;
   if (object<Action>(info->action).type != XR_ACTION_TYPE_POSE_INPUT) return XR_ERROR_ACTION_TYPE_MISMATCH;
-  s.spaces.push_back(std::make_unique<Space>(Space{s, Space::Kind::hand, hand, pose_of(info->poseInActionSpace)}));
+  s.spaces.push_back(std::make_unique<Space>(Space{s, Space::Kind::hand, hand, pose_from(info->poseInActionSpace)}));
   *made = handle<XrSpace>(s.spaces.back().get());
   return XR_SUCCESS;
 }

@@ -67,7 +67,7 @@ void record_copy(VkCommandBuffer commands, VkImage image, const VkBufferImageCop
 // Lays a quad over what an eye sees, where the eye's rays meet its front.
 void lay_quad(Image8& picture, const XrCompositionLayerProjectionView& eye, const XrCompositionLayerQuad& quad,
               const Image8& shown) {
-  const Pose eye_at = pose_of(eye.pose), quad_at = pose_of(quad.pose);
+  const Pose eye_at = pose_from(eye.pose), quad_at = pose_from(quad.pose);
   const Pose from = composed(inverse(quad_at), eye_at);  // both are of one space
   if (from.position_m.z <= 0.0) return;
   const double left = std::tan(double(eye.fov.angleLeft)), right = std::tan(double(eye.fov.angleRight)),

@@ -10,22 +10,6 @@ namespace seascape {
 
 namespace simulated {
 
-XrPosef xr_pose(const Pose& pose) {
-  const glm::quat q(pose.orientation);
-  const glm::vec3 p(pose.position_m);
-  return {{q.x, q.y, q.z, q.w}, {p.x, p.y, p.z}};
-}
-
-Pose pose_of(const XrPosef& pose) {
-  return {{pose.position.x, pose.position.y, pose.position.z},
-          glm::normalize(glm::dquat(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z))};
-}
-
-Pose inverse(const Pose& pose) {
-  const glm::dquat back = glm::conjugate(pose.orientation);
-  return {back * -pose.position_m, back};
-}
-
 namespace {
 
 XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
@@ -96,9 +80,7 @@ void State::follow_script() {
         break;
       case HeadsetState::recentred: {
         const Pose head = head_at(change.time_s);
-        const glm::dvec3 ahead = head.orientation * glm::dvec3(0.0, 0.0, -1.0);
-        floor = {{head.position_m.x, 0.0, head.position_m.z},
-                 glm::angleAxis(std::atan2(-ahead.x, -ahead.z), glm::dvec3(0.0, 1.0, 0.0))};
+        floor = {{head.position_m.x, 0.0, head.position_m.z}, heading(head.orientation)};
         for (const XrReferenceSpaceType type :
              {XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT}) {
           XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};

@@ -98,7 +98,7 @@ XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession session, const XrReference
     default:
       return XR_ERROR_REFERENCE_SPACE_UNSUPPORTED;
   }
-  s.spaces.push_back(std::make_unique<Space>(Space{s, kind, 0, pose_of(info->poseInReferenceSpace)}));
+  s.spaces.push_back(std::make_unique<Space>(Space{s, kind, 0, pose_from(info->poseInReferenceSpace)}));
   *made = handle<XrSpace>(s.spaces.back().get());
   return XR_SUCCESS;
 }

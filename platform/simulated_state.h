@@ -10,6 +10,7 @@
 
 #include "engine/view.h"
 #include "platform/simulated_runtime.h"
+#include "platform/xr_pose.h"
 
 // In a lookup of calls: the function that stands for one, checked against its type.
 #define SEASCAPE_SIMULATED(call, function) \
@@ -77,10 +78,6 @@ PFN_xrVoidFunction instance_call(std::string_view name);
 PFN_xrVoidFunction session_call(std::string_view name);
 PFN_xrVoidFunction picture_call(std::string_view name);
 PFN_xrVoidFunction action_call(std::string_view name);
-
-XrPosef xr_pose(const Pose& pose);
-Pose pose_of(const XrPosef& pose);
-Pose inverse(const Pose& pose);
 
 // A list as OpenXR hands it out: how many there are, then as many as there is room for.
 template <class T>

@@ -1,8 +1,10 @@
 // OpenXR's functions as they are called here: found at run time, so that nothing of OpenXR is loaded unless a headset
 // is asked for.
 #pragma once
-#include <memory>
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/vulkan.h"
@@ -96,5 +98,19 @@ class SessionLost : public Error {
 
 // Returns a success code. Throws HeadsetLost where the runtime is gone, SessionLost where the session is, Error else.
 XrResult check_xr(XrResult result, const char* call);
+
+// A runtime's list: how many there are, then all of them.
+template <class T, class Ask>
+std::vector<T> xr_list(const char* call, const T& blank, const Ask& ask) {
+  std::vector<T> all;
+  std::uint32_t count = 0;
+  check_xr(ask(0u, &count, static_cast<T*>(nullptr)), call);
+  if (count > 4096)
+    throw Error("OpenXR", std::string(call) + " counts " + std::to_string(count), "update the headset's runtime");
+  all.resize(count, blank);
+  if (count > 0) check_xr(ask(count, &count, all.data()), call);
+  all.resize(std::min<std::size_t>(count, all.size()));
+  return all;
+}
 
 }  // namespace seascape

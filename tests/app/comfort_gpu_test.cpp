@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/multiview_check.h"
+#include "tests/support/gpu/frame_shapes.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
@@ -22,17 +23,8 @@ using test::ShotOptions;
 
 class ComfortDrawn : public test::GpuTest {};
 
-struct Shape {
-  std::string name;
-  std::vector<std::pair<std::string, std::string>> set;
-};
-
-const Shape shapes[] = {
-    {"tile", {{"frame.shape", "tile"}, {"msaa", "4"}, {"frame.lighting", "forward"}}},
-    {"deferred", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "deferred"}}},
-    {"desktop", {{"frame.shape", "desktop"}, {"msaa", "4"}, {"frame.lighting", "forward"}}},
-    {"desktop_deferred", {{"frame.shape", "desktop"}, {"msaa", "1"}, {"frame.lighting", "deferred"}}},
-};
+using Shape = test::FrameLook;
+const auto& shapes = test::frame_looks;
 
 constexpr double time_s = 5.0;
 constexpr std::uint32_t width = 152, height = 160;

@@ -62,7 +62,7 @@ const std::map<int, Case> listed{{1, {"wind 0"}},
                                  {39, {"eye distance 0"}},
                                  {40, {"asymmetric field of view"}},
                                  {41, {"quality switch in mid-frame"}},
-                                 {42, {"window 0x0, device lost (the headset taken off waits for headsets)"}},
+                                 {42, {"window 0x0, headset taken off, device lost"}},
                                  {43, {"full foam for an hour"}},
                                  {44, {"opposed flow, whirlpool centre"}},
                                  {45, {"planet pole and cube corner", "planets"}}};

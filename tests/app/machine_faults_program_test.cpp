@@ -114,8 +114,8 @@ TEST(FaultsOfTheDevice, ABlockThatIsTooLargeIsAskedForSmaller) {
 
 // Hard 42: A device that is lost at any submission, while the scene is made or frames are in flight: one line that says
 // so and what to try, exit status 1 within the test's time, whole pictures alone. (A window of no area: Window in
-// explore_program_test.cpp; there is no headset yet.) Control: check() that passes VK_ERROR_DEVICE_LOST over ended with
-// 0 and pictures of nothing.
+// explore_program_test.cpp; a headset taken off: headset_gpu_test.cpp.) Control: check() that passes
+// VK_ERROR_DEVICE_LOST over ended with 0 and pictures of nothing.
 TEST(FaultsOfTheDevice, hard_42_device_lost) {
   const TemporaryFolder out;
   const Counts all = counts_of(small_replay(out / "whole", "calm", "4"));

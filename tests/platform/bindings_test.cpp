@@ -104,10 +104,11 @@ TEST(GamepadBindings, BecomeActions) {
   EXPECT_EQ(input.value(Action::grab_right), 1.0);
   EXPECT_EQ(input.value(Action::throttle), 0.0);
   EXPECT_TRUE(input.held(Action::menu));
+  axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] = 0.0f;  // half pulled
   gather_gamepad(gatherer, Post::aboard, buttons, axes);
   input = gatherer.take();
   EXPECT_EQ(input.value(Action::move_z), 0.0);
-  EXPECT_EQ(input.value(Action::throttle), 1.0);
+  EXPECT_EQ(input.value(Action::throttle), stick_value(0.5));
   gather_gamepad(gatherer, Post::afoot, {}, {});  // a pad of fewer parts
   EXPECT_EQ(gatherer.take().value(Action::move_z), 0.0);
 }

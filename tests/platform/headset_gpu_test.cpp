@@ -174,7 +174,7 @@ TEST_F(HeadsetTest, EyesAreWhereTheHeadIs) {
 }
 
 // Taken off, it shows nothing, and its clock goes on. Control: should_render kept true.
-TEST_F(HeadsetTest, OffItShowsNothingAndTimeGoesOn) {
+TEST_F(HeadsetTest, hard_42_off_it_shows_nothing_and_time_goes_on) {
   HeadsetRig rig(simulated({became(3, HeadsetState::off), became(8, HeadsetState::focused)}));
   for (int frame = 0; frame < 12; ++frame) {
     const DisplayFrame shown = rig.step();
