@@ -262,24 +262,37 @@ TEST_F(HostileRuntimeTest, HugeCounts) {
               HasSubstr("holds a picture for more than five seconds"));
 }
 
-// Formats and spaces by the million, of which there are none. Control: LOCAL taken for the floor.
+// Formats and spaces by the million, of which there are none. Control: the limit of xr_list() taken away.
 TEST_F(HostileRuntimeTest, ListsThatLie) {
-  const std::string line = error_under([](HostileRuntime& calls) {
-    calls.instead.EnumerateSwapchainFormats = [](XrSession, std::uint32_t, std::uint32_t* count, std::int64_t*) {
-      *count = UINT32_MAX;
-      return XR_SUCCESS;
-    };
-  });
-  EXPECT_THAT(line, HasSubstr("takes no sRGB pictures"));
+  EXPECT_THAT(
+      error_under([](HostileRuntime& calls) {
+        calls.instead.EnumerateSwapchainFormats = [](XrSession, std::uint32_t, std::uint32_t* count, std::int64_t*) {
+          *count = UINT32_MAX;
+          return XR_SUCCESS;
+        };
+      }),
+      HasSubstr("xrEnumerateSwapchainFormats counts 4294967295"));
+  EXPECT_THAT(error_under([](HostileRuntime& calls) {
+                calls.instead.EnumerateReferenceSpaces = [](XrSession, std::uint32_t, std::uint32_t* count,
+                                                            XrReferenceSpaceType*) {
+                  *count = UINT32_MAX;
+                  return XR_SUCCESS;
+                };
+              }),
+              HasSubstr("xrEnumerateReferenceSpaces counts 4294967295"));
+}
+
+// A runtime without a floor: LOCAL, which lies 1.6 m up here, is taken as 1.7 m up. Control: LOCAL taken for the floor.
+TEST_F(HostileRuntimeTest, NoSpaceKnowsTheFloor) {
   HeadsetRig rig(simulated(), [](HostileRuntime& calls) {
     calls.instead.EnumerateReferenceSpaces = [](XrSession, std::uint32_t, std::uint32_t* count, XrReferenceSpaceType*) {
-      *count = UINT32_MAX;
+      *count = 0;
       return XR_SUCCESS;
     };
   });
   rig.steps(2);
   EXPECT_EQ(rig.runtime.frames_shown(), 2u);
-  EXPECT_NEAR(rig.seen().position_m.y, 1.7 - 1.6 + 1.7, 1e-6);  // LOCAL, which lies 1.6 m up here, is taken as 1.7 m up
+  EXPECT_NEAR(rig.seen().position_m.y, 1.7 - 1.6 + 1.7, 1e-6);
 }
 
 // Events that nobody knows, that tell of another session, that never end, that are lost. Controls: the session of an
