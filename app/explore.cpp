@@ -35,12 +35,17 @@ DisplayKind resolve_display(DisplayKind wanted) {
   return has_desktop() ? DisplayKind::window : DisplayKind::headless;
 }
 
-void explore_in_window(const Arguments& arguments) {
+// From where somebody was before, or from the scene's beginning.
+void explore_in_window(const Arguments& arguments, const std::optional<LeftOff>& before = std::nullopt) {
   WindowSystem system;
   DeviceOptions options = device_options();
   options.present = true;
   options.instance_extensions = system.instance_extensions();
   Program program = make_program(arguments, options);
+  if (before) {
+    program.scene = before->scene;
+    program.preset = before->preset;
+  }
   {
     WindowOptions window_options;
     window_options.views = arguments.views;
@@ -48,7 +53,9 @@ void explore_in_window(const Arguments& arguments) {
     if (arguments.width) window_options.width = std::uint32_t(arguments.width);
     if (arguments.height) window_options.height = std::uint32_t(arguments.height);
     Window window(system, *program.device, window_options);
-    Explorer(arguments, program, window).run();
+    Explorer explorer(arguments, program, window);
+    if (before) explorer.go_on_from(*before);
+    explorer.run();
   }
   expect_no_validation_messages(*program.device);
 }
@@ -67,27 +74,42 @@ std::unique_ptr<WindowSystem> desktop_beside(DeviceOptions& options) {
   }
 }
 
-// `system` outlives what is made for it.
-void explore_with(HeadsetSystem& system, const Arguments& arguments, bool mirrored) {
+// `system` outlives what is made for it. Where its runtime dies and a desktop is there to go on at: where the user was.
+std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& arguments, bool mirrored,
+                                    bool in_real_time) {
   DeviceOptions options = device_options();
   const std::unique_ptr<WindowSystem> desktop = mirrored ? desktop_beside(options) : nullptr;
   system.make_device(options);
   Program program = make_program(arguments, options);
+  std::optional<LeftOff> left_off;
   {
     HeadsetOptions headset;
     headset.near_m = program.scene.settings.render.near_m;
+    headset.in_real_time = in_real_time;
     headset.width = std::uint32_t(arguments.width);
     headset.height = std::uint32_t(arguments.height);
     Headset display(system, *program.device, headset);
-    Explorer(arguments, program, display, desktop.get()).run();
+    Explorer explorer(arguments, program, display, desktop.get());
+    try {
+      explorer.run();
+    } catch (const HeadsetLost& fault) {
+      if (!has_desktop()) throw;
+      spdlog::warn("{}: {}; going on in a window", fault.where(), fault.fault());
+      left_off = explorer.left_off();
+    }
   }
   expect_no_validation_messages(*program.device);
+  return left_off;
 }
 
 void explore_in_headset(const Arguments& arguments) {
-  const XrLoader loader;
-  HeadsetSystem system(loader.get());
-  explore_with(system, arguments, true);
+  std::optional<LeftOff> left_off;
+  {
+    const XrLoader loader;
+    HeadsetSystem system(loader.get());
+    left_off = explore_with(system, arguments, true, true);
+  }
+  if (left_off) explore_in_window(arguments, left_off);
 }
 
 void explore_simulated(const Arguments& arguments) {
@@ -102,7 +124,7 @@ void explore_simulated(const Arguments& arguments) {
   // A script plays alone, unless somebody asks to see it.
   const bool watched = std::any_of(arguments.overrides.begin(), arguments.overrides.end(),
                                    [](const Override& one) { return one.key == "mirror.view"; });
-  explore_with(system, arguments, watched);
+  explore_with(system, arguments, watched, false);
 }
 
 // Draws as many frames as asked for, one by default, and keeps the last as pictures.

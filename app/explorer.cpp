@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/calm_sea.h"
 #include "app/explorer.h"
 #include "app/frame.h"
 #include "app/quality.h"
@@ -51,7 +52,23 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Display& displa
   panel_.visible = !panel_.alone;  // a board before one's eyes comes when it is asked for
   program_.scene.actors_press = display_.tracks_head();
   begin_time();
-  build();
+  display_.tracks_head() && display_.in_real_time() ? wait_at_sea() : build(program_.scene);
+}
+
+LeftOff Explorer::left_off() const {
+  return {at_sea_ ? program_.scene : experience_->scene(),
+          program_.preset,
+          head(),
+          camera_.travel(),
+          sea_elapsed_s_,
+          paused_};
+}
+
+void Explorer::go_on_from(const LeftOff& before) {
+  camera_ = ExploreCamera(before.head);
+  camera_.set_travel(before.travel);
+  sea_elapsed_s_ = before.sea_elapsed_s;
+  paused_ = before.paused;
 }
 
 ExperienceOptions Explorer::options(const Scene& scene) const {
@@ -70,10 +87,16 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
   return result;
 }
 
-void Explorer::build() {
-  experience_ =
-      std::make_unique<Experience>(*program_.device, program_.shaders, program_.scene, options(program_.scene));
+void Explorer::build(const Scene& scene) {
+  experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, scene, options(scene));
   take_experience();
+}
+
+// A person who wears a headset sees a sea at once, and not the nothing of a program that loads.
+void Explorer::wait_at_sea() {
+  at_sea_ = true;
+  build(calm_sea(program_.scene, device_class(program_.device->facts())));
+  load(program_.scene.name, [scene = program_.scene] { return scene; });
 }
 
 // What else has to know of another experience.
@@ -139,9 +162,7 @@ void Explorer::apply(const Settings& wanted) {
     // Whether each eye has a pass of its own goes through everything.
     Scene now = experience_->scene();
     now.settings = wanted;
-    std::swap(program_.scene, now);
-    build();
-    std::swap(program_.scene, now);
+    build(now);
     return;
   }
   try {
@@ -154,16 +175,41 @@ void Explorer::apply(const Settings& wanted) {
   }
 }
 
+void Explorer::make_changes() {
+  if (!display_.in_real_time()) loader_.wait();
+  std::unique_ptr<Experience> loaded = loaded_scene();
+  const bool look_at_shaders = debug_build && now_s_ >= shaders_looked_at_s_ + shaders_every_s;
+  if (!loaded && !wanted_ && !wanted_effects_ && !look_at_shaders) return;
+  const auto held = display_.hold_picture();
+  if (loaded) take(std::move(loaded));
+  const std::uint64_t builds = experience_->builds();
+  if (wanted_) apply(*std::exchange(wanted_, std::nullopt));
+  if (wanted_effects_) apply_effects(*std::exchange(wanted_effects_, std::nullopt));
+  if (look_at_shaders) reload_shaders();
+  if (held && experience_->builds() != builds) draw_unseen(*experience_, head(), sea_time_s());
+}
+
+void Explorer::apply_effects(const std::vector<std::string>& effects) {
+  try {
+    experience_->apply_effects(effects);
+  } catch (const Error& fault) {
+    tell_fault(fault.what());
+  }
+}
+
 void Explorer::change_scene(const std::string& name, const std::string& preset) {
-  loading_ = name;
   Arguments asked = arguments_;  // what the command line sets stays set
   asked.scene = name;
-  loader_.ask({[asked, preset, device = device_class(program_.device->facts()), pressed = display_.tracks_head()] {
-                 Scene scene = scene_from(asked, preset, device);
-                 scene.actors_press = pressed;
-                 return scene;
-               },
-               [chosen = options(program_.scene), this](const Scene& scene) {
+  load(name, [asked, preset, device = device_class(program_.device->facts()), pressed = display_.tracks_head()] {
+    Scene scene = scene_from(asked, preset, device);
+    scene.actors_press = pressed;
+    return scene;
+  });
+}
+
+void Explorer::load(const std::string& name, std::function<Scene()> read) {
+  loading_ = name;
+  loader_.ask({std::move(read), [chosen = options(program_.scene), this](const Scene& scene) {
                  ExperienceOptions result = chosen;
                  result.per_eye =
                      draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, result.views);
@@ -172,17 +218,22 @@ void Explorer::change_scene(const std::string& name, const std::string& preset) 
   tell("loading: " + name);
 }
 
-void Explorer::take_loaded() {
+std::unique_ptr<Experience> Explorer::loaded_scene() {
   try {
-    std::unique_ptr<Experience> loaded = loader_.take();
-    if (loaded == nullptr) return;
-    experience_ = std::move(loaded);
+    return loader_.take();
   } catch (const Error& fault) {
+    if (at_sea_) throw;  // there is nothing else to explore
     tell_fault(fault.what());
-    return;
+    return nullptr;
   }
+}
+
+void Explorer::take(std::unique_ptr<Experience> loaded) {
+  experience_ = std::move(loaded);
+  wanted_.reset();  // of the scene before
+  wanted_effects_.reset();
   program_.scene = experience_->scene();
-  tell_remarks(program_.scene);
+  if (!std::exchange(at_sea_, false)) tell_remarks(program_.scene);  // or else they have been told
   take_experience();
   camera_ = ExploreCamera(program_.scene.start);
   comfort_.begin_anew();
@@ -201,28 +252,28 @@ void Explorer::toggle_pause() {
 }
 
 void Explorer::scale_time(double factor) {
-  Settings changed = settings();
+  Settings changed = asked();
   const Setting& row = *find_setting("time.scale");
   constexpr double least = 0.125;  // below it time stands still, and comes back from there
   double scale = changed.time_scale == 0.0 && factor > 1.0 ? least : changed.time_scale * factor;
   if (std::abs(scale) < least) scale = 0.0;
   changed.time_scale = std::clamp(scale, row.least, row.most);
-  apply(changed);
+  ask(changed);
   tell(fmt::format("time scale: {:g}", changed.time_scale));
 }
 
 void Explorer::next_debug_view() {
-  Settings changed = settings();
+  Settings changed = asked();
   const std::size_t count = find_setting("debug.view")->choices.size();
   changed.render.debug = DebugView((std::size_t(changed.render.debug) + 1) % count);
-  apply(changed);
-  tell(fmt::format("debug view: {}", value_text(settings(), *find_setting("debug.view"))));
+  ask(changed);
+  tell(fmt::format("debug view: {}", value_text(changed, *find_setting("debug.view"))));
 }
 
 void Explorer::toggle_comfort() {
-  Settings changed = settings();
+  Settings changed = asked();
   changed.comfort.on = !changed.comfort.on;
-  apply(changed);
+  ask(changed);
   tell(changed.comfort.on ? "comfort: on" : "comfort: off");
 }
 
@@ -283,23 +334,17 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
 }
 
 void Explorer::obey(const PanelWish& wish) {
-  if (wish.settings) apply(*wish.settings);
+  if (wish.settings) ask(*wish.settings);
   if (wish.preset) {
-    Settings changed = settings();
+    Settings changed = asked();
     apply_preset(changed, *wish.preset);
     suit_device(changed, *wish.preset, device_class(program_.device->facts()));
     program_.preset = *wish.preset;
-    apply(changed);
+    ask(changed);
     tell("quality: " + *wish.preset);
     if (loader_.busy()) change_scene(loading_, *wish.preset);
   }
-  if (wish.effects) {
-    try {
-      experience_->apply_effects(*wish.effects);
-    } catch (const Error& fault) {
-      tell_fault(fault.what());
-    }
-  }
+  if (wish.effects) wanted_effects_ = *wish.effects;
   if (wish.travel) set_travel(*wish.travel);
   if (wish.sea_time_s) sea_elapsed_s_ = *wish.sea_time_s - settings().time_start_s;
   if (wish.pause) toggle_pause();
@@ -317,8 +362,6 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
     overlay_->end();
     obey(wish);
   }
-  take_loaded();
-
   display_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
   experience_->resize(shown.width, shown.height);
   experience_->draw_into(shown.lent);
@@ -344,7 +387,6 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
 }
 
 void Explorer::reload_shaders() {
-  if (now_s_ < shaders_looked_at_s_ + shaders_every_s) return;
   shaders_looked_at_s_ = now_s_;
   const std::uint64_t before = experience_->builds();
   try {
@@ -361,42 +403,53 @@ void Explorer::leave() {
   display_.leave();
 }
 
+void Explorer::step(const DisplayFrame& shown) {
+  const double passed_s = last_s_ ? shown.time_s - *last_s_ : 0.0, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
+  last_s_ = shown.time_s;
+  input_ = display_.input();
+  serve_desk();
+  obey(input_);
+  look(input_);
+  if (!shown.should_render) {  // time stands still meanwhile
+    display_.end(experience_->frame(), nullptr);
+    was_shown_ = false;
+    if (mirror_) show_desk(shown, 0.0);
+    return;
+  }
+  if (std::exchange(was_shown_, true) && shown.period_s > 0.0 && passed_s > 1.5 * shown.period_s)
+    dropped_ += std::uint64_t(std::lround(passed_s / shown.period_s)) - 1;
+  frame_ms_ = 1000.0 * passed_s;
+  period_s_ = shown.period_s;
+  now_s_ += dt_s;
+  if (!paused_) {
+    if (settings().follow_clock)
+      sea_elapsed_s_ = seascape::sea_time_s(settings(), machine_clock_s()) - settings().time_start_s;
+    else
+      sea_elapsed_s_ += dt_s * settings().time_scale;
+  }
+  draw(shown, dt_s);
+  if (!at_sea_) ++drawn_;
+}
+
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
-  std::optional<double> last_s;    // of the frame before
   const StopLater between_frames;  // a signal ends the loop, and what was recorded is kept
-  for (int drawn = 0; !leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn < arguments_.frames);) {
-    const DisplayFrame shown = display_.begin();
-    if (shown.closed) break;
-    const double passed_s = last_s ? shown.time_s - *last_s : 0.0, dt_s = std::clamp(passed_s, 0.0, longest_step_s);
-    last_s = shown.time_s;
-    input_ = display_.input();
-    serve_desk();
-    obey(input_);
-    look(input_);
-    if (!shown.should_render) {  // time stands still meanwhile
-      display_.end(experience_->frame(), nullptr);
-      was_shown_ = false;
-      if (mirror_) show_desk(shown, 0.0);
-      continue;
+  const auto keep_recording = [this] {
+    if (recorder_.recording()) toggle_recording();
+  };
+  try {
+    while (!leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn_ < arguments_.frames)) {
+      make_changes();
+      const DisplayFrame shown = display_.begin();
+      if (shown.closed) break;
+      step(shown);
     }
-    if (std::exchange(was_shown_, true) && shown.period_s > 0.0 && passed_s > 1.5 * shown.period_s)
-      dropped_ += std::uint64_t(std::lround(passed_s / shown.period_s)) - 1;
-    frame_ms_ = 1000.0 * passed_s;
-    period_s_ = shown.period_s;
-    now_s_ += dt_s;
-    if (!paused_) {
-      if (settings().follow_clock)
-        sea_elapsed_s_ = seascape::sea_time_s(settings(), machine_clock_s()) - settings().time_start_s;
-      else
-        sea_elapsed_s_ += dt_s * settings().time_scale;
-    }
-    if (debug_build) reload_shaders();
-    draw(shown, dt_s);
-    ++drawn;
+  } catch (const Error&) {  // a headset may be lost
+    keep_recording();
+    throw;
   }
-  if (recorder_.recording()) toggle_recording();  // what was recorded is kept
+  keep_recording();
   experience_->frame().finish();
   throw_if_stopped("explore");
 }

@@ -19,6 +19,16 @@
 
 namespace seascape {
 
+// Where somebody was, to go on from there before another display.
+struct LeftOff {
+  Scene scene;  // its settings as they were
+  std::string preset;
+  Pose head;
+  Travel travel = Travel::fly;
+  double sea_elapsed_s = 0.0;  // since time.start_s
+  bool paused = false;
+};
+
 class Explorer {
  public:
   // All outlive it.
@@ -26,9 +36,14 @@ class Explorer {
   Explorer(const Arguments& arguments, Program& program, Display& display, WindowSystem* desktop = nullptr);
   // Until the display is closed, or --frames pictures have been shown. Throws Error.
   void run();
+  LeftOff left_off() const;
+  void go_on_from(const LeftOff& before);  // whose scene the program has
 
  private:
-  void build();  // the experience of program_.scene
+  void build(const Scene& scene);
+  // Between two frames: what was asked for since the last ones, however long it takes.
+  void make_changes();
+  void wait_at_sea();  // until the scene that the program has is loaded
   ExperienceOptions options(const Scene& scene) const;
   void take_experience();
   void serve_desk();
@@ -50,19 +65,26 @@ class Explorer {
   void aim(const Input& input);  // a teleport, and goes when it is let go
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
   bool points_at_widgets() const { return mirror_ ? mirror_->takes_pointer() : overlay_ && overlay_->wants_pointer(); }
+  void step(const DisplayFrame& shown);  // a begun frame, to its end
   void draw(const DisplayFrame& shown, double dt_s);
   PanelFacts facts(const DisplayFrame& shown) const;
   void obey(const PanelWish& wish);
+  // The settings as they will be after make_changes(), and others for it to take.
+  const Settings& asked() const { return wanted_ ? *wanted_ : settings(); }
+  void ask(const Settings& settings) { wanted_ = settings; }
   void apply(const Settings& settings);
+  void apply_effects(const std::vector<std::string>& effects);
   void change_scene(const std::string& name, const std::string& preset);  // once it is loaded
-  void take_loaded();
+  void load(const std::string& name, std::function<Scene()> read);
+  std::unique_ptr<Experience> loaded_scene();
+  void take(std::unique_ptr<Experience> loaded);
   void set_travel(Travel travel);
   void toggle_pause();
   void scale_time(double factor);
   void next_debug_view();
   void toggle_comfort();
   void take_screenshot();  // of the copy that the frame made
-  void reload_shaders();   // of a debug build, where one has changed on disk
+  void reload_shaders();   // where one has changed on disk
   void toggle_recording();
   // On the terminal and, for a few seconds, in the picture.
   void tell(const std::string& line);
@@ -94,10 +116,15 @@ class Explorer {
   PathRecorder recorder_;
   Input input_;  // of this frame: the display's, and what was done at the desk
   std::vector<std::string> scenes_;
+  std::optional<Settings> wanted_;
+  std::optional<std::vector<std::string>> wanted_effects_;
+  bool at_sea_ = false;  // in the calm that stands for the first scene until it is loaded
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
   bool aiming_ = false;                   // a teleport is held
   std::optional<glm::dvec3> aimed_at_m_;  // where it would go
   bool screenshot_wanted_ = false, leaving_ = false;
+  int drawn_ = 0;                  // frames of a scene
+  std::optional<double> last_s_;   // of the frame before, by the display
   double now_s_ = 0.0;             // the display's clock, what a hidden display waited left out
   double sea_elapsed_s_ = 0.0;     // the sea's time since time.start_s
   double period_s_ = 0.0;          // from frame to frame, as the display says

@@ -43,10 +43,10 @@ void Explorer::next_mirror_view() {
     tell("mirror: open");
     return;
   }
-  Settings changed = settings();
+  Settings changed = asked();
   changed.mirror.view = next_view(changed.mirror.view);
-  apply(changed);
-  tell("mirror: " + value_text(settings(), *find_setting("mirror.view")));
+  ask(changed);
+  tell("mirror: " + value_text(changed, *find_setting("mirror.view")));
 }
 
 // After the frame has been ended, of `dt_s` seconds.

@@ -11,6 +11,22 @@
 
 namespace seascape {
 
+void draw_unseen(Experience& experience, const Pose& head, double time_s) {
+  experience.draw_into(nullptr);
+  const ExperienceOptions& options = experience.options();
+  const RenderSettings& render = experience.scene().settings.render;
+  const Headless eyes({.width = options.width,
+                       .height = options.height,
+                       .views = options.views,
+                       .vertical_fov_deg = render.vertical_fov_deg,
+                       .eye_distance_m = render.eye_distance_m});
+  Frame& frame = experience.frame();
+  frame.begin();
+  draw_frame(experience, frame, eyes.viewpoint(head), time_s);
+  frame.submit();
+  frame.finish();
+}
+
 SceneLoader::SceneLoader(Device& device, ShaderLibrary& shaders)
     : device_(device), shaders_(shaders), thread_([this](std::stop_token stop) { work(stop); }) {}
 
@@ -33,6 +49,11 @@ bool SceneLoader::busy() const {
   return wanted_ || loading_;
 }
 
+void SceneLoader::wait() const {
+  std::unique_lock lock(mutex_);
+  done_.wait(lock, [this] { return !wanted_ && !loading_; });
+}
+
 std::unique_ptr<Experience> SceneLoader::take() {
   const std::lock_guard lock(mutex_);
   if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
@@ -43,19 +64,8 @@ std::unique_ptr<Experience> SceneLoader::load(const Request& request) {
   const Scene scene = request.read();
   const ExperienceOptions options = request.options(scene);
   auto experience = std::make_unique<Experience>(device_, shaders_, scene, options);
-  // The first frame has work that no other has: windows are filled, foam settles, and drivers may finish pipelines.
-  Frame& frame = experience->frame();
-  frame.begin();
   const Settings& own = scene.settings;
-  const Headless eyes({.width = options.width,
-                       .height = options.height,
-                       .views = options.views,
-                       .vertical_fov_deg = own.render.vertical_fov_deg,
-                       .eye_distance_m = own.render.eye_distance_m});
-  draw_frame(*experience, frame, eyes.viewpoint(scene.start),
-             sea_time_s(own, own.follow_clock ? machine_clock_s() : 0.0));
-  frame.submit();
-  frame.finish();
+  draw_unseen(*experience, scene.start, sea_time_s(own, own.follow_clock ? machine_clock_s() : 0.0));
   experience->go_on();
   return experience;
 }
@@ -87,6 +97,7 @@ void SceneLoader::work(std::stop_token stop) {
     }
     loaded_ = std::move(experience);
     fault_ = std::move(fault);
+    done_.notify_all();
   }
 }
 

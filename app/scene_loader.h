@@ -12,6 +12,10 @@
 
 namespace seascape {
 
+// Draws a frame of its own pictures that nobody sees. The first frame of what is newly made has work that no other has:
+// windows are filled, foam settles, and drivers may finish pipelines.
+void draw_unseen(Experience& experience, const Pose& head, double time_s);
+
 class SceneLoader {
  public:
   // Both outlive it.
@@ -28,6 +32,8 @@ class SceneLoader {
   // Asks for a scene. One asked for before and not yet there is forgotten. Never waits for the loading.
   void ask(Request request);
   bool busy() const;
+  // Until it is not busy.
+  void wait() const;
   // The scene asked for last, once, when it is there: its objects made, its simulations settled and its first frame
   // drawn, at the time at which it starts; it goes on (Experience::go_on). Throws the Error that loading it met, once.
   // Never waits for the loading.
@@ -40,6 +46,7 @@ class SceneLoader {
   ShaderLibrary& shaders_;
   mutable std::mutex mutex_;
   std::condition_variable_any asked_;
+  mutable std::condition_variable done_;
   std::optional<Request> wanted_;
   bool loading_ = false;
   std::unique_ptr<Experience> loaded_;

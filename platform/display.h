@@ -28,6 +28,11 @@ struct DisplayFrame {
   std::size_t colour = 0, depth = 0;       // which of them
 };
 
+// For as long as it lives a display shows its last picture over and over.
+struct HeldPicture {
+  virtual ~HeldPicture() = default;
+};
+
 class Display {
  public:
   virtual ~Display() = default;
@@ -54,6 +59,11 @@ class Display {
   virtual void buzz(int /*hand*/, double /*strength*/, double /*seconds*/) {}
   // The size of pictures from the next frame on, against what the display asks for, within most_size().
   virtual void set_scale(double) {}
+  // For work between two frames that takes longer than one; end() has been called, and nothing else is until what it
+  // returns is gone. Null: a display that keeps its picture by itself.
+  virtual std::unique_ptr<HeldPicture> hold_picture() { return nullptr; }
+  // Whether its time goes on while nothing is drawn. Else frames are as far apart as they say, however long they take.
+  virtual bool in_real_time() const { return true; }
   // Asks the display to come to its end, which begin() then says.
   virtual void leave() {}
   // Of the pictures that it takes.

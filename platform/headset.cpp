@@ -77,8 +77,12 @@ void Headset::lose_session(const SessionLost& fault) {
   frame_begun_ = should_render_ = false;
 }
 
+void Headset::tell(const HeadsetCall& call) const {
+  if (report_) report_(call);
+}
+
 void Headset::tell(HeadsetCall::Kind kind, std::span<const XrView> views) const {
-  if (report_) report_({kind, frame_state_.predictedDisplayTime, {views.begin(), views.end()}});
+  tell({kind, frame_state_.predictedDisplayTime, {views.begin(), views.end()}});
 }
 
 // Waits for the time to draw, and begins a frame.
@@ -252,48 +256,58 @@ void Headset::end_frame(bool shown, bool with_depth) {
   for (HeadsetSwapchain* one : {&colours_, &depths_})
     if (one->acquired()) one->release();
   if (quad_) layer_->release();
+  submitted_.reset();
+  if (shown && !session_lost_)
+    submitted_ = {located_, {{0, 0}, {std::int32_t(width_), std::int32_t(height_)}}, with_depth && depths_, quad_};
+  tell(HeadsetCall::Kind::end, shown ? std::span<const XrView>(located_) : std::span<const XrView>());
+  check_xr(submit(frame_state_.predictedDisplayTime), "xrEndFrame");
+}
+
+// Ends the frame of that time with what was submitted last. The queue is still meanwhile.
+XrResult Headset::submit(XrTime time) const {
   std::array<XrCompositionLayerProjectionView, 2> views;
   std::array<XrCompositionLayerDepthInfoKHR, 2> depths;
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    XrCompositionLayerProjectionView& view = views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
-    view.pose = located_[eye].pose;
-    view.fov = located_[eye].fov;
-    const XrRect2Di rect{{0, 0}, {std::int32_t(width_), std::int32_t(height_)}};
-    view.subImage = {colours_.get(), rect, std::uint32_t(eye)};
-    if (!with_depth || !depths_) continue;
-    // Reversed depth: 1 at the near plane, 0 at infinity.
-    depths[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
-                   nullptr,
-                   {depths_.get(), rect, std::uint32_t(eye)},
-                   0.0f,
-                   1.0f,
-                   FLT_MAX,
-                   float(options_.near_m)};
-    view.next = &depths[eye];
-  }
   XrCompositionLayerProjection projection{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
-  projection.space = space_;
-  projection.viewCount = 2;
-  projection.views = views.data();
   XrCompositionLayerQuad quad{XR_TYPE_COMPOSITION_LAYER_QUAD};
   std::vector<const XrCompositionLayerBaseHeader*> layers;
-  if (shown && !session_lost_) layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection));
-  if (shown && !session_lost_ && quad_) {
+  if (submitted_) {
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      XrCompositionLayerProjectionView& view = views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
+      view.pose = submitted_->views[eye].pose;
+      view.fov = submitted_->views[eye].fov;
+      view.subImage = {colours_.get(), submitted_->rect, std::uint32_t(eye)};
+      if (!submitted_->with_depth) continue;
+      // Reversed depth: 1 at the near plane, 0 at infinity.
+      depths[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
+                     nullptr,
+                     {depths_.get(), submitted_->rect, std::uint32_t(eye)},
+                     0.0f,
+                     1.0f,
+                     FLT_MAX,
+                     float(options_.near_m)};
+      view.next = &depths[eye];
+    }
+    projection.space = space_;
+    projection.viewCount = 2;
+    projection.views = views.data();
+    layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection));
+  }
+  if (submitted_ && submitted_->quad) {
+    const Quad& shown = *submitted_->quad;
     quad.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     quad.space = space_;
     quad.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
-    quad.subImage = {quad_->swapchain, {{0, 0}, {std::int32_t(quad_->width), std::int32_t(quad_->height)}}, 0};
-    quad.pose = xr_pose(quad_->at);
-    quad.size = {float(quad_->size_m.x), float(quad_->size_m.y)};
+    quad.subImage = {shown.swapchain, {{0, 0}, {std::int32_t(shown.width), std::int32_t(shown.height)}}, 0};
+    quad.pose = xr_pose(shown.at);
+    quad.size = {float(shown.size_m.x), float(shown.size_m.y)};
     layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad));
   }
   XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO};
-  info.displayTime = frame_state_.predictedDisplayTime;
+  info.displayTime = time;
   info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   info.layerCount = std::uint32_t(layers.size());
   info.layers = layers.data();
-  tell(HeadsetCall::Kind::end, shown ? std::span<const XrView>(located_) : std::span<const XrView>());
-  check_xr(api_.EndFrame(session_, &info), "xrEndFrame");
+  return api_.EndFrame(session_, &info);
 }
 
 std::unique_ptr<Overlay> Headset::make_overlay() { return std::make_unique<HeadsetOverlay>(device_, *this); }

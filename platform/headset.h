@@ -17,6 +17,7 @@ struct HeadsetOptions {
   double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor
   double rate_hz = 0.0;       // asked for; 0: the runtime's own
   bool left_handed = false;
+  bool in_real_time = true;             // false: the runtime's time stands between frames
   std::uint32_t width = 0, height = 0;  // pixels an eye; 0: as recommended
 };
 
@@ -25,6 +26,7 @@ struct HeadsetCall {
   enum class Kind { wait, begin, locate, end } kind;
   std::int64_t time_ns = 0;   // the predicted display time that it was given or gave
   std::vector<XrView> views;  // located, or submitted
+  bool repeated = false;      // submitted before
 };
 
 class Headset final : public Display {
@@ -49,6 +51,8 @@ class Headset final : public Display {
   void recentre() override { recentre_wanted_ = true; }
   void buzz(int hand, double strength, double seconds) override;
   void set_scale(double scale) override;
+  std::unique_ptr<HeldPicture> hold_picture() override;
+  bool in_real_time() const override { return options_.in_real_time; }
   void leave() override;
   VkFormat colour() const override { return colour_; }
   bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
@@ -74,6 +78,9 @@ class Headset final : public Display {
   double period_s() const { return double(frame_state_.predictedDisplayPeriod) * 1e-9; }
   const HeadsetSystem& system() const { return system_; }
   XrSession session() const { return session_; }
+  // Waits for the time of a frame and ends it with what the last one showed, on any thread between two frames. False,
+  // and nothing more to be done, where that showed nothing or the runtime refuses.
+  bool repeat_frame();
 
   // Has each call told, in order.
   void report_to(std::function<void(const HeadsetCall&)> report) { report_ = std::move(report); }
@@ -96,6 +103,8 @@ class Headset final : public Display {
   void locate() const;
   void hand_over(Frame& frame, const RenderTarget& picture, const Image* depth);
   void end_frame(bool shown, bool with_depth = false);
+  XrResult submit(XrTime time) const;
+  void tell(const HeadsetCall& call) const;
   void tell(HeadsetCall::Kind kind, std::span<const XrView> views = {}) const;
 
   HeadsetSystem& system_;
@@ -114,7 +123,14 @@ class Headset final : public Display {
   std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
   Layer* layer_ = nullptr;
   std::optional<Quad> quad_;  // of this frame
-  bool running_ = false;      // between xrBeginSession and xrEndSession
+  struct Submitted {          // a picture, as the last frame showed it
+    std::array<XrView, 2> views;
+    XrRect2Di rect;
+    bool with_depth;
+    std::optional<Quad> quad;
+  };
+  std::optional<Submitted> submitted_;  // nothing: that frame showed nothing
+  bool running_ = false;                // between xrBeginSession and xrEndSession
   bool session_lost_ = false, closed_ = false, recentre_wanted_ = false, moved_ = false;
   bool frame_begun_ = false, should_render_ = false, had_focus_ = false, lost_focus_ = false;
   XrFrameState frame_state_{XR_TYPE_FRAME_STATE};

@@ -49,6 +49,7 @@ void Headset::end_session() {
   }
   session_ = XR_NULL_HANDLE;
   running_ = frame_begun_ = false;
+  submitted_.reset();
 }
 
 // LOCAL_FLOOR, or STAGE, whose origins lie on the floor, or LOCAL, which is at the head's height.

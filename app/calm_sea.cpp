@@ -1,0 +1,26 @@
+#include "app/calm_sea.h"
+
+namespace seascape {
+
+Scene calm_sea(const Scene& awaited, DeviceClass device) {
+  constexpr const char* preset = "low";
+  Scene calm;
+  calm.name = awaited.name;
+  calm.title = awaited.title;
+  calm.start = awaited.start;
+  apply_preset(calm.settings, preset);
+  suit_device(calm.settings, preset, device);
+  Settings& own = calm.settings;
+  own.sky = awaited.settings.sky;
+  own.comfort = awaited.settings.comfort;
+  own.mirror = awaited.settings.mirror;
+  own.render.near_m = awaited.settings.render.near_m;
+  own.render.stereo = awaited.settings.render.stereo;
+  own.sea.wind_speed_mps = 2.0;
+  own.sea.fetch_m = 60000.0;
+  own.sea.swell_height_m = 0.35;
+  own.sea.swell_period_s = 13.0;
+  return calm;
+}
+
+}  // namespace seascape
