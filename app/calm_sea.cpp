@@ -5,7 +5,6 @@ namespace seascape {
 Scene calm_sea(const Scene& awaited, DeviceClass device) {
   constexpr const char* preset = "low";
   Scene calm;
-  calm.name = awaited.name;
   calm.title = awaited.title;
   calm.start = awaited.start;
   apply_preset(calm.settings, preset);

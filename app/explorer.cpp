@@ -431,6 +431,14 @@ void Explorer::step(const DisplayFrame& shown) {
   if (!at_sea_) ++drawn_;
 }
 
+bool Explorer::frame() {
+  if (leaving_ || (arguments_.frames > 0 && drawn_ >= arguments_.frames)) return false;
+  make_changes();
+  const DisplayFrame shown = display_.begin();
+  if (!shown.closed) step(shown);
+  return !shown.closed;
+}
+
 void Explorer::run() {
   for (const auto& [key, what] : key_help()) fmt::print("{:<20}{}\n", key, what);
   std::fflush(stdout);
@@ -439,11 +447,7 @@ void Explorer::run() {
     if (recorder_.recording()) toggle_recording();
   };
   try {
-    while (!leaving_ && !stop_is_asked() && (arguments_.frames == 0 || drawn_ < arguments_.frames)) {
-      make_changes();
-      const DisplayFrame shown = display_.begin();
-      if (shown.closed) break;
-      step(shown);
+    while (!stop_is_asked() && frame()) {
     }
   } catch (const Error&) {  // a headset may be lost
     keep_recording();

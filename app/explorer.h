@@ -36,6 +36,11 @@ class Explorer {
   Explorer(const Arguments& arguments, Program& program, Display& display, WindowSystem* desktop = nullptr);
   // Until the display is closed, or --frames pictures have been shown. Throws Error.
   void run();
+  // One of its frames; false, and none, where it has come to its end.
+  bool frame();
+  // What was asked for in a panel; taken before the next frame.
+  void obey(const PanelWish& wish);
+  const Scene& scene() const { return experience_->scene(); }  // that is shown
   LeftOff left_off() const;
   void go_on_from(const LeftOff& before);  // whose scene the program has
 
@@ -68,7 +73,6 @@ class Explorer {
   void step(const DisplayFrame& shown);  // a begun frame, to its end
   void draw(const DisplayFrame& shown, double dt_s);
   PanelFacts facts(const DisplayFrame& shown) const;
-  void obey(const PanelWish& wish);
   // The settings as they will be after make_changes(), and others for it to take.
   const Settings& asked() const { return wanted_ ? *wanted_ : settings(); }
   void ask(const Settings& settings) { wanted_ = settings; }
