@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/calm_sea.h"
 #include "app/explorer.h"
 #include "app/frame.h"
 #include "app/quality.h"
@@ -21,7 +20,6 @@ namespace {
 
 constexpr double longest_step_s = 1.0;  // a pause of the machine is no journey
 constexpr double message_s = 4.0;
-constexpr double shaders_every_s = 0.5;  // looks whether one has changed
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -71,44 +69,6 @@ void Explorer::go_on_from(const LeftOff& before) {
   paused_ = before.paused;
 }
 
-ExperienceOptions Explorer::options(const Scene& scene) const {
-  ExperienceOptions result{64, 64, display_.views()};
-  if (experience_) {
-    result.width = experience_->options().width;
-    result.height = experience_->options().height;
-  }
-  result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, display_.views());
-  result.colour = display_.colour();
-  result.show_depth = display_.shows_depth();
-  result.seen_elsewhere = desktop_ != nullptr;
-  result.most_width = display_.most_size().x;
-  result.most_height = display_.most_size().y;
-  result.comfort = result.hands = display_.tracks_head();
-  return result;
-}
-
-void Explorer::build(const Scene& scene) {
-  experience_ = std::make_unique<Experience>(*program_.device, program_.shaders, scene, options(scene));
-  take_experience();
-}
-
-// A person who wears a headset sees a sea at once, and not the nothing of a program that loads.
-void Explorer::wait_at_sea() {
-  at_sea_ = true;
-  build(calm_sea(program_.scene, device_class(program_.device->facts())));
-  load(program_.scene.name, [scene = program_.scene] { return scene; });
-}
-
-// What else has to know of another experience.
-void Explorer::take_experience() {
-  experience_->before_build([this] {
-    if (mirror_) mirror_->let_go();
-  });
-  const std::string title = "Seascape: " + program_.scene.title;
-  display_.set_title(title);
-  if (mirror_) mirror_->set_title(title);
-}
-
 double Explorer::sea_time_s() const { return settings().time_start_s + sea_elapsed_s_; }
 
 double Explorer::scene_time_s() const {
@@ -154,91 +114,6 @@ void Explorer::keep(const std::string& what, const std::string& stem, const std:
     if (std::filesystem::is_empty(file, ignored)) std::filesystem::remove(file, ignored);
     tell_fault(fault.what());
   }
-}
-
-void Explorer::apply(const Settings& wanted) {
-  const Settings before = settings();
-  if (wanted.render.stereo != before.render.stereo && display_.views() == 2) {
-    // Whether each eye has a pass of its own goes through everything.
-    Scene now = experience_->scene();
-    now.settings = wanted;
-    build(now);
-    return;
-  }
-  try {
-    experience_->apply(wanted,
-                       paused_ || wanted.time_scale <= 0.0);  // while time stands still or runs back no sea grows
-    sea_elapsed_s_ += wanted.time_scale * (wanted.time_offset_s - before.time_offset_s);
-  } catch (const Error& fault) {
-    tell_fault(fault.what());
-    experience_->apply(before);
-  }
-}
-
-void Explorer::make_changes() {
-  if (!display_.in_real_time()) loader_.wait();
-  std::unique_ptr<Experience> loaded = loaded_scene();
-  const bool look_at_shaders = debug_build && now_s_ >= shaders_looked_at_s_ + shaders_every_s;
-  if (!loaded && !wanted_ && !wanted_effects_ && !look_at_shaders) return;
-  const auto held = display_.hold_picture();
-  if (loaded) take(std::move(loaded));
-  const std::uint64_t builds = experience_->builds();
-  if (wanted_) apply(*std::exchange(wanted_, std::nullopt));
-  if (wanted_effects_) apply_effects(*std::exchange(wanted_effects_, std::nullopt));
-  if (look_at_shaders) reload_shaders();
-  if (held && experience_->builds() != builds) draw_unseen(*experience_, head(), sea_time_s());
-}
-
-void Explorer::apply_effects(const std::vector<std::string>& effects) {
-  try {
-    experience_->apply_effects(effects);
-  } catch (const Error& fault) {
-    tell_fault(fault.what());
-  }
-}
-
-void Explorer::change_scene(const std::string& name, const std::string& preset) {
-  Arguments asked = arguments_;  // what the command line sets stays set
-  asked.scene = name;
-  load(name, [asked, preset, device = device_class(program_.device->facts()), pressed = display_.tracks_head()] {
-    Scene scene = scene_from(asked, preset, device);
-    scene.actors_press = pressed;
-    return scene;
-  });
-}
-
-void Explorer::load(const std::string& name, std::function<Scene()> read) {
-  loading_ = name;
-  loader_.ask({std::move(read), [chosen = options(program_.scene), this](const Scene& scene) {
-                 ExperienceOptions result = chosen;
-                 result.per_eye =
-                     draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, result.views);
-                 return result;
-               }});
-  tell("loading: " + name);
-}
-
-std::unique_ptr<Experience> Explorer::loaded_scene() {
-  try {
-    return loader_.take();
-  } catch (const Error& fault) {
-    if (at_sea_) throw;  // there is nothing else to explore
-    tell_fault(fault.what());
-    return nullptr;
-  }
-}
-
-void Explorer::take(std::unique_ptr<Experience> loaded) {
-  experience_ = std::move(loaded);
-  wanted_.reset();  // of the scene before
-  wanted_effects_.reset();
-  program_.scene = experience_->scene();
-  if (!std::exchange(at_sea_, false)) tell_remarks(program_.scene);  // or else they have been told
-  take_experience();
-  camera_ = ExploreCamera(program_.scene.start);
-  comfort_.begin_anew();
-  begin_time();
-  tell("scene: " + program_.scene.name);
 }
 
 void Explorer::set_travel(Travel travel) {
@@ -384,17 +259,6 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
   if (keeps) take_screenshot();
   if (mirror_) show_desk(shown, dt_s);
-}
-
-void Explorer::reload_shaders() {
-  shaders_looked_at_s_ = now_s_;
-  const std::uint64_t before = experience_->builds();
-  try {
-    experience_->reload_shaders();
-    if (experience_->builds() != before) tell("shaders: read anew");
-  } catch (const Error& fault) {
-    tell_fault(fault.what());
-  }
 }
 
 // A display that has to be asked ends when it says so.

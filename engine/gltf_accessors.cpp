@@ -103,6 +103,15 @@ const tinygltf::Accessor& GltfAccessors::checked(int accessor) const {
 
 std::size_t GltfAccessors::count(int accessor) const { return checked(accessor).count; }
 
+int GltfAccessors::components(int accessor) const {
+  return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(checked(accessor).type));
+}
+
+std::span<const std::uint8_t> GltfAccessors::bytes(int view) const {
+  const Block start = block(view, 0, 1, 1, fmt::format("buffer view {}", view));
+  return {start.data, document_.bufferViews[static_cast<std::size_t>(view)].byteLength};
+}
+
 GltfAccessors::Block GltfAccessors::block(int view, std::size_t offset, std::size_t count, std::size_t element_bytes,
                                           const std::string& what) const {
   if (view < 0 || static_cast<std::size_t>(view) >= document_.bufferViews.size())
@@ -146,7 +155,8 @@ std::vector<float> GltfAccessors::floats(int accessor, int components) const {
   const tinygltf::Accessor& found = checked(accessor);
   const std::string what = fmt::format("accessor {}", accessor);
   const std::size_t part_bytes = float_component_bytes(found.componentType);
-  if (found.type != components || part_bytes == 0)  // TINYGLTF_TYPE_VEC2 is 2, VEC3 3
+  const int wanted = components == 1 ? TINYGLTF_TYPE_SCALAR : components;  // TINYGLTF_TYPE_VEC2 is 2, VEC3 3
+  if (found.type != wanted || part_bytes == 0)
     fail(fmt::format("{} is not of {} numbers of a kind that vertices may have", what, components));
   const std::size_t parts = static_cast<std::size_t>(components), element_bytes = parts * part_bytes;
   if (found.bufferView < 0 && !found.sparse.isSparse) fail(what + " has no data");

@@ -24,7 +24,8 @@ namespace {
 constexpr int deepest_json = 64;  // nesting; tinygltf recurses
 constexpr std::size_t most_json_values = std::size_t{1} << 20;
 constexpr std::size_t most_buffer_bytes = std::size_t{512} << 20;  // all buffers together
-constexpr std::string_view supported_extensions[] = {"KHR_mesh_quantization", "KHR_materials_emissive_strength"};
+constexpr std::string_view supported_extensions[] = {"KHR_mesh_quantization", "KHR_materials_emissive_strength",
+                                                     "KHR_materials_unlit", "KHR_texture_transform", "MSFT_lod"};
 
 [[noreturn]] void fail(const std::string& where, const std::string& what,
                        const char* remedy = "export the model again") {
@@ -154,24 +155,28 @@ struct Reach {
   std::string refusal;
 };
 
-// tinygltf asks for FOLDER/uri, then for ./uri. Only a regular file below the folder counts, links followed.
-bool inside(const std::string& name, void* user) {
-  Reach& reach = *static_cast<Reach*>(user);
-  if (reach.folder.empty() || !fs::path(name).is_absolute()) return false;
+// Why FOLDER/uri may not be read; empty: it may. Only a regular file below the folder counts, links followed.
+std::string refusal(const fs::path& folder, const std::string& name) {
   std::error_code fault;
   const fs::path real = fs::weakly_canonical(name, fault);
   const bool below =
-      !fault &&
-      std::mismatch(reach.folder.begin(), reach.folder.end(), real.begin(), real.end()).first == reach.folder.end();
-  if (below && fs::is_regular_file(real, fault)) return true;
-  const std::string uri = name.substr(std::min(name.size(), reach.folder.string().size() + 1));
+      !fault && std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+  if (below && fs::is_regular_file(real, fault)) return {};
+  const std::string uri = name.substr(std::min(name.size(), folder.string().size() + 1));
   const fs::file_status status = fs::status(real, fault);
-  reach.refusal = "its buffer " + in_quotes(uri, 200) +
-                  (!below || uri.starts_with('/') ? " lies outside of the model's folder"
-                   : fs::is_directory(status)     ? " is a folder"
-                   : fs::exists(status)           ? " is no plain file"
-                                                  : " is not there");
-  return false;
+  return in_quotes(uri, 200) + (!below || uri.starts_with('/') ? " lies outside of the model's folder"
+                                : fs::is_directory(status)     ? " is a folder"
+                                : fs::exists(status)           ? " is no plain file"
+                                                               : " is not there");
+}
+
+// tinygltf asks for FOLDER/uri, then for ./uri.
+bool inside(const std::string& name, void* user) {
+  Reach& reach = *static_cast<Reach*>(user);
+  if (reach.folder.empty() || !fs::path(name).is_absolute()) return false;
+  const std::string why = refusal(reach.folder, name);
+  if (!why.empty()) reach.refusal = "its buffer " + why;
+  return why.empty();
 }
 
 std::string same_path(const std::string& name, void*) { return name; }
@@ -218,17 +223,69 @@ std::string first_line(const std::string& text) {
   return line.empty() ? "its contents do not fit the format" : line;
 }
 
+// tinygltf hands bytes of pictures out without a look at where their buffer ends, so it never sees them.
+std::vector<GltfPicture> pictures_of(const json& root, const std::string& where) {
+  std::vector<GltfPicture> found;
+  const auto images = root.find("images");
+  if (images == root.end()) return found;
+  if (!images->is_array()) fail(where, "images is not a list");
+  for (std::size_t i = 0; i < images->size(); ++i) {
+    const json& image = (*images)[i];
+    GltfPicture& picture = found.emplace_back();
+    const auto view = image.is_object() ? image.find("bufferView") : image.end();
+    const auto uri = image.is_object() ? image.find("uri") : image.end();
+    if (view != image.end() && view->is_number_unsigned() && view->get<std::uint64_t>() < most_json_values)
+      picture.view = view->get<int>();
+    else if (uri != image.end() && uri->is_string() && !uri->get_ref<const std::string&>().empty())
+      picture.uri = uri->get<std::string>();
+    else
+      fail(where, fmt::format("picture {} has neither a buffer view nor a file", i));
+  }
+  return found;
+}
+
+// RFC 3986, section 2.1.
+std::string percent_decoded(const std::string& uri) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+  };
+  std::string decoded;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool coded = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+    decoded += coded ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+    if (coded) i += 2;
+  }
+  return decoded;
+}
+
 }  // namespace
 
-tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& folder, const std::string& where) {
+fs::path gltf_file_below(const fs::path& folder, const std::string& uri, const std::string& where) {
+  if (folder.empty() || uri.find("://") != std::string::npos)
+    fail(where, "its picture " + in_quotes(uri, 200) + " cannot be read from there",
+         "copy it beside the model and name that file");
+  std::error_code fault;
+  const fs::path real = fs::canonical(folder, fault);
+  const std::string name = real.string() + "/" + percent_decoded(uri);
+  if (const std::string why = refusal(real, name); !why.empty())
+    fail(where, "its picture " + why, "put its pictures beside it, or export it again");
+  return name;
+}
+
+tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& folder, const std::string& where,
+                           std::vector<GltfPicture>* pictures) {
   const Chunks chunks = split(bytes, where);
   json root = parse_json(chunks.text, where, chunks.packed);
   check_asset(root, where);
   check_buffers(root, chunks.packed, where);
+  if (pictures) *pictures = pictures_of(root, where);
   // What is not used is not parsed a second time.
-  for (const char* unused :
-       {"images", "textures", "samplers", "skins", "animations", "cameras", "extras", "extensions"})
-    root.erase(unused);
+  for (const char* unused : {"images", "skins", "cameras", "extras", "extensions"}) root.erase(unused);
+  if (!pictures)
+    for (const char* unused : {"textures", "samplers", "animations"}) root.erase(unused);
   const std::string text = root.dump(-1, ' ', true, json::error_handler_t::replace);
   root = nullptr;
 
@@ -236,6 +293,7 @@ tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const fs::path& 
   std::error_code fault;
   if (!folder.empty()) reach.folder = fs::canonical(folder, fault);
   tinygltf::TinyGLTF parser;
+  parser.SetStoreOriginalJSONForExtrasAndExtensions(pictures != nullptr);
   parser.SetFsCallbacks({&inside, &same_path, &read_buffer, &write_nothing, &reach});
   tinygltf::Model document;
   std::string errors, warnings;

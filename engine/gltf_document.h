@@ -17,9 +17,20 @@ namespace seascape {
 
 inline constexpr std::size_t most_model_vertices = std::size_t{1} << 24;
 
-// `folder`: where buffers may lie; empty: nowhere. Throws Error.
+// Where a picture of the document is: in a buffer view, in the text itself ("data:...") or in a file.
+struct GltfPicture {
+  int view = -1;
+  std::string uri;
+};
+
+// `folder`: where buffers may lie; empty: nowhere. `pictures`: what is drawn is wanted too, materials' textures and
+// animations; null: meshes and nodes alone. Throws Error.
 tinygltf::Model parse_gltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& folder,
-                           const std::string& where);
+                           const std::string& where, std::vector<GltfPicture>* pictures = nullptr);
+
+// The file that a uri names below a folder, links followed, where it is a plain file. Throws Error.
+std::filesystem::path gltf_file_below(const std::filesystem::path& folder, const std::string& uri,
+                                      const std::string& where);
 
 // Reads accessors out of their buffers; every one throws Error when a reference, a size or a type is wrong.
 class GltfAccessors {
@@ -29,6 +40,8 @@ class GltfAccessors {
   // `components` floats an element; integers are scaled as the file asks (normalised or not), sparse values put in.
   std::vector<float> floats(int accessor, int components) const;
   std::vector<std::uint32_t> indices(int accessor) const;
+  int components(int accessor) const;  // of an element
+  std::span<const std::uint8_t> bytes(int view) const;
 
  private:
   struct Block {  // elements in a buffer, `stride` bytes apart

@@ -47,6 +47,8 @@ std::vector<std::string> exr_channels_from_memory(std::span<const std::uint8_t> 
 
 // The same on bytes; `where` names them in errors.
 Image8 read_png_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
+// A PNG or a JPEG, by its first bytes.
+Image8 read_picture_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
 ImageF read_exr_from_memory(std::span<const std::uint8_t> bytes, const std::string& where,
                             Values values = Values::finite);
 std::vector<std::uint8_t> png_bytes(const Image8& image, const std::string& where);
