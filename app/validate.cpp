@@ -11,8 +11,8 @@
 #include "app/scene.h"
 #include "app/sea_remarks.h"
 #include "engine/files.h"
-#include "engine/gltf.h"
 #include "engine/image_file.h"
+#include "engine/solid_model.h"
 #include "engine/text.h"
 
 namespace seascape {
@@ -53,10 +53,11 @@ std::string json_summary(const std::string& text, const std::string& where, Faul
 }
 
 std::string model_summary(const std::filesystem::path& file) {
-  const Model model = load_gltf(file);
-  std::size_t triangles = 0;
-  for (const MeshPart& part : model.parts) triangles += part.indices.size() / 3;
-  return "a model of " + counted(model.parts.size(), "part") + " and " + counted(triangles, "triangle");
+  const SolidModel model = load_solid_model(file);
+  std::string text = "a model of " + counted(model.triangles(), "triangle") + ", " +
+                     counted(model.materials.size(), "material") + " and " + counted(model.images.size(), "picture");
+  if (!model.animations.empty()) text += ", with " + counted(model.animations.size(), "animation");
+  return text;
 }
 
 }  // namespace

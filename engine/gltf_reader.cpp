@@ -75,6 +75,20 @@ SolidNode GltfReader::node(int index) const {
   return node;
 }
 
+void GltfReader::read_levels(const tinygltf::Node& source, SolidNode& node, std::size_t index) const {
+  const auto levels = source.extensions.find("MSFT_lod");
+  if (levels == source.extensions.end() || !levels->second.IsObject() || !levels->second.Get("ids").IsArray()) return;
+  const tinygltf::Value& ids = levels->second.Get("ids");
+  if (ids.ArrayLen() > most_levels)
+    fail(fmt::format("node {} has {} levels of detail; at most {} are read", index, ids.ArrayLen(), most_levels));
+  for (std::size_t i = 0; i < ids.ArrayLen(); ++i)
+    node.coarser.push_back(ids.Get(i).IsInt() ? ids.Get(i).GetNumberAsInt() : -1);
+  if (!source.extras.IsObject() || !source.extras.Get("MSFT_screencoverage").IsArray()) return;
+  const tinygltf::Value& shares = source.extras.Get("MSFT_screencoverage");
+  for (std::size_t i = 0; i < std::min(shares.ArrayLen(), most_levels + 1); ++i)
+    node.coverage.push_back(shares.Get(i).IsNumber() ? static_cast<float>(shares.Get(i).GetNumberAsDouble()) : 0.0f);
+}
+
 std::vector<SolidNode> GltfReader::nodes(std::vector<int>& order) const {
   const std::size_t count = document_.nodes.size();
   std::vector<SolidNode> made(count);
@@ -101,17 +115,7 @@ std::vector<SolidNode> GltfReader::nodes(std::vector<int>& order) const {
       made[index].parent = step.parent;
       const tinygltf::Node& source = document_.nodes[index];
       add(source.children, step.node);
-      const auto levels = source.extensions.find("MSFT_lod");
-      if (levels == source.extensions.end() || !levels->second.Get("ids").IsArray()) continue;
-      const tinygltf::Value& ids = levels->second.Get("ids");
-      if (ids.ArrayLen() > most_levels)
-        fail(fmt::format("node {} has {} levels of detail; at most {} are read", index, ids.ArrayLen(), most_levels));
-      for (std::size_t i = 0; i < ids.ArrayLen(); ++i)
-        made[index].coarser.push_back(ids.Get(i).IsInt() ? ids.Get(i).GetNumberAsInt() : -1);
-      if (const tinygltf::Value& shares = source.extras.Get("MSFT_screencoverage"); shares.IsArray())
-        for (std::size_t i = 0; i < std::min(shares.ArrayLen(), most_levels + 1); ++i)
-          made[index].coverage.push_back(
-              shares.Get(i).IsNumber() ? static_cast<float>(shares.Get(i).GetNumberAsDouble()) : 0.0f);
+      read_levels(source, made[index], index);
       add(made[index].coarser, step.parent);
     }
   };

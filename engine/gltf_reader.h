@@ -37,6 +37,7 @@ class GltfReader {
  private:
   float factor(double value, double least, double most, int material, const char* name) const;
   SolidNode node(int index) const;
+  void read_levels(const tinygltf::Node& source, SolidNode& node, std::size_t index) const;
   SolidPrimitive primitive(const tinygltf::Primitive& source, int mesh, bool look);
   std::vector<std::uint32_t> triangles(const tinygltf::Primitive& primitive, std::size_t vertices, int mesh) const;
   void count_vertices(std::size_t more);
