@@ -4,9 +4,7 @@
 
 #include <cstring>
 
-#include "app/experience.h"
-#include "app/frame.h"
-#include "app/program.h"
+#include "tests/support/gpu/headset_pictures.h"
 #include "tests/support/gpu/headset_rig.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/temporary_folder.h"
@@ -14,35 +12,23 @@
 namespace seascape {
 namespace {
 
+using test::drawn_without;
+using test::HeadsetLook;
+using test::HeadsetPicture;
+using test::HeadsetScene;
+using test::options_of;
+using test::scene_of;
 using test::TemporaryFolder;
 
 constexpr int width = 96, height = 80;
 
-struct Look {
-  const char* name;
-  std::vector<std::pair<std::string, std::string>> set;
-  // Whose depths are those of the same picture, where an Experience that is lent nothing shows none.
-  std::vector<std::pair<std::string, std::string>> depth_of = {};
-};
-
-const Look looks[] = {
+const HeadsetLook looks[] = {
     {"tile, 4 samples", {{"frame.shape", "tile"}, {"msaa", "4"}}},
     {"tile, deferred", {{"frame.shape", "tile"}, {"msaa", "1"}}, {{"frame.lighting", "forward"}}},
     {"tile, forward", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}}},
     {"desktop, deferred", {{"frame.shape", "desktop"}, {"msaa", "1"}}, {{"frame.lighting", "forward"}}},
     {"desktop, 4 samples", {{"frame.shape", "desktop"}, {"msaa", "4"}}},
 };
-
-Scene scene_of(const Look& look, bool for_depth) {
-  Scene scene = load_scene("calm", "low");
-  const auto set = [&](const auto& all) {
-    for (const auto& [key, value] : all) set_from_text(scene.settings, key, value, "test");
-  };
-  set(std::vector<std::pair<std::string, std::string>>{{"waves.cascades", "3"}});
-  set(look.set);
-  if (for_depth) set(look.depth_of);
-  return scene;
-}
 
 // A rolled head that turns, with eyes far apart that see more to one side than to the other.
 SimulatedOptions wide_eyed(const std::filesystem::path& out) {
@@ -64,75 +50,20 @@ SimulatedOptions wide_eyed(const std::filesystem::path& out) {
   return options;
 }
 
-struct Drawn {
-  Viewpoint viewpoint;
-  double time_s;
-  std::uint32_t width, height;
-  std::array<Image8, 2> pictures;
-  std::array<std::vector<std::uint8_t>, 2> depths;
-};
-
-void read(Device& device, const Experience& experience, const Image* depth, Drawn& drawn) {
-  for (int eye = 0; eye < 2; ++eye) {
-    drawn.pictures[std::size_t(eye)] = picture_of(device, experience, eye);
-    if (depth)
-      drawn.depths[std::size_t(eye)] = read_image(device, *depth, std::uint32_t(eye), 0, {drawn.width, drawn.height});
-  }
-}
-
-ExperienceOptions options_of(const Headset& headset) {
-  ExperienceOptions options{width, height, 2};
-  options.colour = headset.colour();
-  options.show_depth = headset.shows_depth();
-  return options;
-}
-
 // Three frames as Explorer draws them, of 0.7 of the size in the second.
-std::vector<Drawn> drawn_in_headset(Device& device, Headset& headset, const Scene& scene) {
-  ExperienceOptions options = options_of(headset);
-  options.most_width = headset.most_size().x;
-  options.most_height = headset.most_size().y;
-  Experience experience(device, test::shaders(), scene, options);
-  std::vector<Drawn> all;
+std::vector<HeadsetPicture> drawn_in_headset(Device& device, Headset& headset, const Scene& scene) {
+  HeadsetScene sea(device, headset, scene);
+  std::vector<HeadsetPicture> all;
   for (int number = 0; number < 3; ++number) {
     headset.set_scale(number == 1 ? 0.7 : 1.0);
-    const DisplayFrame shown = headset.begin();
-    experience.resize(shown.width, shown.height);
-    experience.draw_into(shown.lent);
-    experience.choose(shown.colour, shown.depth);
-    Drawn& drawn = all.emplace_back();
-    drawn.width = shown.width;
-    drawn.height = shown.height;
-    drawn.time_s = 3.0 + shown.time_s;
-    Frame& frame = experience.frame();
-    frame.begin();
-    drawn.viewpoint = headset.viewpoint(Pose{{12.0, 0.5, -7.0}, glm::angleAxis(0.4, glm::dvec3(0.0, 1.0, 0.0))});
-    draw_frame(experience, frame, drawn.viewpoint, drawn.time_s);
-    headset.end(frame, &experience.picture(), experience.shown_depth());
-    frame.finish();
+    const DisplayFrame shown = sea.step(true);
+    HeadsetPicture& drawn = all.emplace_back(sea.drawn());
     // What lies in the image that the runtime lent, whatever the experience takes for it.
     ImageSpec theirs{shown.lent->width, shown.lent->height, 2};
     theirs.format = device.facts().depth_format;
     const Image depth(device, "lent", shown.lent->depths[shown.depth], theirs);
-    depth.state() = experience.shown_depth()->state();
-    read(device, experience, &depth, drawn);
-  }
-  return all;
-}
-
-std::vector<Drawn> drawn_without(Device& device, const Scene& scene, const ExperienceOptions& options,
-                                 const std::vector<Drawn>& as) {
-  Experience experience(device, test::shaders(), scene, options);
-  std::vector<Drawn> all;
-  for (const Drawn& one : as) {
-    Drawn& drawn = all.emplace_back(Drawn{one.viewpoint, one.time_s, one.width, one.height, {}, {}});
-    experience.resize(one.width, one.height);
-    Frame& frame = experience.frame();
-    frame.begin();
-    draw_frame(experience, frame, one.viewpoint, one.time_s);
-    frame.submit();
-    frame.finish();
-    read(device, experience, experience.shown_depth(), drawn);
+    depth.state() = sea.experience().shown_depth()->state();
+    for (std::size_t eye = 0; eye < 2; ++eye) drawn.depths[eye] = test::depths_of(device, depth, drawn, eye);
   }
   return all;
 }
@@ -160,14 +91,15 @@ TEST(HeadsetPicturesTest, AreThoseWithoutAHeadset) {
     device_options.validation = true;
     system_of_device.make_device(device_options);
     Device device(device_options);
-    for (const Look& look : looks) {
+    for (const HeadsetLook& look : looks) {
       SimulatedRuntime runtime(wide_eyed(folder.path()));
       HeadsetSystem system(runtime.get(), runtime.next());
       Headset headset(system, device, {});
       ASSERT_TRUE(headset.shows_depth());
-      const std::vector<Drawn> seen = drawn_in_headset(device, headset, scene_of(look, false));
-      const std::vector<Drawn> expected = drawn_without(device, scene_of(look, false), options_of(headset), seen);
-      const std::vector<Drawn> deep =
+      const std::vector<HeadsetPicture> seen = drawn_in_headset(device, headset, scene_of(look, false));
+      const std::vector<HeadsetPicture> expected =
+          drawn_without(device, scene_of(look, false), options_of(headset), seen);
+      const std::vector<HeadsetPicture> deep =
           look.depth_of.empty() ? expected : drawn_without(device, scene_of(look, true), options_of(headset), seen);
       EXPECT_EQ(runtime.frames_shown(), seen.size());
       for (std::size_t number = 0; number < seen.size(); ++number)

@@ -29,10 +29,10 @@ XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance instance, const
 
 }  // namespace
 
-HostileRuntime::HostileRuntime(SimulatedRuntime& behind) : behind_(behind) {
+HostileRuntime::HostileRuntime(PFN_xrGetInstanceProcAddr behind) {
   assert(current == nullptr);
   current = this;
-  real.GetInstanceProcAddr = behind.get();
+  real.GetInstanceProcAddr = behind;
 }
 
 HostileRuntime::~HostileRuntime() { current = nullptr; }

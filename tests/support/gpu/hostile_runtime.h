@@ -1,4 +1,5 @@
-// A runtime of OpenXR that stands before the simulated one and does it harm: calls fail, lie, or are noted down.
+// A runtime of OpenXR that stands before another (the simulated one, or the machine's own) and does it harm: calls
+// fail, lie, or are noted down.
 #pragma once
 #include <functional>
 #include <map>
@@ -17,18 +18,19 @@ namespace seascape::test {
 // OpenXR's calls carry no pointer of ours, so there is one at a time in a process.
 class HostileRuntime {
  public:
-  explicit HostileRuntime(SimulatedRuntime& behind);
+  explicit HostileRuntime(PFN_xrGetInstanceProcAddr behind);
+  explicit HostileRuntime(SimulatedRuntime& behind) : HostileRuntime(behind.get()) {}
   ~HostileRuntime();
   HostileRuntime(const HostileRuntime&) = delete;
   HostileRuntime& operator=(const HostileRuntime&) = delete;
   PFN_xrGetInstanceProcAddr get() const;
 
-  XrApi real;  // of the simulated runtime, as far as they were asked for
+  XrApi real;  // of the runtime behind, as far as they were asked for
   struct Instead {
 #define SEASCAPE_XR_INSTEAD(name) std::function<std::remove_pointer_t<PFN_xr##name>> name;
     SEASCAPE_XR_ALL(SEASCAPE_XR_INSTEAD)
 #undef SEASCAPE_XR_INSTEAD
-  } instead;  // what is called instead; empty: the simulated runtime
+  } instead;  // what is called instead; empty: the runtime behind
 
   // The call of this name ("xrWaitFrame") fails at its `nth` time (from 1), without having done anything; what destroys
   // does so all the same.
@@ -45,7 +47,6 @@ class HostileRuntime {
   std::optional<XrResult> before(const std::string& name);  // notes the call; what it fails with
 
  private:
-  SimulatedRuntime& behind_;
   std::vector<std::string> calls_;
   std::map<std::string, int> counts_;
   std::string failing_, lacking_;
