@@ -27,6 +27,7 @@ class Background {
   std::string err() const;
   std::string three() const;
   bool running();
+  pid_t id() const { return child_; }
   void send(int signal);
   // The exit status, 128 + the signal where one ended it, -1 while it still runs after `patience_s`.
   int exit_code(double patience_s = 30.0);
