@@ -396,6 +396,54 @@ EOF
     printf '#!/bin/bash\nexit 0\n' > "$tree/three"
     check_of --all
     [ "$(tail -n 1 "$work/out")" = '9 passed, 0 failed' ] && [ "$status" -eq 0 ] || { show; fail "control: it fails always"; }
+    # The headset's proof counts its own tests. It is neither where it skips itself (it is not root here), and failed where it says nothing.
+    : > "$tree/tests/a_headset_test.cpp"
+    for case in '9 passed, 0 failed:' '14 passed, 2 failed:printf "[  PASSED  ] 5 tests.\n[  FAILED  ] 2 tests, listed below:\n"; exit 1' '9 passed, 1 failed:exit 1'; do
+      if [ -n "${case#*:}" ]; then printf '#!/bin/bash\n%s\n' "${case#*:}" > "$tree/scripts/headset_proof.sh"; fi
+      check_of --all
+      [ "$(tail -n 1 "$work/out")" = "${case%%:*}" ] && { [ -n "${case#*:}" ] || says out 'note: the proof skipped itself'; } || { show; fail "not $case"; }
+    done
+    ;;
+  headset_proof)
+    # What scripts/headset_proof.sh says where it cannot run, and when it makes its root.
+    make_tree
+    proof() {
+      (cd "$work/caller" && env PATH="$work/bin:$PATH" XDG_CACHE_HOME="$work/cache" "$tree/scripts/headset_proof.sh" "$@" > "$work/out" 2> "$work/err" < /dev/null)
+      status=$?
+    }
+    skips() { [ "$status" -eq 77 ] && [ "$(wc -l < "$work/err")" -eq 1 ] && says err "notice: headset proof skipped: $1"; }
+    for wrong in --bogus --build '--root here' --only extra; do
+      proof $wrong
+      [ "$status" -eq 2 ] && [ "$(grep -c '^seascape: ' "$work/err")" -eq 1 ] || { show; fail "$wrong: $status"; }
+    done
+    proof --help
+    [ "$status" -eq 0 ] && says out '--only FILTER' || { show; fail "--help"; }
+    proof
+    skips 'only root' || { show; fail "not root: $status"; }
+    stand_in id 'echo 0'
+    stand_in unshare 'exit 1'
+    proof
+    skips 'this machine does not let root' || { show; fail "no namespace: $status"; }
+    stand_in unshare "[ \"\${!#}\" = true ] && exit 0; echo \"unshare \$*\" >> '$calls'; exit 3"
+    proof
+    [ "$status" -eq 1 ] && says err 'tests_headset is not there' || { show; fail "nothing built: $status"; }
+    printf '#!/bin/bash\nprintf "Some.\\n  Test\\n"\n' > "$tree/build/release/tests_headset" && chmod +x "$tree/build/release/tests_headset"
+    stand_in timeout 'exit 1'  # the question whether a mirror answers
+    stand_in mmdebstrap "echo \"mmdebstrap \$*\" >> '$calls'; for word; do case \"\$word\" in */headset_root.new) mkdir \"\$word\" ;; esac; done; exit \${MADE:-0}"
+    proof
+    skips 'no mirror of Debian answers' || { show; fail "no network: $status"; }
+    stand_in timeout 'exit 0' && MADE=1 proof
+    [ "$status" -eq 1 ] && [ -z "$(find "$work/cache" -name 'headset_root*' -type d)" ] || { show; fail "a root that could not be made: $status"; }
+    # It is made once, entered each time, and made anew where it lacks a package. The status is that of the tests.
+    for made in 2 2 3; do
+      if [ "$made" -eq 3 ]; then sed -i 's/xvfb xdotool/another &/' "$tree/scripts/headset_proof.sh"; fi
+      proof
+      [ "$status" -eq 3 ] && [ "$(grep -c ^mmdebstrap "$calls")" -eq "$made" ] || { show; fail "made $made times: $status"; }
+    done
+    # Control: a script that does not ask who it is goes on.
+    stand_in id 'echo 1000' && sed -i 's/^can_run$//' "$tree/scripts/headset_proof.sh"
+    proof
+    [ "$status" -eq 3 ] || { show; fail "control: the question is not what stopped it"; }
     ;;
   *) fail "no such case: ${1:-}" ;;
 esac
