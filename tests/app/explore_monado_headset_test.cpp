@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 // It comes to have the focus, its mirror to a window, and after its frames it ends well: under validation it would not
-// where either layer had said anything. Controls seen: ended by a signal; a mirror that is off.
+// where either layer had said anything. Control seen: a mirror that is off.
 TEST_F(MonadoTest, TheProgramExplores) {
   const VirtualDisplay display;
   Background program({test::program_file(), "explore", "--display", "headset", "--scene", "calm", "--preset", "low",

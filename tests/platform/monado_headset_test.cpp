@@ -73,13 +73,13 @@ void expect_pictures(const HeadsetLook& look, int frames, int every) {
   }
 }
 
-// Controls seen: the eyes' views exchanged in end_frame(); the layers exchanged there; a pose altered after
-// locate(); xrEndFrame at the time plus 1; drawn again with the views of the picture before.
+// Controls seen: the eyes' views exchanged in end_frame(); their layers exchanged there; a pose moved there by a
+// thousandth of a millimetre; xrEndFrame at the time plus 1.
 TEST_F(MonadoTest, FiveHundredFrames) {
   expect_pictures({"low, 4 samples", {{"frame.shape", "tile"}, {"msaa", "4"}}}, 500, 25);
 }
 
-// Controls as above.
+// Controls seen: the eyes exchanged in viewpoint(); drawn again with the views of the picture before.
 TEST_F(MonadoTest, OtherFrames) {
   expect_pictures({"low, deferred", {{"msaa", "1"}}}, 20, 5);
   expect_pictures({"low, forward", {{"msaa", "1"}, {"frame.lighting", "forward"}}}, 20, 5);

@@ -98,7 +98,7 @@ double turn(const Pose& a, const Pose& b) {
 // proximity sensor, so Monado does not offer XR_EXT_user_presence (asked below: where one does, this test says so), and
 // monado-ctl has no word for it. What an app sees of either is the same, SYNCHRONIZED with shouldRender false. On the
 // simulated runtime HeadsetTest.hard_42_off_it_shows_nothing_and_time_goes_on has it off.
-// Controls seen: frames that show nothing not ended; should_render kept true; hands told without the focus.
+// Controls seen: frames that show nothing not ended; should_render kept true; hands kept without the focus.
 TEST_F(MonadoStates, FocusIsTakenAndReturned) {
   ASSERT_TRUE(step_until([&](const DisplayFrame& shown) { return has_focus(shown) && has_hands(); }));
   const Monado::Client us = monado.client(getpid()).value();
@@ -137,7 +137,8 @@ TEST_F(MonadoStates, FocusIsTakenAndReturned) {
 
 // Centred by us, the floor under the head becomes the middle, with what lay ahead forward. Centred by the runtime, that
 // counts no more, and the middle is the runtime's own. (Monado 25.0 announces it and leaves a program's own spaces
-// where they were; where another moves them, this holds as well.) Controls seen: the event ignored; our offset kept.
+// where they were; where another moves them, this holds as well.) Controls seen: the event ignored; our offset kept;
+// the head's turn left out of it.
 TEST_F(MonadoStates, Recentred) {
   ASSERT_TRUE(step_until(has_focus));
   const auto expect_near = [](const Pose& is, const Pose& expected, const char* what) {
@@ -162,8 +163,7 @@ TEST_F(MonadoStates, Recentred) {
 }
 
 // The runtime dies: an Error that says so at the next frame, an end without a fault, and another runtime serves the
-// next headset. Controls seen: a check_xr() that takes XR_ERROR_INSTANCE_LOST for a session's loss; a ~Headset that
-// lets Errors go.
+// next headset. Control seen: a check_xr() that takes XR_ERROR_INSTANCE_LOST for a session's loss.
 TEST_F(MonadoStates, ARuntimeThatDiesIsLost) {
   for (int life = 0; life < 2; ++life) {
     std::optional<Monado> another;
