@@ -57,11 +57,12 @@ void ComfortOverlay::update(Frame& frame, const Viewpoint& viewpoint, const Comf
   });
 }
 
-void ComfortOverlay::draw(Commands& commands, std::uint32_t frame_uniform) const {
-  if (!shows_) return;
+bool ComfortOverlay::draw(Commands& commands, std::uint32_t frame_uniform) const {
+  if (!shows_) return false;
   commands.bind(pipeline_, bindings_, {frame_uniform, uniform_});
   commands.push(gpu::DrawPush{commands.eye()});
   commands.draw(3);
+  return true;
 }
 
 }  // namespace seascape

@@ -12,8 +12,9 @@ class ComfortOverlay {
 
   // What these eyes are shown in this frame. A vignette that begins outside all of their pictures is none.
   void update(Frame& frame, const Viewpoint& viewpoint, const ComfortShown& shown);
-  // Last in the pass that finishes the picture; records nothing where there is nothing to show.
-  void draw(Commands& commands, std::uint32_t frame_uniform) const;
+  // Last in the pass that finishes the picture; records nothing where there is nothing to show,
+  // and returns false.
+  bool draw(Commands& commands, std::uint32_t frame_uniform) const;
 
  private:
   Pipeline pipeline_;

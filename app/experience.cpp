@@ -109,6 +109,11 @@ void Experience::show_comfort(const ComfortShown& shown) {
   comfort_shown_ = shown;
 }
 
+void Experience::hide(const HiddenMesh& mesh) {
+  assert(options_.hidden);
+  if (mesh.version != hidden_mesh_.version) hidden_mesh_ = mesh;
+}
+
 void Experience::go_on() {
   goes_on_ = true;
   sea_->go_on();
@@ -154,6 +159,7 @@ void Experience::build() {
   look.wireframe = render.debug == DebugView::wireframe;
   look.deferred = deferred();
   look.probe = options_.probe;
+  look.hidden = options_.hidden;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   const SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
@@ -165,6 +171,9 @@ void Experience::build() {
   if (options_.hands) hands_ = std::make_unique<DrawnHands>(device_, shaders_, drawn, light, tile, surface_->depths());
   comfort_.reset();
   if (options_.comfort) comfort_ = std::make_unique<ComfortOverlay>(device_, shaders_, picture_, frame_->ring());
+  hidden_area_.reset();
+  if (options_.hidden)
+    hidden_area_ = std::make_unique<HiddenArea>(device_, shaders_, surface_->target(drawn), picture_, look.deferred);
   sky_pipeline_ = {};
   if (!look.deferred) {  // or else it is lit with the sea
     const EffectScope scope(device_, "sky");

@@ -5,6 +5,7 @@
 
 #include "app/comfort_overlay.h"
 #include "app/drawn_hands.h"
+#include "app/hidden_area.h"
 #include "app/scene.h"
 #include "app/sky.h"
 #include "ocean/ocean.h"
@@ -24,6 +25,7 @@ struct ExperienceOptions {
   bool hands = false;                         // hands can be shown (show_hands)
   bool show_depth = false;                    // whoever shows the picture gets its depth too
   bool comfort = false;                       // a vignette and a horizon line can be shown (show_comfort)
+  bool hidden = false;                        // parts of the pictures can be told that no eye sees (hide)
   bool seen_elsewhere = false;                // another viewer may draw its sea in frames of his own, one at a time
 };
 
@@ -70,6 +72,9 @@ class Experience {
   // The hands of the frames from now on; with options().hands.
   void show_hands(std::vector<ShownHand> hands);
 
+  // What no eye sees of the frames from now on: it is left black and unlit. With options().hidden; makes nothing.
+  void hide(const HiddenMesh& mesh);
+
   // How many times its objects were built.
   std::uint64_t builds() const { return builds_; }
 
@@ -115,6 +120,8 @@ class Experience {
   std::unique_ptr<DrawnSpray> spray_;
   std::unique_ptr<ComfortOverlay> comfort_;
   std::unique_ptr<DrawnHands> hands_;
+  std::unique_ptr<HiddenArea> hidden_area_;
+  HiddenMesh hidden_mesh_;
   std::vector<ShownHand> shown_hands_;
   ComfortShown comfort_shown_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture

@@ -248,6 +248,7 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   move(input_, dt_s);
   if (display_.tracks_head()) show_hands(input_);
   const Viewpoint viewpoint = display_.viewpoint(carrier());
+  if (const HiddenMesh* hidden = display_.hidden()) experience_->hide(*hidden);
   record(input_, viewpoint.viewer);
   draw_frame(*experience_, frame, viewpoint, sea_time_s());
   experience_->go_on();  // settled as it was for the first frame

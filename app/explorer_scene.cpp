@@ -27,6 +27,7 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
   result.most_width = display_.most_size().x;
   result.most_height = display_.most_size().y;
   result.comfort = result.hands = display_.tracks_head();
+  result.hidden = display_.hidden() != nullptr;
   return result;
 }
 

@@ -68,6 +68,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const std::uint32_t uniform = frame.upload_uniform(data);
   // What is drawn of the viewer himself, and over what he sees.
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, viewpoint.viewer.position_m);
+  if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
 
@@ -88,9 +89,10 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
   };
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
-    if (shown && e.comfort_) e.comfort_->draw(c, uniform);
+    if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);
   };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
+    if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
     e.surface_->draw(c, frame, *selection, uniform, from_air);
     if (deferred) return;
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});

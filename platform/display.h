@@ -9,6 +9,7 @@
 #include "engine/frame.h"
 #include "engine/view.h"
 #include "platform/bindings.h"
+#include "platform/hidden_mesh.h"
 #include "platform/input.h"
 #include "platform/overlay.h"
 
@@ -70,6 +71,8 @@ class Display {
   virtual VkFormat colour() const { return VK_FORMAT_R8G8B8A8_SRGB; }
   virtual bool shows_depth() const { return false; }
   virtual glm::uvec2 most_size() const { return {0, 0}; }  // for which there is to be room; 0: as they come
+  // What no eye can see of the frame's pictures, once its viewpoint is known; null: it never says so.
+  virtual const HiddenMesh* hidden() const { return nullptr; }
   // Where its user stands: other bindings hold in a boat.
   virtual void set_post(Post) {}
   // The lens of the next viewpoint, where the display has none of its own.

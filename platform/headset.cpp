@@ -37,7 +37,7 @@ Fov fov_from(const XrFovf& fov) {
 }  // namespace
 
 Headset::Headset(HeadsetSystem& system, Device& device, const HeadsetOptions& options)
-    : system_(system), api_(system.api()), device_(device), options_(options) {
+    : system_(system), api_(system.api()), device_(device), options_(options), mask_(system) {
   const HeadsetFacts& facts = system.facts();
   most_width_ = options.width ? options.width : pixels(facts.width * options.most_scale, facts.most_width);
   most_height_ = options.height ? options.height : pixels(facts.height * options.most_scale, facts.most_height);

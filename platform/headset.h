@@ -6,6 +6,7 @@
 
 #include "platform/display.h"
 #include "platform/headset_input.h"
+#include "platform/headset_mask.h"
 #include "platform/headset_swapchain.h"
 
 namespace seascape {
@@ -57,6 +58,7 @@ class Headset final : public Display {
   VkFormat colour() const override { return colour_; }
   bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
   glm::uvec2 most_size() const override { return {most_width_, most_height_}; }
+  const HiddenMesh* hidden() const override { return mask_.offered() ? &mask_.mesh() : nullptr; }
 
   // A layer over the picture, submitted with it.
   struct Quad {
@@ -117,6 +119,7 @@ class Headset final : public Display {
   XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   XrPosef space_offset_ = nowhere;
   std::unique_ptr<HeadsetInput> controllers_;
+  HeadsetMask mask_;
   VkFormat colour_ = VK_FORMAT_UNDEFINED, depth_format_ = VK_FORMAT_UNDEFINED;
   HeadsetSwapchain colours_, depths_;
   std::shared_ptr<const LentImages> lent_;

@@ -28,6 +28,7 @@ void Headset::begin_session() {
   choose_space();
   controllers_ = std::make_unique<HeadsetInput>(system_, session_, options_.left_handed);
   make_pictures();
+  mask_.ask(session_);
   ask_for_rate();
   if (system_.uses(XR_EXT_PERFORMANCE_SETTINGS_EXTENSION_NAME) && api_.PerfSettingsSetPerformanceLevelEXT)
     for (const XrPerfSettingsDomainEXT domain : {XR_PERF_SETTINGS_DOMAIN_CPU_EXT, XR_PERF_SETTINGS_DOMAIN_GPU_EXT})
@@ -165,6 +166,10 @@ void Headset::take_events() {
           move_space();
           moved_ = true;
         }
+        break;
+      case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+        if (reinterpret_cast<const XrEventDataVisibilityMaskChangedKHR&>(event).session == session_)
+          mask_.ask(session_);
         break;
       case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         spdlog::debug("headset: controllers {}", controllers_->profile(session_));

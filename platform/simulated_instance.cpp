@@ -14,7 +14,8 @@ State& state(XrInstance instance) { return object<State>(instance); }
 
 constexpr const char* offered[] = {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
                                    XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,    XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
-                                   XR_EXT_USER_PRESENCE_EXTENSION_NAME,  "XR_META_touch_controller_plus"};
+                                   XR_EXT_USER_PRESENCE_EXTENSION_NAME,  XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,
+                                   "XR_META_touch_controller_plus"};
 
 XRAPI_ATTR XrResult XRAPI_CALL enumerate_extensions(const char*, std::uint32_t room, std::uint32_t* count,
                                                     XrExtensionProperties* to) {

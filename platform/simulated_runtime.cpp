@@ -33,6 +33,16 @@ SimulatedRuntime::~SimulatedRuntime() = default;
 PFN_xrGetInstanceProcAddr SimulatedRuntime::get() const { return simulated::get_instance_proc_addr; }
 const void* SimulatedRuntime::next() const { return &state_->chained; }
 void SimulatedRuntime::set_input(const std::string& path, double value) { state_->inputs[path] = value; }
+void SimulatedRuntime::set_lens(double lens) {
+  state_->options.lens = lens;
+  for (const std::uint32_t eye : {0u, 1u}) {
+    XrEventDataVisibilityMaskChangedKHR event{XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR};
+    event.session = simulated::handle<XrSession>(state_.get());
+    event.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    event.viewIndex = eye;
+    state_->push(event);
+  }
+}
 std::size_t SimulatedRuntime::frames_ended() const { return state_->ended; }
 std::size_t SimulatedRuntime::frames_shown() const { return state_->shown; }
 const std::vector<SimulatedBuzz>& SimulatedRuntime::buzzes() const { return state_->buzzes; }

@@ -22,6 +22,9 @@ struct SimulatedOptions {
   // "/interaction_profiles/...": the controllers' inputs are what set_input() says, and do what was suggested for them.
   // Empty: the script gives actions by their names.
   std::string profile;
+  // The ellipse of a picture's field that an eye sees through its lens, against the largest within it: a visibility
+  // mask hides what lies outside. 0: everything is seen.
+  double lens = 0.0;
 };
 
 struct SimulatedBuzz {
@@ -43,6 +46,9 @@ class SimulatedRuntime {
 
   // How far an input of the profile's controllers is pressed or pushed from now on: "left/input/trigger/value".
   void set_input(const std::string& path, double value);
+
+  // Other lenses from now on, which an event tells of (SimulatedOptions::lens).
+  void set_lens(double lens);
 
   std::size_t frames_ended() const;  // since the start, those without a picture too
   std::size_t frames_shown() const;

@@ -237,6 +237,38 @@ XRAPI_ATTR XrResult XRAPI_CALL locate_views(XrSession session, const XrViewLocat
   return XR_SUCCESS;
 }
 
+// Between an ellipse in the eye's field, nearer to the nose than its middle, and what lies outside the field: a ring of
+// quads.
+XRAPI_ATTR XrResult XRAPI_CALL get_mask(XrSession session, XrViewConfigurationType, std::uint32_t eye,
+                                        XrVisibilityMaskTypeKHR type, XrVisibilityMaskKHR* mask) {
+  const State& s = state(session);
+  if (s.lost) return XR_ERROR_SESSION_LOST;
+  if (eye > 1 || type != XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR) return XR_ERROR_VALIDATION_FAILURE;
+  constexpr std::uint32_t sides = 48;
+  const std::uint32_t quads = s.options.lens > 0.0 ? sides : 0;
+  mask->vertexCountOutput = 2 * quads;
+  mask->indexCountOutput = 6 * quads;
+  if (mask->vertexCapacityInput == 0 && mask->indexCapacityInput == 0) return XR_SUCCESS;
+  if (mask->vertexCapacityInput < 2 * quads || mask->indexCapacityInput < 6 * quads) return XR_ERROR_SIZE_INSUFFICIENT;
+  const FovAngles& fov = s.options.script.eyes[eye];
+  const auto tangent = [](double degrees) { return std::tan(glm::radians(degrees)); };
+  const double left = tangent(fov.left_deg), right = tangent(fov.right_deg), up = tangent(fov.up_deg),
+               down = tangent(fov.down_deg);
+  const glm::dvec2 half(0.5 * (right - left), 0.5 * (up - down));
+  const glm::dvec2 middle(0.5 * (left + right) + (eye == 0 ? 0.05 : -0.05) * half.x, 0.5 * (up + down));
+  for (std::uint32_t side = 0; side < quads; ++side) {
+    const double about = glm::radians(360.0) * side / quads;
+    const glm::dvec2 out = half * glm::dvec2(std::cos(about), std::sin(about));
+    const glm::dvec2 inner = middle + s.options.lens * out, outer = middle + 2.0 * out;
+    mask->vertices[2 * side] = {float(inner.x), float(inner.y)};
+    mask->vertices[2 * side + 1] = {float(outer.x), float(outer.y)};
+    const std::uint32_t next = (side + 1) % quads;
+    const std::uint32_t corners[] = {2 * side, 2 * side + 1, 2 * next, 2 * next, 2 * side + 1, 2 * next + 1};
+    std::copy(std::begin(corners), std::end(corners), mask->indices + 6 * side);
+  }
+  return XR_SUCCESS;
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL enumerate_rates(XrSession session, std::uint32_t room, std::uint32_t* count, float* to) {
   const std::array all{float(state(session).options.script.rate_hz)};
   return hand_out<float>(all, room, count, to);
@@ -268,6 +300,7 @@ PFN_xrVoidFunction session_call(std::string_view name) {
   SEASCAPE_SIMULATED(BeginFrame, begin_frame)
   SEASCAPE_SIMULATED(EndFrame, end_frame)
   SEASCAPE_SIMULATED(LocateViews, locate_views)
+  SEASCAPE_SIMULATED(GetVisibilityMaskKHR, get_mask)
   SEASCAPE_SIMULATED(EnumerateDisplayRefreshRatesFB, enumerate_rates)
   SEASCAPE_SIMULATED(GetDisplayRefreshRateFB, get_rate)
   SEASCAPE_SIMULATED(RequestDisplayRefreshRateFB, request_rate)

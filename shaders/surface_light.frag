@@ -17,6 +17,8 @@ layout(binding = slot_point_depths) uniform sampler2DArray depths;
 layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
 layout(constant_id = value_debug) const bool debug = false;
 
+layout(constant_id = value_hidden) const bool may_be_hidden = false;
+
 layout(location = 0) in vec3 pixel_ray;
 layout(location = 0) out vec4 colour;
 
@@ -24,6 +26,11 @@ void main() {
   const ivec3 at = ivec3(gl_FragCoord.xy, eye_index());
   const ViewData view = frame.view[eye_index()];
   const float depth = texelFetch(depths, at, 0).r;
+  // As near as can be lies only what hidden.vert has drawn.
+  if (may_be_hidden && depth == 1.0) {
+    colour = vec4(0.0, 0.0, 0.0, 1.0);
+    return;
+  }
   vec3 lit;
   if (depth == 0.0) {
     lit = sky_light(normalize(pixel_ray), view.eye.w);

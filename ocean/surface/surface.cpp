@@ -100,6 +100,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   once.vertex = "sky.vert";
   once.fragment = "surface_light.frag";
   once.values = spec.values;
+  once.values.push_back({std::uint32_t(gpu::value_hidden), look.hidden});
   once.depth_test = once.depth_write = false;
   light_pipeline_ = make_graphics_pipeline(device, shaders, picture, once);
   points_sampler_ = make_sampler(device, "surface points", {false, false, 1.0f});

@@ -35,7 +35,7 @@ SEASCAPE_CONST int value_level = 14, value_bed = 15, value_flow = 16;
 SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 9;
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
-SEASCAPE_CONST int value_depth_sampled = 22;
+SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23;
 
 SEASCAPE_SHARED_END
 #endif

@@ -57,9 +57,9 @@ std::string live(const Harm& harm, bool& has_failed) {
 // Calls that are not made of a device that was made already, or not at all by us.
 bool is_made(const std::string& name) {
   return name.find("Vulkan") == std::string::npos && name != "xrEnumerateEnvironmentBlendModes" &&
-         name != "xrGetVisibilityMaskKHR" && name != "xrEnumerateDisplayRefreshRatesFB" &&
-         name != "xrGetDisplayRefreshRateFB" && name != "xrPerfSettingsSetPerformanceLevelEXT" &&
-         name != "xrRequestExitSession" && name != "xrPathToString" && name != "xrGetCurrentInteractionProfile";
+         name != "xrEnumerateDisplayRefreshRatesFB" && name != "xrGetDisplayRefreshRateFB" &&
+         name != "xrPerfSettingsSetPerformanceLevelEXT" && name != "xrRequestExitSession" && name != "xrPathToString" &&
+         name != "xrGetCurrentInteractionProfile";
 }
 
 // Every call fails, the first or the third time that it is made. What cannot be gone on without is named in the Error.

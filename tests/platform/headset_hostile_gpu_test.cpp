@@ -264,14 +264,14 @@ TEST_F(HostileRuntimeTest, HugeCounts) {
 
 // Formats and spaces by the million, of which there are none. Control: the limit of xr_list() taken away.
 TEST_F(HostileRuntimeTest, ListsThatLie) {
-  EXPECT_THAT(
-      error_under([](HostileRuntime& calls) {
-        calls.instead.EnumerateSwapchainFormats = [](XrSession, std::uint32_t, std::uint32_t* count, std::int64_t*) {
-          *count = UINT32_MAX;
-          return XR_SUCCESS;
-        };
-      }),
-      HasSubstr("xrEnumerateSwapchainFormats counts 4294967295"));
+  EXPECT_THAT(error_under([](HostileRuntime& calls) {
+                calls.instead.EnumerateSwapchainFormats = [](XrSession, std::uint32_t, std::uint32_t* count,
+                                                             std::int64_t*) {
+                  *count = UINT32_MAX;
+                  return XR_SUCCESS;
+                };
+              }),
+              HasSubstr("xrEnumerateSwapchainFormats counts 4294967295"));
   EXPECT_THAT(error_under([](HostileRuntime& calls) {
                 calls.instead.EnumerateReferenceSpaces = [](XrSession, std::uint32_t, std::uint32_t* count,
                                                             XrReferenceSpaceType*) {
@@ -280,6 +280,45 @@ TEST_F(HostileRuntimeTest, ListsThatLie) {
                 };
               }),
               HasSubstr("xrEnumerateReferenceSpaces counts 4294967295"));
+}
+
+// Masks that make no sense are none, and the pictures are drawn whole. Controls: each of corners_of()'s checks left
+// out; of the counts, its vectors then ask for 16 GB.
+TEST_F(HostileRuntimeTest, AbsurdMasks) {
+  struct Mask {
+    std::uint32_t vertices, indices, filled_vertices;
+    XrVector2f corner;
+    std::uint32_t index;
+  };
+  const Mask sound{3, 3, 3, {2.0f, 0.5f}, 2};
+  const auto hidden = [](const Mask& mask) {
+    HeadsetRig rig(simulated(), [&](HostileRuntime& calls) {
+      calls.instead.GetVisibilityMaskKHR = [mask](XrSession, XrViewConfigurationType, std::uint32_t,
+                                                  XrVisibilityMaskTypeKHR, XrVisibilityMaskKHR* to) {
+        const bool fills = to->vertices != nullptr;
+        to->vertexCountOutput = fills ? mask.filled_vertices : mask.vertices;
+        to->indexCountOutput = mask.indices;
+        for (std::uint32_t i = 0; fills && i < std::min(mask.vertices, to->vertexCapacityInput); ++i)
+          to->vertices[i] = i == 2 ? mask.corner : XrVector2f{1.0f + 0.1f * float(i), 0.5f + 0.5f * float(i)};
+        for (std::uint32_t i = 0; fills && i < to->indexCapacityInput; ++i)
+          to->indices[i] = i == 2 ? mask.index : i % 3;
+        return XR_SUCCESS;
+      };
+    });
+    rig.steps(2);
+    EXPECT_EQ(rig.runtime.frames_shown(), 2u);
+    const HiddenMesh* mesh = rig.headset.hidden();
+    return mesh == nullptr ? std::size_t(99) : mesh->corners[0].size() + mesh->corners[1].size();
+  };
+  EXPECT_EQ(hidden(sound), 6u);
+  for (const Mask& absurd :
+       {Mask{UINT32_MAX, 3, UINT32_MAX, {}, 0}, Mask{3, UINT32_MAX, 3, {}, 0}, Mask{3, 4, 3, sound.corner, 2},
+        Mask{0, 3, 0, {}, 0}, Mask{3, 3, 4, sound.corner, 2}, Mask{3, 3, 3, sound.corner, 3},
+        Mask{3, 3, 3, sound.corner, UINT32_MAX}, Mask{3, 3, 3, {nan, 0.5f}, 2}, Mask{3, 3, 3, {0.5f, -INFINITY}, 2},
+        Mask{3, 3, 3, {1e30f, 0.5f}, 2}, Mask{3, 3, 3, {-9.0f, -6.0f}, 2}})
+    EXPECT_EQ(hidden(absurd), 0u) << absurd.vertices << " " << absurd.indices << " " << absurd.filled_vertices << " "
+                                  << absurd.corner.x << " " << absurd.index;
+  EXPECT_EQ(hidden({3, 0, 3, {}, 0}), 0u);  // corners, but of nothing
 }
 
 // A runtime without a floor: LOCAL, which lies 1.6 m up here, is taken as 1.7 m up. Control: LOCAL taken for the floor.

@@ -125,5 +125,69 @@ TEST(HeadsetPicturesTest, AreThoseWithoutAHeadset) {
   for (const std::string& message : test::take_validation_messages()) ADD_FAILURE() << message;
 }
 
+// How far from the middle of the lens a pixel's middle is, in its radii: the ellipse that the simulated runtime has.
+double out_of_lens(const View& eye, std::size_t which, double lens, double x, double y) {
+  const Fov& f = eye.fov;
+  const glm::dvec2 half(0.5 * (f.right - f.left), 0.5 * (f.up - f.down));
+  const double nose = which == 0 ? 0.05 : -0.05;
+  return glm::length(glm::dvec2(2.0 * x - 1.0 - nose, 1.0 - 2.0 * y)) / lens;
+}
+
+// Behind lenses the same pictures and depths, but for what is hidden: black, and as near as can be. Controls: hide()
+// left out of the frame; the light of deferred pixels without its question; the depths copied before they are drawn.
+TEST(HeadsetPicturesTest, BehindLensesAreTheSameWhereAnEyeSees) {
+  const TemporaryFolder folder;
+  (void)test::take_validation_messages();
+  {
+    SimulatedRuntime for_device(wide_eyed(folder.path()));
+    HeadsetSystem system_of_device(for_device.get(), for_device.next());
+    DeviceOptions device_options;
+    device_options.validation = true;
+    system_of_device.make_device(device_options);
+    Device device(device_options);
+    constexpr double lens = 0.9;
+    for (const Look& look : looks) {
+      const auto seen_through = [&](double through) {
+        SimulatedOptions options = wide_eyed(folder.path());
+        options.lens = through;
+        SimulatedRuntime runtime(options);
+        HeadsetSystem system(runtime.get(), runtime.next());
+        Headset headset(system, device, {});
+        return drawn_in_headset(device, headset, scene_of(look, false));
+      };
+      const std::vector<HeadsetPicture> whole = seen_through(0.0), seen = seen_through(lens);
+      const bool samples = look.set[1].second == "4";
+      for (std::size_t number = 0; number < seen.size(); ++number)
+        for (std::size_t eye = 0; eye < 2; ++eye) {
+          const Image8& picture = seen[number].pictures[eye];
+          const View& view = seen[number].viewpoint.eyes[eye];
+          int hidden = 0, same = 0, wrong = 0, wrong_depth = 0;
+          for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) {
+            const double out =
+                out_of_lens(view, eye, lens, (double(i % std::size_t(picture.width)) + 0.5) / picture.width,
+                            (double(i / std::size_t(picture.width)) + 0.5) / picture.height);
+            if (std::abs(out - 1.0) < (samples ? 0.05 : 0.02)) continue;
+            const std::uint8_t night[] = {0, 0, 0, 255};
+            const float nearest = 1.0f;
+            const bool is_hidden = out > 1.0;
+            (is_hidden ? hidden : same)++;
+            wrong += std::memcmp(&picture.pixels[4 * i], is_hidden ? night : &whole[number].pictures[eye].pixels[4 * i],
+                                 4) != 0;
+            wrong_depth +=
+                std::memcmp(&seen[number].depths[eye][4 * i],
+                            is_hidden ? static_cast<const void*>(&nearest) : &whole[number].depths[eye][4 * i], 4) != 0;
+          }
+          const std::string what =
+              std::string(look.name) + " frame " + std::to_string(number) + " eye " + std::to_string(eye);
+          EXPECT_EQ(wrong, 0) << what;
+          EXPECT_EQ(wrong_depth, 0) << what;
+          EXPECT_GT(hidden, 500) << what;
+          EXPECT_GT(same, 1500) << what;
+        }
+    }
+  }
+  for (const std::string& message : test::take_validation_messages()) ADD_FAILURE() << message;
+}
+
 }  // namespace
 }  // namespace seascape

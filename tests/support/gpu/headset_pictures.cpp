@@ -32,6 +32,7 @@ ExperienceOptions with_room(const Headset& headset) {
   ExperienceOptions options = options_of(headset);
   options.most_width = headset.most_size().x;
   options.most_height = headset.most_size().y;
+  options.hidden = headset.hidden() != nullptr;
   return options;
 }
 
@@ -56,6 +57,7 @@ DisplayFrame HeadsetScene::step(bool kept) {
   drawn_.time_s = 3.0 + shown.time_s;
   frame.begin();
   drawn_.viewpoint = headset_.viewpoint(carrier);
+  if (headset_.hidden()) experience_.hide(*headset_.hidden());
   draw_frame(experience_, frame, drawn_.viewpoint, drawn_.time_s);
   if (kept) copy_.record(frame, experience_.picture());  // the runtime takes its image at the frame's end
   headset_.end(frame, &experience_.picture(), experience_.shown_depth());

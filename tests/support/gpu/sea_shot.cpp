@@ -24,6 +24,10 @@ SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), 
   ExperienceOptions wanted{options.width, options.height, options.views, options.per_eye, options.probe};
   wanted.comfort = options.comfort;
   wanted.hands = options.hands;
+  wanted.hidden = options.hidden;
+  wanted.show_depth = options.show_depth;
+  wanted.most_width = options.most_width;
+  wanted.most_height = options.most_height;
   experience_ = std::make_unique<Experience>(device, shaders(), scene, wanted);
 }
 

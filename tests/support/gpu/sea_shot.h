@@ -17,7 +17,8 @@ struct ShotOptions {
   std::uint32_t width = 160, height = 90;
   int views = 1;
   int eye = 0;  // of one view: -1 left, 0 centre, 1 right
-  bool per_eye = false, probe = false, comfort = false, hands = false;
+  bool per_eye = false, probe = false, comfort = false, hands = false, hidden = false, show_depth = false;
+  std::uint32_t most_width = 0, most_height = 0;         // room for other sizes
   std::vector<std::pair<std::string, std::string>> set;  // as by --set
   std::optional<std::vector<std::string>> effects = {};  // instead of the scene's
   std::vector<InputSpec> inputs = {};                    // instead of the scene's, where there are any
