@@ -86,6 +86,7 @@ std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& argu
     HeadsetOptions headset;
     headset.near_m = program.scene.settings.render.near_m;
     headset.in_real_time = in_real_time;
+    headset.symmetric = program.scene.settings.headset.symmetric;
     headset.width = std::uint32_t(arguments.width);
     headset.height = std::uint32_t(arguments.height);
     Headset display(system, *program.device, headset);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/comfort_settings.h"
+#include "app/headset_settings.h"
 #include "app/mirror_settings.h"
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
@@ -43,6 +44,7 @@ struct Settings {
   RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
   ComfortSettings comfort;                      // keys comfort.*
   MirrorSettings mirror;                        // keys mirror.*
+  HeadsetSettings headset;                      // keys headset.*
   double sea_change_s = 6.0;                    // key waves.change_s
   double time_scale = 1.0;                      // key time.scale
   double time_start_s = 0.0;                    // key time.start_s

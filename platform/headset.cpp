@@ -43,6 +43,11 @@ Headset::Headset(HeadsetSystem& system, Device& device, const HeadsetOptions& op
   most_height_ = options.height ? options.height : pixels(facts.height * options.most_scale, facts.most_height);
   most_width_ = std::min(most_width_, facts.most_width);
   most_height_ = std::min(most_height_, facts.most_height);
+  room_ = {most_width_, most_height_};
+  if (options.symmetric) {
+    constexpr double wider = 1.5, higher = 1.2;  // the field of both eyes against one's: headsets have 1.1 to 1.4
+    room_ = {pixels(wider * most_width_, facts.most_width), pixels(higher * most_height_, facts.most_height)};
+  }
   set_scale(options.scale);
   for (XrView& view : located_) view = {XR_TYPE_VIEW, nullptr, nowhere, usual_fov};
   try {
@@ -148,8 +153,7 @@ DisplayFrame Headset::begin() {
     frame.away = true;
   }
   controllers_gather();
-  frame.width = width_;
-  frame.height = height_;
+  size_pictures(frame);
   frame.should_render = should_render_;
   frame.time_s = double(elapsed_ns_) * 1e-9;
   frame.closed = closed_;
@@ -158,6 +162,16 @@ DisplayFrame Headset::begin() {
   frame.lent = lent_;
   return frame;
 }
+
+// By the fields of view that are known now; those of the frame are located when it is drawn.
+void Headset::size_pictures(DisplayFrame& frame) {
+  shown_ = {width_, height_};
+  drawn_ = options_.symmetric ? symmetric_size(located_fields(), shown_, room_) : shown_;
+  frame.width = drawn_.x;
+  frame.height = drawn_.y;
+}
+
+std::array<Fov, 2> Headset::located_fields() const { return {fov_from(located_[0].fov), fov_from(located_[1].fov)}; }
 
 void Headset::controllers_gather() {
   const bool focused = frame_begun_ && controllers_->focused();
@@ -210,10 +224,17 @@ void Headset::locate() const {
 
 Viewpoint Headset::viewpoint(const Pose& carrier) const {
   if (should_render_) locate();
+  const std::array<Fov, 2> fields = located_fields();
+  if (options_.symmetric) {
+    parts_ = symmetric_parts(fields, shown_, drawn_);
+    mask_.show_only(fields);
+  } else {
+    parts_ = {FieldPart{fields[0]}, FieldPart{fields[1]}};
+  }
   Viewpoint viewpoint;
   glm::dvec3 middle(0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {
-    eyes_[eye] = {pose_from(located_[eye].pose), fov_from(located_[eye].fov)};
+    eyes_[eye] = {pose_from(located_[eye].pose), parts_[eye].drawn};
     middle += 0.5 * eyes_[eye].pose.position_m;
     viewpoint.eyes.push_back({composed(carrier, eyes_[eye].pose), eyes_[eye].fov});
   }
@@ -222,7 +243,7 @@ Viewpoint Headset::viewpoint(const Pose& carrier) const {
   if (glm::dot(eyes_[0].pose.orientation, right) < 0.0) right = -right;
   head_ = Pose{middle, glm::normalize(eyes_[0].pose.orientation + right)};
   viewpoint.viewer = composed(carrier, *head_);
-  viewpoint.pixels_per_radian = pixels_per_radian(viewpoint.eyes, height_);
+  viewpoint.pixels_per_radian = pixels_per_radian(viewpoint.eyes, drawn_.y);
   return viewpoint;
 }
 
@@ -257,8 +278,12 @@ void Headset::end_frame(bool shown, bool with_depth) {
     if (one->acquired()) one->release();
   if (quad_) layer_->release();
   submitted_.reset();
-  if (shown && !session_lost_)
-    submitted_ = {located_, {{0, 0}, {std::int32_t(width_), std::int32_t(height_)}}, with_depth && depths_, quad_};
+  if (shown && !session_lost_) {
+    submitted_ = {located_, {}, with_depth && depths_, quad_};
+    for (std::size_t eye = 0; eye < 2; ++eye)
+      submitted_->rects[eye] = {{std::int32_t(parts_[eye].from.x), std::int32_t(parts_[eye].from.y)},
+                                {std::int32_t(shown_.x), std::int32_t(shown_.y)}};
+  }
   tell(HeadsetCall::Kind::end, shown ? std::span<const XrView>(located_) : std::span<const XrView>());
   check_xr(submit(frame_state_.predictedDisplayTime), "xrEndFrame");
 }
@@ -275,12 +300,12 @@ XrResult Headset::submit(XrTime time) const {
       XrCompositionLayerProjectionView& view = views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
       view.pose = submitted_->views[eye].pose;
       view.fov = submitted_->views[eye].fov;
-      view.subImage = {colours_.get(), submitted_->rect, std::uint32_t(eye)};
+      view.subImage = {colours_.get(), submitted_->rects[eye], std::uint32_t(eye)};
       if (!submitted_->with_depth) continue;
       // Reversed depth: 1 at the near plane, 0 at infinity.
       depths[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
                      nullptr,
-                     {depths_.get(), submitted_->rect, std::uint32_t(eye)},
+                     {depths_.get(), submitted_->rects[eye], std::uint32_t(eye)},
                      0.0f,
                      1.0f,
                      FLT_MAX,

@@ -8,6 +8,7 @@
 #include "platform/headset_input.h"
 #include "platform/headset_mask.h"
 #include "platform/headset_swapchain.h"
+#include "platform/symmetric_field.h"
 
 namespace seascape {
 
@@ -18,7 +19,8 @@ struct HeadsetOptions {
   double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor
   double rate_hz = 0.0;       // asked for; 0: the runtime's own
   bool left_handed = false;
-  bool in_real_time = true;             // false: the runtime's time stands between frames
+  bool in_real_time = true;  // false: the runtime's time stands between frames
+  bool symmetric = false;    // both eyes are drawn with one field of view, where there is room (symmetric_field.h)
   std::uint32_t width = 0, height = 0;  // pixels an eye; 0: as recommended
 };
 
@@ -57,8 +59,8 @@ class Headset final : public Display {
   void leave() override;
   VkFormat colour() const override { return colour_; }
   bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
-  glm::uvec2 most_size() const override { return {most_width_, most_height_}; }
-  const HiddenMesh* hidden() const override { return mask_.offered() ? &mask_.mesh() : nullptr; }
+  glm::uvec2 most_size() const override { return room_; }
+  const HiddenMesh* hidden() const override { return mask_.offered() || options_.symmetric ? &mask_.mesh() : nullptr; }
 
   // A layer over the picture, submitted with it.
   struct Quad {
@@ -103,6 +105,8 @@ class Headset final : public Display {
   void controllers_gather();
   void centre_under_head();
   void locate() const;
+  std::array<Fov, 2> located_fields() const;
+  void size_pictures(DisplayFrame& frame);
   void hand_over(Frame& frame, const RenderTarget& picture, const Image* depth);
   void end_frame(bool shown, bool with_depth = false);
   XrResult submit(XrTime time) const;
@@ -119,16 +123,19 @@ class Headset final : public Display {
   XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   XrPosef space_offset_ = nowhere;
   std::unique_ptr<HeadsetInput> controllers_;
-  HeadsetMask mask_;
+  mutable HeadsetMask mask_;
   VkFormat colour_ = VK_FORMAT_UNDEFINED, depth_format_ = VK_FORMAT_UNDEFINED;
   HeadsetSwapchain colours_, depths_;
   std::shared_ptr<const LentImages> lent_;
   std::uint32_t width_ = 0, height_ = 0, most_width_ = 0, most_height_ = 0;
+  glm::uvec2 room_{0u};                       // of the images: for the largest pictures, and what is drawn beside them
+  glm::uvec2 shown_{0u}, drawn_{0u};          // of this frame: what the eyes are shown, within what is drawn
+  mutable std::array<FieldPart, 2> parts_{};  // which part of it
   Layer* layer_ = nullptr;
   std::optional<Quad> quad_;  // of this frame
   struct Submitted {          // a picture, as the last frame showed it
     std::array<XrView, 2> views;
-    XrRect2Di rect;
+    std::array<XrRect2Di, 2> rects;
     bool with_depth;
     std::optional<Quad> quad;
   };

@@ -22,6 +22,11 @@ bool hides_ahead(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   return (ab > 0.0f && bc > 0.0f && ca > 0.0f) || (ab < 0.0f && bc < 0.0f && ca < 0.0f);
 }
 
+void append_box(std::vector<glm::vec2>& corners, const glm::vec2& least, const glm::vec2& most) {
+  const glm::vec2 a(most.x, least.y), b(least.x, most.y);
+  corners.insert(corners.end(), {least, a, b, b, a, most});
+}
+
 void ask_once(const HeadsetSystem& system, XrSession session, std::uint32_t eye, XrVisibilityMaskKHR& mask) {
   const XrResult result = system.api().GetVisibilityMaskKHR(session, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, eye,
                                                             XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask);
@@ -66,11 +71,10 @@ std::vector<glm::vec2> HeadsetMask::corners_of(XrSession session, std::uint32_t 
 
 void HeadsetMask::ask(XrSession session) {
   if (!offered()) return;
-  ++mesh_.version;
   for (std::uint32_t eye = 0; eye < 2; ++eye) {
-    mesh_.corners[eye].clear();
+    lenses_[eye].clear();
     try {
-      mesh_.corners[eye] = corners_of(session, eye);
+      lenses_[eye] = corners_of(session, eye);
     } catch (const HeadsetLost&) {
       throw;
     } catch (const SessionLost&) {
@@ -79,6 +83,34 @@ void HeadsetMask::ask(XrSession session) {
       if (!told_) spdlog::warn("headset: what its lenses hide is drawn too: {}", error.what());
       told_ = true;
     }
+  }
+  join();
+}
+
+void HeadsetMask::show_only(const std::array<Fov, 2>& shown) {
+  const auto same = [](const Fov& a, const Fov& b) {
+    return a.left == b.left && a.right == b.right && a.up == b.up && a.down == b.down;
+  };
+  if (shows_part_ && same(shown[0], shown_[0]) && same(shown[1], shown_[1])) return;
+  shown_ = shown;
+  shows_part_ = true;
+  join();
+}
+
+void HeadsetMask::join() {
+  ++mesh_.version;
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    std::vector<glm::vec2>& corners = mesh_.corners[eye];
+    corners.assign(lenses_[eye].begin(), lenses_[eye].end());
+    if (!shows_part_) continue;
+    const Fov& f = shown_[eye];
+    const double left = f.left, right = f.right, up = f.up, down = f.down;
+    // A picture is less than twice as wide and as high as what it shows.
+    const double wide = 2.0 * (right - left), high = 2.0 * (up - down);
+    append_box(corners, {left - wide, down - high}, {left, up + high});
+    append_box(corners, {right, down - high}, {right + wide, up + high});
+    append_box(corners, {left, up}, {right, up + high});
+    append_box(corners, {left, down - high}, {right, down});
   }
 }
 

@@ -96,7 +96,7 @@ void Headset::make_pictures() {
   if (system_.uses(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME))
     depth_format_ = headset_format(system_, session_, {device_.facts().depth_format});
   HeadsetSwapchainSpec spec{
-      most_width_, most_height_, 2, colour_,
+      room_.x, room_.y, 2, colour_,
       XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_SRC_BIT};
   colours_ = HeadsetSwapchain(system_, session_, spec);
   if (depth_format_ != VK_FORMAT_UNDEFINED) {
@@ -105,8 +105,8 @@ void Headset::make_pictures() {
     depths_ = HeadsetSwapchain(system_, session_, spec);
   }
   auto lent = std::make_shared<LentImages>();
-  lent->width = most_width_;
-  lent->height = most_height_;
+  lent->width = room_.x;
+  lent->height = room_.y;
   lent->colours = colours_.images();
   lent->depths = depths_.images();
   lent_ = std::move(lent);
