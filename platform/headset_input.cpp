@@ -16,7 +16,8 @@ constexpr const char* hand_names[] = {"/user/hand/left", "/user/hand/right"};
 
 }  // namespace
 
-HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed) : system_(system) {
+HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed)
+    : system_(system), seen_(system, session) {
   const XrApi& api = system.api();
   try {
     for (std::size_t i = 0; i < sets_.size(); ++i) {
@@ -119,13 +120,13 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
   values_.fill(0.0);
   hands_ = {};
   focused_ = false;
-  if (!focused) return;
+  if (!focused) return lose_hands();
   const XrApi& api = system_.api();
   const XrActiveActionSet active[] = {{sets_[0], XR_NULL_PATH}, {sets_[std::size_t(post)], XR_NULL_PATH}};
   XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO};
   info.countActiveActionSets = post == Post::anywhere ? 1 : 2;
   info.activeActionSets = active;
-  if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return;
+  if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return lose_hands();
   focused_ = true;
   for (const ActionRow& row : action_rows()) {
     const std::size_t i = std::size_t(row.action);
@@ -142,7 +143,11 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
     get.subactionPath = hand_paths_[h];
     XrActionStatePose state{XR_TYPE_ACTION_STATE_POSE};
     check_xr(api.GetActionStatePose(session, &get, &state), "xrGetActionStatePose");
-    if (!state.isActive) continue;
+    if (!state.isActive) {
+      see_hand(h, space, time);
+      continue;
+    }
+    gestures_[h].lose();
     Hand hand;
     const std::optional<Pose> grip = located(grips_[h], space, time, &hand.velocity_mps);
     if (!grip) continue;
@@ -151,6 +156,25 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
     hands_[h] = hand;
   }
   let_go();
+}
+
+void HeadsetInput::lose_hands() {
+  for (HandGesture& gesture : gestures_) gesture.lose();
+}
+
+void HeadsetInput::see_hand(std::size_t hand, XrSpace space, XrTime time) {
+  HandGesture& gesture = gestures_[hand];
+  if (const std::optional<HandJoints> joints = seen_.joints(hand, space, time))
+    gesture.see(*joints, double(time) * 1e-9);
+  else
+    gesture.lose();
+  hands_[hand] = gesture.hand();
+  if (!gesture.hand()) return;
+  const auto at_least = [&](Action action, double value) {
+    values_[std::size_t(action)] = std::max(values_[std::size_t(action)], value);
+  };
+  at_least(hand == 0 ? Action::grab_left : Action::grab_right, gesture.closed());
+  at_least(hand == 0 ? Action::select_left : Action::select_right, gesture.pinched() ? 1.0 : 0.0);
 }
 
 void HeadsetInput::let_go() {

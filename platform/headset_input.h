@@ -1,9 +1,11 @@
-// A headset's controllers: their buttons and sticks as actions, where the hands are, and what they feel.
+// A headset's controllers: their buttons and sticks as actions, where the hands are, and what they feel. A hand without
+// one grabs by closing, and selects by pinching.
 #pragma once
 #include <array>
 #include <map>
 
 #include "platform/bindings.h"
+#include "platform/headset_hands.h"
 #include "platform/headset_system.h"
 #include "platform/xr_pose.h"
 
@@ -37,9 +39,13 @@ class HeadsetInput {
                    XrAction& action);
   void suggest(const ControllerProfile& profile, bool left_handed);
   std::optional<Pose> located(XrSpace what, XrSpace in, XrTime time, glm::dvec3* velocity_mps) const;
+  void lose_hands();
+  void see_hand(std::size_t hand, XrSpace space, XrTime time);
   void let_go();
 
   const HeadsetSystem& system_;
+  HeadsetHands seen_;
+  std::array<HandGesture, 2> gestures_{HandGesture(false), HandGesture(true)};
   std::array<XrActionSet, 3> sets_{};  // of each Post
   std::array<XrAction, action_count> actions_{};
   std::array<Post, action_count> posts_{};

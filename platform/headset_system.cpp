@@ -21,6 +21,7 @@ constexpr const char* wanted[] = {
     XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
     XR_EXT_USER_PRESENCE_EXTENSION_NAME,
     XR_EXT_PERFORMANCE_SETTINGS_EXTENSION_NAME,
+    XR_EXT_HAND_TRACKING_EXTENSION_NAME,
 };
 
 }  // namespace
@@ -101,8 +102,11 @@ void HeadsetSystem::find_system() {
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
     throw Error(facts_.runtime, "no headset is connected", "connect it and switch it on, or take --display window");
   check_xr(result, "xrGetSystem");
+  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
   XrSystemProperties system{XR_TYPE_SYSTEM_PROPERTIES};
+  if (uses(XR_EXT_HAND_TRACKING_EXTENSION_NAME)) system.next = &hands;
   check_xr(api_.GetSystemProperties(instance_, id_, &system), "xrGetSystemProperties");
+  facts_.sees_hands = hands.supportsHandTracking;
   facts_.headset = std::string(system.systemName, strnlen(system.systemName, sizeof system.systemName));
 
   const auto kinds = xr_list("xrEnumerateViewConfigurations", XrViewConfigurationType{},

@@ -17,6 +17,7 @@ struct HeadsetFacts {
   std::uint32_t width = 0, height = 0;  // recommended, pixels an eye
   std::uint32_t most_width = 0, most_height = 0;
   std::uint32_t views = 0;
+  bool sees_hands = false;  // that hold no controllers, joint by joint
 
   bool has(std::string_view extension) const;
 };

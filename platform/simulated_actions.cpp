@@ -115,6 +115,15 @@ XRAPI_ATTR XrResult XRAPI_CALL sync(XrSession session, const XrActionsSyncInfo* 
   return XR_SUCCESS;
 }
 
+// Whether a bare hand, or both of them, would need a controller to do it.
+bool needs_a_controller(const State& s, seascape::Action action) {
+  using seascape::Action;
+  const auto [left, right] = s.options.bare_hands;
+  if (left && right) return true;
+  return (left && (action == Action::grab_left || action == Action::select_left)) ||
+         (right && (action == Action::grab_right || action == Action::select_right));
+}
+
 // Of several inputs that are bound to an action, the one that is pressed or pushed farthest counts.
 void read_inputs(const State& s, XrAction action, XrActionStateFloat& state) {
   const auto bindings = s.suggested.find(s.options.profile);
@@ -139,8 +148,8 @@ XRAPI_ATTR XrResult XRAPI_CALL get_float(XrSession session, const XrActionStateG
   if (!s.synced_focused || !action.set.active) return XR_SUCCESS;
   if (s.options.profile.empty()) {
     const auto named = action_named(action.name);
-    state->isActive = named.has_value();
-    if (named) state->currentState = float(s.values[std::size_t(*named)] / controller_value(*named));
+    state->isActive = named && !needs_a_controller(s, *named);
+    if (state->isActive) state->currentState = float(s.values[std::size_t(*named)] / controller_value(*named));
   } else {
     read_inputs(s, info->action, *state);
   }
@@ -152,8 +161,8 @@ XRAPI_ATTR XrResult XRAPI_CALL get_pose(XrSession session, const XrActionStateGe
   if (s.lost) return XR_ERROR_SESSION_LOST;
   const int hand = hand_of(s, info->subactionPath);
   if (hand < 0) return XR_ERROR_PATH_UNSUPPORTED;
-  state->isActive =
-      s.synced_focused && s.timeline.pose(hand == 0 ? Tracker::left : Tracker::right, s.time_s()).has_value();
+  state->isActive = s.synced_focused && !s.options.bare_hands[std::size_t(hand)] &&
+                    s.timeline.pose(hand == 0 ? Tracker::left : Tracker::right, s.time_s()).has_value();
   return XR_SUCCESS;
 }
 

@@ -15,7 +15,7 @@ State& state(XrInstance instance) { return object<State>(instance); }
 constexpr const char* offered[] = {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
                                    XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,    XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
                                    XR_EXT_USER_PRESENCE_EXTENSION_NAME,  XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,
-                                   "XR_META_touch_controller_plus"};
+                                   XR_EXT_HAND_TRACKING_EXTENSION_NAME,  "XR_META_touch_controller_plus"};
 
 XRAPI_ATTR XrResult XRAPI_CALL enumerate_extensions(const char*, std::uint32_t room, std::uint32_t* count,
                                                     XrExtensionProperties* to) {
@@ -65,11 +65,15 @@ XRAPI_ATTR XrResult XRAPI_CALL get_system(XrInstance, const XrSystemGetInfo* inf
   return XR_SUCCESS;
 }
 
-XRAPI_ATTR XrResult XRAPI_CALL get_system_properties(XrInstance, XrSystemId id, XrSystemProperties* properties) {
+XRAPI_ATTR XrResult XRAPI_CALL get_system_properties(XrInstance instance, XrSystemId id,
+                                                     XrSystemProperties* properties) {
   properties->systemId = id;
   std::strcpy(properties->systemName, "a simulated headset");
   properties->graphicsProperties = {16384, 16384, 16};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
+  if (auto* hands = static_cast<XrSystemHandTrackingPropertiesEXT*>(properties->next);
+      hands && hands->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
+    hands->supportsHandTracking = state(instance).sees_hands();
   return XR_SUCCESS;
 }
 

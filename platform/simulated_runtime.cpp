@@ -13,7 +13,7 @@ namespace simulated {
 namespace {
 
 XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
-  for (const auto find : {instance_call, session_call, picture_call, action_call})
+  for (const auto find : {instance_call, session_call, picture_call, action_call, hand_call})
     if ((*function = find(name)) != nullptr) return XR_SUCCESS;
   return XR_ERROR_FUNCTION_UNSUPPORTED;
 }

@@ -25,6 +25,9 @@ struct SimulatedOptions {
   // The ellipse of a picture's field that an eye sees through its lens, against the largest within it: a visibility
   // mask hides what lies outside. 0: everything is seen.
   double lens = 0.0;
+  // Hands (left, right) that hold no controller, but are seen joint by joint: they close as the script's grab_left and
+  // grab_right say, pinch as select_left and select_right say, and do nothing else. Where one is, both are seen.
+  std::array<bool, 2> bare_hands{};
 };
 
 struct SimulatedBuzz {

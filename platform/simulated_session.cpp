@@ -41,6 +41,7 @@ XRAPI_ATTR XrResult XRAPI_CALL destroy_session(XrSession session) {
   s.session = s.running = false;
   s.events.clear();
   s.spaces.clear();
+  s.trackers.clear();
   for (auto& set : s.sets) set->attached = false;
   return XR_SUCCESS;
 }

@@ -44,6 +44,11 @@ struct SuggestedBinding {
   std::string input;  // "/user/hand/left/input/trigger/value"
 };
 
+struct HandTracker {
+  SimulatedRuntime::State& of;
+  int hand;  // 0 left, 1 right
+};
+
 struct Swapchain {
   SimulatedRuntime::State& of;
   XrSwapchainCreateInfo info{};
@@ -78,6 +83,7 @@ PFN_xrVoidFunction instance_call(std::string_view name);
 PFN_xrVoidFunction session_call(std::string_view name);
 PFN_xrVoidFunction picture_call(std::string_view name);
 PFN_xrVoidFunction action_call(std::string_view name);
+PFN_xrVoidFunction hand_call(std::string_view name);
 
 // A list as OpenXR hands it out: how many there are, then as many as there is room for.
 template <class T>
@@ -122,6 +128,7 @@ struct SimulatedRuntime::State {
   std::vector<std::unique_ptr<simulated::Action>> actions;
   std::vector<std::unique_ptr<simulated::ActionSet>> sets;
   std::vector<std::unique_ptr<simulated::Swapchain>> swapchains;
+  std::vector<std::unique_ptr<simulated::HandTracker>> trackers;
   simulated::Vulkan vulkan;
   std::map<std::string, std::vector<simulated::SuggestedBinding>> suggested;  // by profile
   std::map<std::string, double> inputs;                                       // "left/input/trigger/value"
@@ -137,6 +144,7 @@ struct SimulatedRuntime::State {
   bool synced_focused = false;
 
   double time_s() const { return double(std::max<std::int64_t>(frame, 0)) / options.script.rate_hz; }
+  bool sees_hands() const { return options.bare_hands[0] || options.bare_hands[1]; }
   XrTime time() const { return XrTime(std::llround(time_s() * 1e9)) + first_time; }
   double script_s(XrTime at) const { return double(at - first_time) * 1e-9; }
   static constexpr XrTime first_time = 1'000'000'000;

@@ -46,9 +46,10 @@ struct XrEventDataUserPresenceChangedEXT {
 #define SEASCAPE_XR_VULKAN(apply)                                                                            \
   apply(GetVulkanGraphicsRequirements2KHR) apply(CreateVulkanInstanceKHR) apply(GetVulkanGraphicsDevice2KHR) \
       apply(CreateVulkanDeviceKHR)
-#define SEASCAPE_XR_OPTIONAL(apply)                                                                \
-  apply(GetVisibilityMaskKHR) apply(EnumerateDisplayRefreshRatesFB) apply(GetDisplayRefreshRateFB) \
-      apply(RequestDisplayRefreshRateFB) apply(PerfSettingsSetPerformanceLevelEXT)
+#define SEASCAPE_XR_OPTIONAL(apply)                                                                            \
+  apply(GetVisibilityMaskKHR) apply(EnumerateDisplayRefreshRatesFB) apply(GetDisplayRefreshRateFB)             \
+      apply(RequestDisplayRefreshRateFB) apply(PerfSettingsSetPerformanceLevelEXT) apply(CreateHandTrackerEXT) \
+          apply(DestroyHandTrackerEXT) apply(LocateHandJointsEXT)
 
 namespace seascape {
 

@@ -24,6 +24,7 @@ class HeadsetFaultsTest : public test::HarmTest {};
 // All that may happen in a headset's life, so that each call is made: states, hands, a second session, an end.
 std::vector<InputEvent> whole_life() {
   return {test::tracked(0, Tracker::left, Pose{{-0.2, 1.0, -0.4}}),
+          test::tracked(0, Tracker::right, Pose{{0.2, 1.0, -0.4}}),
           test::became(4, HeadsetState::off),
           test::became(5, HeadsetState::focused),
           test::became(6, HeadsetState::recentred),
@@ -34,6 +35,7 @@ std::vector<InputEvent> whole_life() {
 // Returns what was thrown, or "" where it went on to its end.
 std::string live(const Harm& harm, bool& has_failed) {
   SimulatedOptions options = simulated(whole_life());
+  options.bare_hands[1] = true;
   HeadsetOptions how;
   how.rate_hz = test::rig_hz;
   try {
@@ -93,9 +95,11 @@ TEST_F(HeadsetFaultsTest, EveryCallFailsOnce) {
 TEST_F(HeadsetFaultsTest, ASessionLostInAnyCallOfAFrameIsBegunAnew) {
   for (const char* name : {"xrWaitFrame", "xrSyncActions", "xrGetActionStateFloat", "xrGetActionStatePose",
                            "xrLocateSpace", "xrBeginFrame", "xrAcquireSwapchainImage", "xrWaitSwapchainImage",
-                           "xrReleaseSwapchainImage", "xrEndFrame", "xrBeginSession"}) {
-    HeadsetRig rig(simulated({test::tracked(0, Tracker::left, Pose{})}),
-                   [&](HostileRuntime& calls) { calls.fail(name, 1, XR_ERROR_SESSION_LOST); });
+                           "xrReleaseSwapchainImage", "xrEndFrame", "xrBeginSession", "xrLocateHandJointsEXT"}) {
+    SimulatedOptions options =
+        simulated({test::tracked(0, Tracker::left, Pose{}), test::tracked(0, Tracker::right, Pose{})});
+    options.bare_hands[1] = true;
+    HeadsetRig rig(options, [&](HostileRuntime& calls) { calls.fail(name, 1, XR_ERROR_SESSION_LOST); });
     rig.steps(8);
     EXPECT_TRUE(rig.calls.has_failed()) << name;
     EXPECT_GE(rig.runtime.frames_shown(), 3u) << name;
