@@ -132,6 +132,41 @@ TEST_F(ExploreSimulated, WritesThePicturesOfTheRightFrames) {
   EXPECT_EQ(files("five").size(), 10u);
 }
 
+// With headset.symmetric each eye is shown the same as without; what is kept of the pictures is wider, and black where
+// neither lens nor field lets anything be seen. Controls: the setting not handed to the headset; what is hidden not
+// handed to the frame; the eye's part begun at the picture's own edge.
+TEST_F(ExploreSimulated, DrawsBothEyesWithOneField) {
+  std::vector<InputEvent> events{head_at(0, {0.0, 1.7, 0.0}), head_at(12, {0.5, 1.9, 0.2})};
+  hold(events, 8, 2, Action::screenshot);
+  EXPECT_EQ(explore(events, "own", {"--every", "4"}).exit_code, 0);
+  const ProgramResult one = explore(events, "one", {"--every", "4", "--set", "headset.symmetric=true"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(files("own"), files("one"));
+  const auto picture = [&](const char* from, const char* name) { return read_png(folder_ / from / name); };
+  for (const char* name : {"frame_0004_left.png", "frame_0004_right.png", "frame_0012_left.png"}) {
+    const Image8 a = picture("own", name), b = picture("one", name);
+    ASSERT_EQ(a.pixels.size(), b.pixels.size()) << name;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(int(a.pixels[i]) - int(b.pixels[i]));
+    EXPECT_LT(sum, 0.5 * double(a.pixels.size())) << name;
+  }
+  for (const char* name : {"screenshot_001_left.png", "screenshot_001_right.png"}) {
+    EXPECT_EQ(picture("own", name).width, 48);
+    const Image8 wide = picture("one", name);
+    ASSERT_EQ(wide.width, 53) << name;  // 2 tan 50 to either side, of which tan 50 + tan 45 are 48 pixels
+    int black = 0, in_part = 0;
+    for (int i = 0; i < wide.width * wide.height; ++i) {
+      const std::uint8_t* pixel = &wide.pixels[std::size_t(4 * i)];
+      if (pixel[0] + pixel[1] + pixel[2] != 0) continue;
+      const int x = i % wide.width;
+      ++black;
+      in_part += std::string_view(name).find("left") != std::string_view::npos ? x < 48 : x >= 5;
+    }
+    EXPECT_EQ(black, 5 * wide.height) << name;
+    EXPECT_EQ(in_part, 0) << name;
+  }
+}
+
 // One turns about one's own head, wherever it stands. Controls: the carrier turned about its own middle; the sign.
 TEST_F(ExploreSimulated, TurnsAboutTheHead) {
   std::vector<InputEvent> events;
