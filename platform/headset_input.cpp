@@ -120,13 +120,13 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
   values_.fill(0.0);
   hands_ = {};
   focused_ = false;
-  if (!focused) return lose_hands();
+  if (!focused) return;
   const XrApi& api = system_.api();
   const XrActiveActionSet active[] = {{sets_[0], XR_NULL_PATH}, {sets_[std::size_t(post)], XR_NULL_PATH}};
   XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO};
   info.countActiveActionSets = post == Post::anywhere ? 1 : 2;
   info.activeActionSets = active;
-  if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return lose_hands();
+  if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return;
   focused_ = true;
   for (const ActionRow& row : action_rows()) {
     const std::size_t i = std::size_t(row.action);
@@ -156,10 +156,6 @@ void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post
     hands_[h] = hand;
   }
   let_go();
-}
-
-void HeadsetInput::lose_hands() {
-  for (HandGesture& gesture : gestures_) gesture.lose();
 }
 
 void HeadsetInput::see_hand(std::size_t hand, XrSpace space, XrTime time) {

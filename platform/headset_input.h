@@ -39,7 +39,6 @@ class HeadsetInput {
                    XrAction& action);
   void suggest(const ControllerProfile& profile, bool left_handed);
   std::optional<Pose> located(XrSpace what, XrSpace in, XrTime time, glm::dvec3* velocity_mps) const;
-  void lose_hands();
   void see_hand(std::size_t hand, XrSpace space, XrTime time);
   void let_go();
 

@@ -219,6 +219,16 @@ TEST_F(HeadsetHandsTest, AHeadsetThatSeesNoneHasControllersAlone) {
   EXPECT_EQ(rig.headset.input().value(Action::grab_left), 0.0);
 }
 
+// A session that is lost between the two hands gives the first one's tracker back. Control: the catch without its call.
+TEST_F(HeadsetHandsTest, ATrackerIsGivenBackWhereTheOtherFails) {
+  SimulatedRuntime runtime(bare({}));
+  HostileRuntime calls(runtime);
+  calls.fail("xrCreateHandTrackerEXT", 2, XR_ERROR_SESSION_LOST);
+  HeadsetSystem system(calls.get(), runtime.next());
+  EXPECT_THROW(Headset(system, test::device(), {}), SessionLost);
+  EXPECT_EQ(std::count(calls.calls().begin(), calls.calls().end(), "xrDestroyHandTrackerEXT"), 1);
+}
+
 // A new session sees them anew, and the old one's trackers are given back. Control: HeadsetHands kept for all sessions.
 TEST_F(HeadsetHandsTest, HandsAreSeenInANewSession) {
   HeadsetRig rig(bare({became(4, HeadsetState::lost), acted(10, Action::select_right, 1.0)}));
