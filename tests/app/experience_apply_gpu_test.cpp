@@ -78,7 +78,8 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
 
 // Rows that the caller of the next frame reads, and not the ocean.
 bool of_the_next_frame(std::string_view key) {
-  for (const char* begins : {"time.", "stereo.", "camera.", "debug.", "comfort.", "mirror.", "waves.change_s"})
+  for (const char* begins :
+       {"time.", "stereo.", "camera.", "debug.", "comfort.", "mirror.", "headset.", "waves.change_s"})
     if (key.starts_with(begins)) return true;
   return false;
 }
