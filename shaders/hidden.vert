@@ -7,6 +7,4 @@
 
 layout(location = 0) in vec4 corner;  // HiddenCorner
 
-void main() {
-  gl_Position = int(corner.z) == eye_index() ? vec4(corner.xy, 1.0, 1.0) : vec4(0.0, 0.0, -1.0, 1.0);
-}
+void main() { gl_Position = int(corner.z) == eye_index() ? vec4(corner.xy, 1.0, 1.0) : vec4(0.0, 0.0, -1.0, 1.0); }
