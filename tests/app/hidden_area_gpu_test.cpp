@@ -139,8 +139,7 @@ void compare(const Drawn& with, const Drawn& without, const HiddenMesh& hidden, 
 }
 
 // Hands and a vignette beside it, and pictures smaller than the room. Controls: the left eye's triangles in both eyes;
-// y turned; a depth of 0.5; without the light pass's question; without cover(); corners of the field for the room's
-// size.
+// y turned; a depth of 0.01; without cover().
 TEST_F(HiddenAreaDrawn, IsBlackAndNothingElseChanges) {
   for (const Shape& shape : all_shapes()) {
     SeaShot with(options(shape, true)), without(options(shape, false));
@@ -159,7 +158,7 @@ TEST_F(HiddenAreaDrawn, IsBlackAndNothingElseChanges) {
 }
 
 // Another mesh, none, and the first again: nothing is built. Controls: the version not looked at, as if all were the
-// first; a rebuild in hide().
+// first; the light pass without its question.
 TEST_F(HiddenAreaDrawn, ChangesWithoutBuilding) {
   for (const Shape& shape : {shapes[0], shapes[1]}) {
     SeaShot with(options(shape, true)), without(options(shape, false));

@@ -129,8 +129,8 @@ TEST(HandGesture, WhatCannotBeAHandIsNone) {
 }
 
 // The grip as OpenXR has it: in a fist held ahead with the thumb up, -z up along it and +x to the right in either hand.
-// It points as the palm does, upright, after a while. Controls: the thumb at the other side; x into the palm of both
-// hands; no smoothing; the velocity of a frame for that of a second.
+// It points as the palm does, upright, after a while. Controls: the thumb at the other side; no smoothing; the velocity
+// of a frame for that of a second.
 TEST(HandGesture, PointsWhereThePalmDoes) {
   for (const bool right : {false, true}) {
     // The palm to the side, its back to the outside: its y is to the right in a right hand.

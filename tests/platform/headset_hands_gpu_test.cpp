@@ -79,7 +79,7 @@ TEST_F(HeadsetHandsTest, AHandClosesByDegrees) {
 }
 
 // A hand whose joints are lost lets go, and grabs and selects again only once it was open. Controls: see_hand() without
-// lose(); without let_go()'s memory.
+// lose().
 TEST_F(HeadsetHandsTest, LostJointsLetGo) {
   HeadsetRig rig(bare({acted(2, Action::select_left, 1.0), acted(2, Action::grab_right, 1.0),
                        tracked(5, Tracker::left, std::nullopt), tracked(5, Tracker::right, std::nullopt),
@@ -229,7 +229,7 @@ TEST_F(HeadsetHandsTest, ATrackerIsGivenBackWhereTheOtherFails) {
   EXPECT_EQ(std::count(calls.calls().begin(), calls.calls().end(), "xrDestroyHandTrackerEXT"), 1);
 }
 
-// A new session sees them anew, and the old one's trackers are given back. Control: HeadsetHands kept for all sessions.
+// A new session sees them anew, and the old one's trackers are given back. Control: a destructor without its calls.
 TEST_F(HeadsetHandsTest, HandsAreSeenInANewSession) {
   HeadsetRig rig(bare({became(4, HeadsetState::lost), acted(10, Action::select_right, 1.0)}));
   rig.steps(14);

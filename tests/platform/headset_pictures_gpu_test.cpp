@@ -134,7 +134,7 @@ double out_of_lens(const View& eye, std::size_t which, double lens, double x, do
 }
 
 // Behind lenses the same pictures and depths, but for what is hidden: black, and as near as can be. Controls: hide()
-// left out of the frame; the light of deferred pixels without its question; the depths copied before they are drawn.
+// left out of the frame; the light of deferred pixels without its question.
 TEST(HeadsetPicturesTest, BehindLensesAreTheSameWhereAnEyeSees) {
   const TemporaryFolder folder;
   (void)test::take_validation_messages();
