@@ -84,9 +84,15 @@ std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& argu
   std::optional<LeftOff> left_off;
   {
     HeadsetOptions headset;
-    headset.near_m = program.scene.settings.render.near_m;
+    const Settings& settings = program.scene.settings;
+    headset.near_m = settings.render.near_m;
     headset.in_real_time = in_real_time;
-    headset.symmetric = program.scene.settings.headset.symmetric;
+    headset.symmetric = settings.headset.symmetric;
+    headset.scale = settings.headset.scale;
+    headset.rate_hz = settings.headset.rate_hz;
+    headset.left_handed = settings.headset.left_handed;
+    headset.seated = settings.headset.seated;
+    headset.eye_height_m = settings.headset.eye_height_m;
     headset.width = std::uint32_t(arguments.width);
     headset.height = std::uint32_t(arguments.height);
     Headset display(system, *program.device, headset);

@@ -188,6 +188,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.effects = scene.effects;
   facts.width = shown.width;
   facts.height = shown.height;
+  facts.scale = display_.scale();
   facts.views = display_.views();
   facts.travel = camera_.travel();
   facts.speed_mps = camera_.speed_mps();
@@ -299,6 +300,7 @@ void Explorer::step(const DisplayFrame& shown) {
 bool Explorer::frame() {
   if (leaving_ || (arguments_.frames > 0 && drawn_ >= arguments_.frames)) return false;
   make_changes();
+  suit_wearer();
   const DisplayFrame shown = display_.begin();
   if (!shown.closed) step(shown);
   return !shown.closed;

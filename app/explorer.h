@@ -56,6 +56,7 @@ class Explorer {
   void next_mirror_view();
   void obey(const Input& input);  // what was pressed
   void look(const Input& input);
+  void suit_wearer();  // whom the display is set for
   void move(const Input& input, double dt_s);
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
@@ -64,6 +65,7 @@ class Explorer {
   std::array<std::optional<Pose>, 2> hands(const Input& input) const;  // in the world
   Pose carrier() const;
   Pose head() const;  // before a frame is drawn: as it was last
+  std::optional<std::size_t> pointing_hand(const Input& input) const;
   Pose pointer(const Input& input) const;
   void leave();
   void jump(const glm::dvec3& to_m);

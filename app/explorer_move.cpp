@@ -29,6 +29,14 @@ void Explorer::look(const Input& input) {
   mirror_ ? mirror_->hold_mouse(held) : display_.hold_mouse(held);
 }
 
+void Explorer::suit_wearer() {
+  const HeadsetSettings& wearer = settings().headset;
+  display_.set_scale(wearer.scale);
+  display_.set_rate(wearer.rate_hz);
+  display_.set_left_handed(wearer.left_handed);
+  display_.set_stature(wearer.seated, wearer.eye_height_m);
+}
+
 void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWish& wish) {
   const ComfortSettings& c = settings().comfort;
   // A controller's stick asks for both, and comfort says which it is; what asks for one gets it.
@@ -122,10 +130,17 @@ Pose Explorer::head() const {
   return composed(camera_.carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
 }
 
+// The one that points and turns, where it is tracked, or the other.
+std::optional<std::size_t> Explorer::pointing_hand(const Input& input) const {
+  const std::size_t first = settings().headset.left_handed ? 0 : 1;
+  for (const std::size_t hand : {first, 1 - first})
+    if (input.hands[hand]) return hand;
+  return std::nullopt;
+}
+
 // What points at the water: a hand, or the view.
 Pose Explorer::pointer(const Input& input) const {
-  for (const std::size_t hand : {1u, 0u})
-    if (input.hands[hand]) return composed(carrier(), input.hands[hand]->aim);
+  if (const auto hand = pointing_hand(input)) return composed(carrier(), input.hands[*hand]->aim);
   return head();
 }
 

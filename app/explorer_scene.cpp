@@ -126,7 +126,11 @@ std::unique_ptr<Experience> Explorer::loaded_scene() {
 }
 
 void Explorer::take(std::unique_ptr<Experience> loaded) {
+  const HeadsetSettings wearer = settings().headset;  // who stays the same
   experience_ = std::move(loaded);
+  Settings theirs = settings();
+  theirs.headset = wearer;
+  experience_->apply(theirs);
   wanted_.reset();  // of the scene before
   wanted_effects_.reset();
   program_.scene = experience_->scene();

@@ -43,6 +43,7 @@ struct Settings {
   SkySettings sky;                              // keys sky.*
   RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
   ComfortSettings comfort;                      // keys comfort.*
+  HeadsetSettings headset;                      // keys headset.*
   MirrorSettings mirror;                        // keys mirror.*
   HeadsetSettings headset;                      // keys headset.*
   double sea_change_s = 6.0;                    // key waves.change_s

@@ -65,6 +65,8 @@ constexpr auto render = &at<&Settings::render, member>;
 template <auto member>
 constexpr auto comfort = &at<&Settings::comfort, member>;
 template <auto member>
+constexpr auto headset = &at<&Settings::headset, member>;
+template <auto member>
 constexpr auto mirror = &at<&Settings::mirror, member>;
 template <auto member>
 constexpr auto headset = &at<&Settings::headset, member>;
@@ -848,6 +850,20 @@ const std::vector<Setting>& table() {
        0.0,
        0.0,
        {"none", "carried", "always"}},
+      {"headset.scale", "", "Width and height of a headset's pictures, as a share of what its runtime recommends.",
+       headset<&HeadsetSettings::scale>, 0.5, 1.5},
+      {"headset.rate_hz", "1/s", "Pictures a second that a headset is asked to show; 0 leaves it to its runtime.",
+       headset<&HeadsetSettings::rate_hz>, 0.0, 500.0},
+      {"headset.left_handed", "",
+       "Swaps what the two controllers' sticks and buttons do; what grabs and points stays with its hand.",
+       headset<&HeadsetSettings::left_handed>, 0.0, 1.0},
+      {"headset.seated", "",
+       "For who sits: lowers the floor so that the eyes are at headset.eye_height_m, measured as the view is centred.",
+       headset<&HeadsetSettings::seated>, 0.0, 1.0},
+      {"headset.eye_height_m", "m",
+       "Height of the eyes over the floor for who sits, and where the runtime knows no floor.",
+       headset<&HeadsetSettings::eye_height_m>, 0.5, 3.0},
+
       {"mirror.view",
        "",
        "What a desktop shows of a headset's pictures: an eye's, both, a view from behind the head, or nothing.",

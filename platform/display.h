@@ -65,6 +65,14 @@ class Display {
   virtual std::unique_ptr<HeldPicture> hold_picture() { return nullptr; }
   // Whether its time goes on while nothing is drawn. Else frames are as far apart as they say, however long they take.
   virtual bool in_real_time() const { return true; }
+  virtual double scale() const { return 1.0; }  // that they have
+  // Pictures a second, asked of the display once a change; 0: its own.
+  virtual void set_rate(double /*rate_hz*/) {}
+  // Whether sticks and buttons of the two hands change places.
+  virtual void set_left_handed(bool) {}
+  // Who sits gets a floor so far below that the eyes stand `eye_height_m` over it, measured now and as it is centred
+  // anew. A display that knows no floor takes it to be as far below.
+  virtual void set_stature(bool /*seated*/, double /*eye_height_m*/) {}
   // Asks the display to come to its end, which begin() then says.
   virtual void leave() {}
   // Of the pictures that it takes.

@@ -48,7 +48,7 @@ Headset::Headset(HeadsetSystem& system, Device& device, const HeadsetOptions& op
     constexpr double wider = 1.5, higher = 1.2;  // the field of both eyes against one's: headsets have 1.1 to 1.4
     room_ = {pixels(wider * most_width_, facts.most_width), pixels(higher * most_height_, facts.most_height)};
   }
-  set_scale(options.scale);
+  choose_size();
   for (XrView& view : located_) view = {XR_TYPE_VIEW, nullptr, nowhere, usual_fov};
   try {
     begin_session();
@@ -69,10 +69,29 @@ Headset::~Headset() {
   end_session();
 }
 
-void Headset::set_scale(double scale) {
+// Between frames: what is drawn is as large as what is shown of it.
+void Headset::choose_size() {
   const HeadsetFacts& facts = system_.facts();
-  width_ = pixels((options_.width ? options_.width : facts.width) * scale, most_width_);
-  height_ = pixels((options_.height ? options_.height : facts.height) * scale, most_height_);
+  width_ = pixels((options_.width ? options_.width : facts.width) * options_.scale, most_width_);
+  height_ = pixels((options_.height ? options_.height : facts.height) * options_.scale, most_height_);
+}
+
+void Headset::set_rate(double rate_hz) {
+  if (rate_hz == options_.rate_hz) return;
+  options_.rate_hz = rate_hz;
+  if (session_ && !session_lost_) ask_for_rate();
+}
+
+// What is held as the hands change does not count for the other.
+void Headset::set_left_handed(bool left_handed) {
+  if (std::exchange(options_.left_handed, left_handed) != left_handed) gatherer_.reset();
+}
+
+void Headset::set_stature(bool seated, double eye_height_m) {
+  if (seated == options_.seated && eye_height_m == options_.eye_height_m) return;
+  options_.seated = seated;
+  options_.eye_height_m = eye_height_m;
+  stature_changed_ = true;
 }
 
 // begin() makes another. There is no frame of a lost session to end.
@@ -97,7 +116,8 @@ void Headset::begin_frame(DisplayFrame& frame) {
   tell(HeadsetCall::Kind::wait);
   const XrTime time = frame_state_.predictedDisplayTime;
   pass_time(time);
-  controllers_->sync(session_, space_, time, post_, state_ == XR_SESSION_STATE_FOCUSED);
+  if (stature_changed_) lay_floor(time);
+  controllers_->sync(session_, space_, time, post_, options_.left_handed, state_ == XR_SESSION_STATE_FOCUSED);
   const std::lock_guard lock(device_.queue_mutex());
   check_xr(api_.BeginFrame(session_, nullptr), "xrBeginFrame");
   tell(HeadsetCall::Kind::begin);
@@ -137,6 +157,7 @@ void Headset::begin_another_session() {
 DisplayFrame Headset::begin() {
   DisplayFrame frame;
   moved_ = should_render_ = false;
+  choose_size();
   try {
     take_events();
     if (session_lost_ && !closed_) begin_another_session();
@@ -187,6 +208,7 @@ void Headset::controllers_gather() {
 
 // The space's new origin, seen from the old one, is the floor under the head, turned as the head is.
 void Headset::centre_under_head() {
+  if (options_.seated) floor_m_ += head_->position_m.y - options_.eye_height_m;
   const Pose floor{{head_->position_m.x, 0.0, head_->position_m.z}, heading(head_->orientation)};
   space_offset_ = xr_pose(composed(pose_from(space_offset_), floor));
   move_space();

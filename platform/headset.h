@@ -16,9 +16,9 @@ struct HeadsetOptions {
   double near_m = 0.1;        // of the pictures' projection
   double scale = 1.0;         // of the recommended size, for the first frame
   double most_scale = 1.5;    // there is room for as much: a larger one takes pictures to their edge and no further
-  double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor
+  double eye_height_m = 1.7;  // over the floor, where a runtime knows no floor or one sits
   double rate_hz = 0.0;       // asked for; 0: the runtime's own
-  bool left_handed = false;
+  bool left_handed = false, seated = false;
   bool in_real_time = true;  // false: the runtime's time stands between frames
   bool symmetric = false;    // both eyes are drawn with one field of view, where there is room (symmetric_field.h)
   std::uint32_t width = 0, height = 0;  // pixels an eye; 0: as recommended
@@ -53,9 +53,13 @@ class Headset final : public Display {
   std::optional<Pose> head() const override { return head_; }
   void recentre() override { recentre_wanted_ = true; }
   void buzz(int hand, double strength, double seconds) override;
-  void set_scale(double scale) override;
   std::unique_ptr<HeldPicture> hold_picture() override;
   bool in_real_time() const override { return options_.in_real_time; }
+  void set_scale(double scale) override { options_.scale = scale; }
+  double scale() const override { return double(height_) / system_.facts().height; }
+  void set_rate(double rate_hz) override;
+  void set_left_handed(bool left_handed) override;
+  void set_stature(bool seated, double eye_height_m) override;
   void leave() override;
   VkFormat colour() const override { return colour_; }
   bool shows_depth() const override { return depth_format_ != VK_FORMAT_UNDEFINED; }
@@ -98,6 +102,9 @@ class Headset final : public Display {
   void take_events();
   void take_state(XrSessionState state);
   void move_space();
+  void lay_floor(XrTime time);
+  double floor_of_who_stands_m() const;
+  void choose_size();
   void begin_frame(DisplayFrame& frame);
   void pass_time(XrTime time);
   void begin_another_session();
@@ -122,6 +129,8 @@ class Headset final : public Display {
   XrSpace space_ = XR_NULL_HANDLE, view_space_ = XR_NULL_HANDLE;
   XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   XrPosef space_offset_ = nowhere;
+  double floor_m_ = 0.0;          // its height in the runtime's own space
+  bool stature_changed_ = false;  // since the floor was laid
   std::unique_ptr<HeadsetInput> controllers_;
   mutable HeadsetMask mask_;
   VkFormat colour_ = VK_FORMAT_UNDEFINED, depth_format_ = VK_FORMAT_UNDEFINED;

@@ -10,37 +10,26 @@ namespace seascape {
 
 namespace {
 
-constexpr const char* set_names[] = {"anywhere", "afoot", "aboard"};
-constexpr const char* set_titles[] = {"Anywhere", "Afoot", "In a boat"};
+constexpr const char* set_names[2][3] = {{"anywhere", "afoot", "aboard"},
+                                         {"anywhere_left_handed", "afoot_left_handed", "aboard_left_handed"}};
+constexpr const char* set_titles[2][3] = {{"Anywhere", "Afoot", "In a boat"},
+                                          {"Anywhere, left-handed", "Afoot, left-handed", "In a boat, left-handed"}};
 constexpr const char* hand_names[] = {"/user/hand/left", "/user/hand/right"};
 
 }  // namespace
 
-HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool left_handed)
+HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session)
     : system_(system), seen_(system, session) {
   const XrApi& api = system.api();
   try {
-    for (std::size_t i = 0; i < sets_.size(); ++i) {
-      XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
-      std::strcpy(info.actionSetName, set_names[i]);
-      std::strcpy(info.localizedActionSetName, set_titles[i]);
-      check_xr(api.CreateActionSet(system.instance(), &info, &sets_[i]), "xrCreateActionSet");
-    }
-    for (int h = 0; h < 2; ++h) hand_paths_[std::size_t(h)] = system.path(hand_names[h]);
-    for (const ActionRow& row : action_rows()) {
-      const std::size_t i = std::size_t(row.action);
-      posts_[i] = controller_post(row.action);
-      std::string title(row.name);
-      for (char& c : title)
-        if (c == '_') c = ' ';
-      make_action(sets_[std::size_t(posts_[i])], std::string(row.name).c_str(), title.c_str(),
-                  XR_ACTION_TYPE_FLOAT_INPUT, false, actions_[i]);
-    }
-    make_action(sets_[0], "grip", "hand", XR_ACTION_TYPE_POSE_INPUT, true, grip_);
-    make_action(sets_[0], "aim", "pointing", XR_ACTION_TYPE_POSE_INPUT, true, aim_);
-    make_action(sets_[0], "buzz", "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, true, buzz_);
+    for (std::size_t h = 0; h < 2; ++h) hand_paths_[h] = system.path(hand_names[h]);
+    for (const bool left_handed : {false, true}) make_actions(left_handed);
+    const XrActionSet set = sides_[0].sets[0];
+    make_action(set, "grip", "hand", XR_ACTION_TYPE_POSE_INPUT, true, grip_);
+    make_action(set, "aim", "pointing", XR_ACTION_TYPE_POSE_INPUT, true, aim_);
+    make_action(set, "buzz", "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, true, buzz_);
     for (const ControllerProfile& profile : controller_profiles())
-      if (profile.extension.empty() || system.uses(profile.extension)) suggest(profile, left_handed);
+      if (profile.extension.empty() || system.uses(profile.extension)) suggest(profile);
     for (std::size_t h = 0; h < 2; ++h)
       for (const auto& [action, space] : {std::pair{grip_, &grips_[h]}, std::pair{aim_, &aims_[h]}}) {
         XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO};
@@ -49,13 +38,16 @@ HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session, bool 
         info.poseInActionSpace.orientation.w = 1.0f;
         check_xr(api.CreateActionSpace(session, &info, space), "xrCreateActionSpace");
       }
+    std::vector<XrActionSet> all;
+    for (const Side& side : sides_) all.insert(all.end(), side.sets.begin(), side.sets.end());
     XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO};
-    attach.countActionSets = std::uint32_t(sets_.size());
-    attach.actionSets = sets_.data();
+    attach.countActionSets = std::uint32_t(all.size());
+    attach.actionSets = all.data();
     check_xr(api.AttachSessionActionSets(session, &attach), "xrAttachSessionActionSets");
   } catch (...) {
-    for (XrActionSet set : sets_)
-      if (set) api.DestroyActionSet(set);
+    for (const Side& side : sides_)
+      for (XrActionSet set : side.sets)
+        if (set) api.DestroyActionSet(set);
     throw;
   }
 }
@@ -65,7 +57,27 @@ HeadsetInput::~HeadsetInput() {
   for (std::size_t h = 0; h < 2; ++h)
     for (XrSpace space : {grips_[h], aims_[h]})
       if (space) api.DestroySpace(space);
-  for (XrActionSet set : sets_) api.DestroyActionSet(set);
+  for (const Side& side : sides_)
+    for (XrActionSet set : side.sets) api.DestroyActionSet(set);
+}
+
+void HeadsetInput::make_actions(bool left_handed) {
+  Side& side = sides_[left_handed];
+  for (std::size_t i = 0; i < side.sets.size(); ++i) {
+    XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
+    std::strcpy(info.actionSetName, set_names[left_handed][i]);
+    std::strcpy(info.localizedActionSetName, set_titles[left_handed][i]);
+    check_xr(system_.api().CreateActionSet(system_.instance(), &info, &side.sets[i]), "xrCreateActionSet");
+  }
+  for (const ActionRow& row : action_rows()) {
+    const std::size_t i = std::size_t(row.action);
+    posts_[i] = controller_post(row.action);
+    std::string title(row.name);
+    for (char& c : title)
+      if (c == '_') c = ' ';
+    make_action(side.sets[std::size_t(posts_[i])], std::string(row.name).c_str(), title.c_str(),
+                XR_ACTION_TYPE_FLOAT_INPUT, false, side.actions[i]);
+  }
 }
 
 void HeadsetInput::make_action(XrActionSet set, const char* name, const char* title, XrActionType type, bool of_hands,
@@ -79,13 +91,14 @@ void HeadsetInput::make_action(XrActionSet set, const char* name, const char* ti
   check_xr(system_.api().CreateAction(set, &info, &action), "xrCreateAction");
 }
 
-void HeadsetInput::suggest(const ControllerProfile& profile, bool left_handed) {
+void HeadsetInput::suggest(const ControllerProfile& profile) {
   std::vector<XrActionSuggestedBinding> all;
-  for (const ControllerBinding& binding : profile.bindings) {
-    const bool mirror = left_handed && !stays_with_its_hand(binding.action);
-    const std::string path = mirror ? mirrored(profile, binding.path) : std::string(binding.path);
-    all.push_back({actions_[std::size_t(binding.action)], system_.path("/user/hand/" + path)});
-  }
+  for (const bool left_handed : {false, true})
+    for (const ControllerBinding& binding : profile.bindings) {
+      const bool mirror = left_handed && !stays_with_its_hand(binding.action);
+      const std::string path = mirror ? mirrored(profile, binding.path) : std::string(binding.path);
+      all.push_back({sides_[left_handed].actions[std::size_t(binding.action)], system_.path("/user/hand/" + path)});
+    }
   for (const char* hand : hand_names) {
     all.push_back({grip_, system_.path(fmt::format("{}/input/grip/pose", hand))});
     all.push_back({aim_, system_.path(fmt::format("{}/input/aim/pose", hand))});
@@ -116,23 +129,29 @@ std::optional<Pose> HeadsetInput::located(XrSpace what, XrSpace in, XrTime time,
   return pose_from(location.pose);
 }
 
-void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post, bool focused) {
+void HeadsetInput::sync(XrSession session, XrSpace space, XrTime time, Post post, bool left_handed, bool focused) {
   values_.fill(0.0);
   hands_ = {};
   focused_ = false;
   if (!focused) return;
   const XrApi& api = system_.api();
-  const XrActiveActionSet active[] = {{sets_[0], XR_NULL_PATH}, {sets_[std::size_t(post)], XR_NULL_PATH}};
+  const Side& side = sides_[left_handed];
+  std::array<XrActiveActionSet, 3> active{{{sides_[0].sets[0], XR_NULL_PATH}}};  // where the hands are
   XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO};
-  info.countActiveActionSets = post == Post::anywhere ? 1 : 2;
-  info.activeActionSets = active;
+  info.countActiveActionSets = 1;
+  const auto activate = [&](Post of) {
+    active[info.countActiveActionSets++] = {side.sets[std::size_t(of)], XR_NULL_PATH};
+  };
+  if (left_handed) activate(Post::anywhere);
+  if (post != Post::anywhere) activate(post);
+  info.activeActionSets = active.data();
   if (check_xr(api.SyncActions(session, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return;
   focused_ = true;
   for (const ActionRow& row : action_rows()) {
     const std::size_t i = std::size_t(row.action);
     if (!holds_at(posts_[i], post)) continue;
     XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO};
-    get.action = actions_[i];
+    get.action = side.actions[i];
     XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
     check_xr(api.GetActionStateFloat(session, &get, &state), "xrGetActionStateFloat");
     if (state.isActive && std::isfinite(state.currentState)) values_[i] = double(state.currentState);

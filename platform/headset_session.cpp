@@ -26,10 +26,10 @@ void Headset::begin_session() {
   session_lost_ = running_ = false;
   last_time_.reset();
   choose_space();
-  controllers_ = std::make_unique<HeadsetInput>(system_, session_, options_.left_handed);
+  controllers_ = std::make_unique<HeadsetInput>(system_, session_);
   make_pictures();
   mask_.ask(session_);
-  ask_for_rate();
+  if (options_.rate_hz > 0.0) ask_for_rate();
   if (system_.uses(XR_EXT_PERFORMANCE_SETTINGS_EXTENSION_NAME) && api_.PerfSettingsSetPerformanceLevelEXT)
     for (const XrPerfSettingsDomainEXT domain : {XR_PERF_SETTINGS_DOMAIN_CPU_EXT, XR_PERF_SETTINGS_DOMAIN_GPU_EXT})
       api_.PerfSettingsSetPerformanceLevelEXT(session_, domain, XR_PERF_SETTINGS_LEVEL_SUSTAINED_HIGH_EXT);
@@ -65,6 +65,8 @@ void Headset::choose_space() {
         (type != XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT || system_.uses(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME)))
       space_type_ = type;
   space_offset_ = nowhere;
+  floor_m_ = floor_of_who_stands_m();
+  stature_changed_ = options_.seated;
   XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
   info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_VIEW;
   info.poseInReferenceSpace = nowhere;
@@ -72,17 +74,36 @@ void Headset::choose_space() {
   move_space();
 }
 
-// Makes the space anew where space_offset_ says.
+// Makes the space anew where space_offset_ and floor_m_ say.
 void Headset::move_space() {
   XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
   info.referenceSpaceType = space_type_;
   info.poseInReferenceSpace = space_offset_;
-  if (space_type_ == XR_REFERENCE_SPACE_TYPE_LOCAL)
-    info.poseInReferenceSpace.position.y -= float(options_.eye_height_m);
+  info.poseInReferenceSpace.position.y += float(floor_m_);
   XrSpace made = XR_NULL_HANDLE;
   check_xr(api_.CreateReferenceSpace(session_, &info, &made), "xrCreateReferenceSpace");
   if (space_) api_.DestroySpace(space_);
   space_ = made;
+}
+
+double Headset::floor_of_who_stands_m() const {
+  return space_type_ == XR_REFERENCE_SPACE_TYPE_LOCAL ? -options_.eye_height_m : 0.0;
+}
+
+// For who sits, under the head as it is at `time`; as soon as it is tracked.
+void Headset::lay_floor(XrTime time) {
+  double floor_m = floor_of_who_stands_m();
+  if (options_.seated) {
+    XrSpaceLocation head{XR_TYPE_SPACE_LOCATION};
+    check_xr(api_.LocateSpace(view_space_, space_, time, &head), "xrLocateSpace");
+    if (!(head.locationFlags & XR_SPACE_LOCATION_POSITION_VALID_BIT) || !pose_is_sound(head.pose)) return;
+    floor_m = floor_m_ + double(head.pose.position.y) - options_.eye_height_m;
+  }
+  stature_changed_ = false;
+  if (floor_m == floor_m_) return;
+  floor_m_ = floor_m;
+  move_space();
+  moved_ = true;
 }
 
 void Headset::make_pictures() {
@@ -113,7 +134,7 @@ void Headset::make_pictures() {
 }
 
 void Headset::ask_for_rate() {
-  if (options_.rate_hz <= 0.0 || !api_.RequestDisplayRefreshRateFB) return;
+  if (!api_.RequestDisplayRefreshRateFB) return;
   if (XR_FAILED(api_.RequestDisplayRefreshRateFB(session_, float(options_.rate_hz))))
     spdlog::warn("headset: it does not show {:g} pictures a second", options_.rate_hz);
 }
@@ -165,6 +186,7 @@ void Headset::take_events() {
           space_offset_ = nowhere;
           move_space();
           moved_ = true;
+          stature_changed_ = options_.seated;
         }
         break;
       case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:

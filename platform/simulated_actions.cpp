@@ -48,7 +48,7 @@ XRAPI_ATTR XrResult XRAPI_CALL create_action(XrActionSet set, const XrActionCrea
     if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.'))
       return XR_ERROR_PATH_FORMAT_INVALID;
   for (const auto& one : s.actions)
-    if (one->name == info->actionName) return XR_ERROR_NAME_DUPLICATED;
+    if (&one->set == &object<ActionSet>(set) && one->name == info->actionName) return XR_ERROR_NAME_DUPLICATED;
   s.actions.push_back(std::make_unique<Action>(Action{s, object<ActionSet>(set), info->actionName, info->actionType}));
   *made = handle<XrAction>(s.actions.back().get());
   return XR_SUCCESS;

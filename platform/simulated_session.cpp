@@ -281,8 +281,9 @@ XRAPI_ATTR XrResult XRAPI_CALL get_rate(XrSession session, float* rate) {
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL request_rate(XrSession session, float rate) {
-  return rate == float(state(session).options.script.rate_hz) ? XR_SUCCESS
-                                                              : XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
+  return rate == 0.0f || rate == float(state(session).options.script.rate_hz)
+             ? XR_SUCCESS
+             : XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
 }
 
 }  // namespace
