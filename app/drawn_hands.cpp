@@ -26,7 +26,7 @@ DrawnHands::DrawnHands(Device& device, ShaderLibrary& shaders, const RenderTarge
               {.binding = gpu::slot_sky_map, .view = light.sky_map, .sampler = light.sky_sampler},
               {.binding = gpu::slot_sky_light, .buffer = light.sky_light}};
   if (depths != nullptr) sampler_ = make_sampler(device, "hands", {false, false, 1.0f});
-  limbs_.reserve(2 * most_limbs);
+  limbs_.reserve(2 * most_limbs + most_aim_limbs);
   bind();
 }
 
@@ -44,9 +44,11 @@ void DrawnHands::resize(const Image* depths) {
   bind();
 }
 
-void DrawnHands::update(Frame& frame, std::span<const ShownHand> hands, const glm::dvec3& viewer_m) {
+void DrawnHands::update(Frame& frame, std::span<const ShownHand> hands, const std::optional<ShownAim>& aim,
+                        const glm::dvec3& viewer_m) {
   limbs_.clear();
   for (const ShownHand& hand : hands) append_hand(hand.pose, hand.right, hand.closed, limbs_);
+  if (aim) append_aim(*aim, viewer_m, limbs_);
   if (limbs_.empty()) return;
   // The nearest last: a picture that is lit after its depths are drawn has no depth of its own.
   const auto away = [&](const Limb& limb) { return glm::distance(0.5 * (limb.from_m + limb.to_m), viewer_m); };
@@ -56,7 +58,7 @@ void DrawnHands::update(Frame& frame, std::span<const ShownHand> hands, const gl
   for (const Limb& limb : limbs_) {
     to->from = glm::vec4(glm::vec3(limb.from_m - viewer_m), float(limb.from_radius_m));
     to->to = glm::vec4(glm::vec3(limb.to_m - viewer_m), float(limb.to_radius_m));
-    to->colour = glm::vec4(limb.colour, 0.0f);
+    to->colour = glm::vec4(limb.colour, limb.glows ? 1.0f : 0.0f);
     ++to;
   }
 }

@@ -1,7 +1,8 @@
-// Hands as they are drawn: limb by limb, for all eyes in one draw.
+// Hands, and where they aim, as they are drawn: limb by limb, for all eyes in one draw.
 #pragma once
 #include <array>
 
+#include "app/aim_shape.h"
 #include "app/hand_shape.h"
 #include "engine/frame.h"
 #include "ocean/surface/surface.h"
@@ -24,8 +25,9 @@ class DrawnHands {
   void resize(const Image* depths);
 
   // What this frame shows of them.
-  void update(Frame& frame, std::span<const ShownHand> hands, const glm::dvec3& viewer_m);
-  // Inside the pass that draws or lights the sea; records nothing without a hand.
+  void update(Frame& frame, std::span<const ShownHand> hands, const std::optional<ShownAim>& aim,
+              const glm::dvec3& viewer_m);
+  // Inside the pass that draws or lights the sea; records nothing without a hand or an aim.
   void draw(Commands& commands, std::uint32_t frame_uniform) const;
 
  private:

@@ -104,6 +104,11 @@ void Experience::show_hands(std::vector<ShownHand> hands) {
   shown_hands_ = std::move(hands);
 }
 
+void Experience::show_aim(const std::optional<ShownAim>& aim) {
+  assert(options_.hands);
+  shown_aim_ = aim;
+}
+
 void Experience::show_comfort(const ComfortShown& shown) {
   assert(options_.comfort);
   comfort_shown_ = shown;

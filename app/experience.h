@@ -22,7 +22,7 @@ struct ExperienceOptions {
   // Room for larger pictures, so that another size makes nothing; 0: for the size that is drawn.
   std::uint32_t most_width = 0, most_height = 0;
   VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;  // of the finished picture: an sRGB one
-  bool hands = false;                         // hands can be shown (show_hands)
+  bool hands = false;                         // hands and where they aim can be shown (show_hands, show_aim)
   bool show_depth = false;                    // whoever shows the picture gets its depth too
   bool comfort = false;                       // a vignette and a horizon line can be shown (show_comfort)
   bool hidden = false;                        // parts of the pictures can be told that no eye sees (hide)
@@ -71,6 +71,8 @@ class Experience {
 
   // The hands of the frames from now on; with options().hands.
   void show_hands(std::vector<ShownHand> hands);
+  // Where a teleport of the frames from now on goes; nothing: none is aimed. With options().hands.
+  void show_aim(const std::optional<ShownAim>& aim);
 
   // What no eye sees of the frames from now on: it is left black and unlit. With options().hidden; makes nothing.
   void hide(const HiddenMesh& mesh);
@@ -123,6 +125,7 @@ class Experience {
   std::unique_ptr<HiddenArea> hidden_area_;
   HiddenMesh hidden_mesh_;
   std::vector<ShownHand> shown_hands_;
+  std::optional<ShownAim> shown_aim_;
   ComfortShown comfort_shown_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   std::shared_ptr<const LentImages> lent_;

@@ -70,6 +70,8 @@ class Explorer {
   void leave();
   void jump(const glm::dvec3& to_m);
   void aim(const Input& input);  // a teleport, and goes when it is let go
+  ShownAim shown_aim(const Input& input, const SeaView& water) const;
+  void feel(std::optional<std::size_t> hand, double strength, double seconds);  // a buzz, in a hand if there is one
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
   bool points_at_widgets() const { return mirror_ ? mirror_->takes_pointer() : overlay_ && overlay_->wants_pointer(); }
   void step(const DisplayFrame& shown);  // a begun frame, to its end

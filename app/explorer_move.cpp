@@ -15,6 +15,12 @@ constexpr double degrees_a_pixel =
     0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
 constexpr double farthest_jump_m = 200.0;
 
+// What a hand feels: strength, and seconds.
+struct Buzz {
+  double strength, seconds;
+};
+constexpr Buzz aim_found{0.25, 0.02}, arrived{0.6, 0.08}, turned{0.4, 0.03};
+
 // A display tells its period in whole nanoseconds, which is not quite its rate.
 double rate_hz(double period_s) { return period_s > 0.0 ? std::round(100.0 / period_s) / 100.0 : 0.0; }
 
@@ -50,11 +56,13 @@ void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWis
   const double steps_deg = comfort_.turned_deg(stepped, smooth ? 0.0 : snap, dt_s);
   wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
   wish.turn_deg = {smooth ? turn * c.turn_deg_per_s * dt_s : steps_deg, 0.0};
+  if (!smooth && steps_deg != 0.0) feel(settings().headset.left_handed ? 0u : 1u, turned.strength, turned.seconds);
   ComfortMotion motion;
   motion.velocity_mps = camera_.velocity_mps();
   if (smooth) motion.turn_deg_per_s = turn * c.turn_deg_per_s;
   const glm::dvec3 at = head().position_m;
-  if (camera_.travel() == Travel::ride) motion.carrier = Pose{{at.x, comfort_.ridden_m(c, water_m, dt_s), at.z}};
+  if (camera_.travel() == Travel::ride)
+    motion.carrier = Pose{{at.x, comfort_.ridden_m(c, water_m, dt_s), at.z}};
   comfort_.step(c, motion, dt_s);
   if (comfort_.carrier()) wish.ridden_m = comfort_.carrier()->position_m.y;
   experience_->show_comfort(comfort_.shown());
@@ -151,23 +159,51 @@ void Explorer::jump(const glm::dvec3& to_m) {
   comfort_.begin_anew();
 }
 
+void Explorer::feel(std::optional<std::size_t> hand, double strength, double seconds) {
+  if (hand) display_.buzz(int(*hand), strength, seconds);
+}
+
+ShownAim Explorer::shown_aim(const Input& input, const SeaView& water) const {
+  ShownAim shown;
+  const Pose from = pointer(input);
+  if (pointing_hand(input)) shown.from_m = from.position_m;
+  shown.found = aimed_at_m_.has_value();
+  shown.to_m =
+      aimed_at_m_.value_or(from.position_m + from.orientation * glm::dvec3(0.0, 0.0, -aim_line_without_water_m));
+  if (!shown.found) return shown;
+  std::array<glm::dvec2, ShownAim::sides> places;
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = aim_corner(shown.to_m, i);
+  std::array<QueryAnswer, ShownAim::sides> answers;
+  water.query(places, answers, {.footprint_m = 0.1});
+  // Few of the small waves that are drawn and not felt stand over it.
+  for (std::size_t i = 0; i < places.size(); ++i) shown.water_m[i] = answers[i].height_m + 1.5 * water.left_out_m();
+  return shown;
+}
+
 void Explorer::aim(const Input& input) {
+  std::optional<ShownAim> shown;
   const bool held = !types() && input.held(Action::teleport);
   if (held) {
     const Pose from = pointer(input);
     const glm::dvec3 ahead = from.orientation * glm::dvec3(0.0, 0.0, -1.0);
     const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
     const RayAnswer met = water.ray(from.position_m, ahead, {.most_m = farthest_jump_m});
+    const bool found_before = aiming_ && aimed_at_m_;
     aimed_at_m_.reset();
     if (met.hit) aimed_at_m_ = from.position_m + met.distance_m * ahead;
+    if (met.hit && !found_before) feel(pointing_hand(input), aim_found.strength, aim_found.seconds);
+    if (display_.tracks_head()) shown = shown_aim(input, water);
   } else if (aiming_) {
-    if (aimed_at_m_)
+    if (aimed_at_m_) {
       jump(*aimed_at_m_);
-    else
+      feel(pointing_hand(input), arrived.strength, arrived.seconds);
+    } else {
       tell(fmt::format("no water there within {:.0f} m", farthest_jump_m));
+    }
     aimed_at_m_.reset();
   }
   aiming_ = held;
+  if (display_.tracks_head()) experience_->show_aim(shown);
 }
 
 }  // namespace seascape

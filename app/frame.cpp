@@ -67,7 +67,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
   // What is drawn of the viewer himself, and over what he sees.
-  if (e.hands_) e.hands_->update(frame, e.shown_hands_, viewpoint.viewer.position_m);
+  if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);

@@ -11,7 +11,8 @@ namespace seascape {
 struct Limb {
   glm::dvec3 from_m, to_m;
   double from_radius_m, to_radius_m;
-  glm::vec3 colour;  // reflectance
+  glm::vec3 colour;  // reflectance; of what glows how it looks, whatever the light
+  bool glows = false;
 };
 
 inline constexpr std::size_t most_limbs = 24;  // of a hand

@@ -15,7 +15,7 @@ layout(binding = slot_sea_depths) uniform sampler2DArray sea_depths;
 
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 to_eye;
-layout(location = 2) flat in vec3 reflectance;
+layout(location = 2) flat in vec4 colour;  // HandLimb
 
 layout(location = 0) out vec4 shown;
 
@@ -28,8 +28,10 @@ void main() {
                        sea * (1.0 - above);
   // Wet rubber shines a little, most at its edges (Schlick 1994).
   const float edge = 0.04 + 0.3 * pow(1.0 - max(dot(n, v), 0.0), 5.0);
-  vec3 lit = (reflectance * arrives + edge * light.sky_irradiance.rgb * above) / 3.14159265;
+  vec3 lit = (colour.rgb * arrives + edge * light.sky_irradiance.rgb * above) / 3.14159265;
   lit *= light.exposure.x * exp2(frame.air.y);
+  // What glows is as bright by day and by night, with a dark edge before glitter and foam.
+  if (colour.w > 0.0) lit = colour.rgb * (1.5 * smoothstep(0.15, 0.6, dot(n, v)));
   if (tile_shape) lit = tone_map(lit);
   shown = vec4(min(lit, vec3(6e4)), 1.0);
 }

@@ -13,7 +13,7 @@ layout(location = 2) in vec4 limb_colour;
 
 layout(location = 0) out vec3 normal;
 layout(location = 1) out vec3 to_eye;
-layout(location = 2) flat out vec3 reflectance;
+layout(location = 2) flat out vec4 colour;
 
 void main() {
   const int quad = gl_VertexIndex / 6, corner = gl_VertexIndex % 6;
@@ -31,6 +31,6 @@ void main() {
   const vec3 place = end.xyz + end.w * normal;
   const ViewData view = frame.view[eye_index()];
   to_eye = view.eye.xyz - place;
-  reflectance = limb_colour.rgb;
+  colour = limb_colour;
   gl_Position = view.clip_from_relative * vec4(place, 1.0);
 }
