@@ -61,6 +61,7 @@ double ExploreCamera::rest_height(double water_m) const {
 void ExploreCamera::set_travel(Travel travel) {
   travel_ = travel;
   height_known_ = false;
+  climb_m_ = 0.0;
   if (travel != Travel::fly) velocity_mps_.y = 0.0;
 }
 
@@ -68,7 +69,31 @@ void ExploreCamera::jump(const glm::dvec2& place_m, double water_m) {
   const double height_m = travel_ == Travel::fly ? water_m + deck_height_m : rest_height(water_m);
   position_m_ = {place_m.x, height_m, place_m.y};
   velocity_mps_ = glm::dvec3(0.0);
-  height_above_rest_m_ = 0.0;
+  height_above_rest_m_ = climb_m_ = 0.0;
+  swims_head_m_.reset();
+}
+
+// The height comes to a new one within about a second.
+void ExploreCamera::come_to(double rest_m, double dt_s) {
+  if (!height_known_) height_above_rest_m_ = position_m_.y - rest_m;
+  height_known_ = true;
+  height_above_rest_m_ *= std::exp(-height_per_s * dt_s);
+  position_m_.y = rest_m + height_above_rest_m_;
+}
+
+void ExploreCamera::swim(const CameraWish& wish, double dt_s, double water_m) {
+  const double head_m = wish.head ? wish.head->position_m.y : deck_height_m;
+  if (!swims_head_m_) {
+    swims_head_m_ = head_m;
+    flown_at_m_ = position_m_.y + climb_m_;
+    climb_m_ = 0.0;
+    height_known_ = false;
+  }
+  const glm::dvec2 &moved = wish.swum->moved_m, &v = wish.swum->velocity_mps;
+  position_m_ += glm::dvec3(moved.x, 0.0, moved.y);
+  velocity_mps_ = {v.x, 0.0, v.y};
+  come_to(water_m + swim_height_m + deck_height_m - *swims_head_m_, dt_s);
+  position_m_.y = std::max(position_m_.y, water_m + swim_clearance_m + deck_height_m - head_m);
 }
 
 void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
@@ -83,6 +108,13 @@ void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
   }
   yaw_deg_ = wrapped_deg(yaw_deg_ + wish.turn_deg.x);
   pitch_deg_ = std::clamp(pitch_deg_ + wish.turn_deg.y, -largest_pitch_deg, largest_pitch_deg);
+
+  if (wish.swum) return swim(wish, dt_s, water_m);
+  if (swims_head_m_) {  // out of the water again
+    swims_head_m_.reset();
+    height_known_ = false;
+    if (travel_ == Travel::fly) climb_m_ = flown_at_m_ - position_m_.y;
+  }
 
   // Where the keys push: along the view when flying, along the sea else. Two keys together are no faster than one.
   const bool flying = travel_ == Travel::fly;
@@ -100,12 +132,12 @@ void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
   position_m_ += wanted * dt_s + lag * ((1.0 - decay) / response_per_s);
   velocity_mps_ = wanted + lag * decay;
 
-  if (!flying) {
-    const double rest = rest_height(wish.ridden_m.value_or(water_m));
-    if (!height_known_) height_above_rest_m_ = position_m_.y - rest;
-    height_known_ = true;
-    height_above_rest_m_ *= std::exp(-height_per_s * dt_s);
-    position_m_.y = rest + height_above_rest_m_;
+  if (flying) {
+    const double climbed_m = -climb_m_ * std::expm1(-height_per_s * dt_s);
+    position_m_.y += climbed_m;
+    climb_m_ -= climbed_m;
+  } else {
+    come_to(rest_height(wish.ridden_m.value_or(water_m)), dt_s);
   }
   const double head_m = wish.head ? wish.head->position_m.y - deck_height_m : 0.0;  // above the camera
   position_m_.y = std::max(position_m_.y, water_m + clearance_m - head_m);

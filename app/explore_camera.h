@@ -20,14 +20,22 @@ struct CameraWish {
   std::optional<Pose> head;
   std::optional<double> ridden_m;  // the height that carries who rides the waves; nothing: the water's
   double faster_notches = 0;       // of the wheel: each changes the speed by a fifth
+  // Who swims has his eyes just above the water, and goes as far as this along the sea in this time (x, z). Nothing:
+  // one travels, or climbs back to how one travelled.
+  struct Swum {
+    glm::dvec2 moved_m{0.0}, velocity_mps{0.0};
+  };
+  std::optional<Swum> swum;
 };
 
 // Poses come from two angles, so the horizon stays level whatever was done before.
 class ExploreCamera {
  public:
-  static constexpr double deck_height_m = 1.7;  // a person's eyes over the still sea
-  static constexpr double ride_height_m = 1.2;  // over the water that carries
-  static constexpr double clearance_m = 0.3;    // no eye comes closer to the water than this
+  static constexpr double deck_height_m = 1.7;   // a person's eyes over the still sea
+  static constexpr double ride_height_m = 1.2;   // over the water that carries
+  static constexpr double swim_height_m = 0.25;  // a swimmer's, when he began; he may raise his head and lower it
+  static constexpr double clearance_m = 0.3;     // no eye comes closer to the water than this
+  static constexpr double swim_clearance_m = 0.2;
   static constexpr double largest_pitch_deg = 89.0;
 
   // Starts flying from a pose; its roll is dropped.
@@ -52,13 +60,18 @@ class ExploreCamera {
 
  private:
   double rest_height(double water_m) const;
+  void swim(const CameraWish& wish, double dt_s, double water_m);
+  void come_to(double rest_m, double dt_s);
   Travel travel_ = Travel::fly;
   glm::dvec3 position_m_;
   glm::dvec3 velocity_mps_{0.0};
   double yaw_deg_ = 0.0, pitch_deg_ = 0.0;
   double speed_factor_ = 1.0;
-  double height_above_rest_m_ = 0.0;  // walking and riding: what is left of the height that the change began with
+  double height_above_rest_m_ = 0.0;  // not flying: what is left of the height that the change began with
   bool height_known_ = false;
+  std::optional<double> swims_head_m_;  // the head's height over the floor as swimming began
+  double flown_at_m_ = 0.0;             // before that
+  double climb_m_ = 0.0;                // flying: what is left of it to climb
 };
 
 }  // namespace seascape

@@ -15,6 +15,7 @@
 #include "app/picture_copy.h"
 #include "app/program.h"
 #include "app/scene_loader.h"
+#include "app/swim.h"
 #include "platform/display.h"
 
 namespace seascape {
@@ -72,6 +73,8 @@ class Explorer {
   void aim(const Input& input);  // a teleport, and goes when it is let go
   ShownAim shown_aim(const Input& input, const SeaView& water) const;
   void feel(std::optional<std::size_t> hand, double strength, double seconds);  // a buzz, in a hand if there is one
+  bool swims(const Input& input) const { return !types() && input.held(Action::swim); }
+  CameraWish::Swum swim(const Input& input, double dt_s);
   bool types() const { return overlay_ && overlay_->wants_keyboard(); }
   bool points_at_widgets() const { return mirror_ ? mirror_->takes_pointer() : overlay_ && overlay_->wants_pointer(); }
   void step(const DisplayFrame& shown);  // a begun frame, to its end
@@ -121,6 +124,14 @@ class Explorer {
   ExploreCamera camera_;
   Comfort comfort_;
   HandsInWater hands_;
+  Swim swim_;
+  bool swam_ = false;  // in the frame before
+  // Of a swimmer in that frame, over the floor: his hands, and where they were from his head one frame earlier; for the
+  // head is known once a frame is drawn.
+  struct Strokes {
+    std::array<std::optional<glm::dvec3>, 2> hands_m, from_head_m;
+    double dt_s = 0.0;
+  } strokes_;
   PathRecorder recorder_;
   Input input_;  // of this frame: the display's, and what was done at the desk
   std::vector<std::string> scenes_;

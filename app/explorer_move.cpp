@@ -61,7 +61,7 @@ void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWis
   motion.velocity_mps = camera_.velocity_mps();
   if (smooth) motion.turn_deg_per_s = turn * c.turn_deg_per_s;
   const glm::dvec3 at = head().position_m;
-  if (camera_.travel() == Travel::ride)
+  if (camera_.travel() == Travel::ride && !swims(input))
     motion.carrier = Pose{{at.x, comfort_.ridden_m(c, water_m, dt_s), at.z}};
   comfort_.step(c, motion, dt_s);
   if (comfort_.carrier()) wish.ridden_m = comfort_.carrier()->position_m.y;
@@ -89,8 +89,44 @@ void Explorer::move(const Input& input, double dt_s) {
   if (look_by_button_ || look_by_key_)
     wish.turn_deg += glm::dvec2(input.mouse_pixels.x, worn ? 0.0 : -input.mouse_pixels.y) *
                      (degrees_a_pixel * settings().render.vertical_fov_deg);
+  const bool now_swims = swims(input);
+  if (now_swims) wish.swum = swim(input, dt_s);
+  swam_ = now_swims;
   camera_.step(wish, dt_s, water_m);
   aim(input);
+}
+
+CameraWish::Swum Explorer::swim(const Input& input, double dt_s) {
+  const glm::dvec3 ahead = heading(head().orientation) * glm::dvec3(0.0, 0.0, -1.0);
+  if (!swam_) {
+    swim_.begin_anew({camera_.velocity_mps().x, camera_.velocity_mps().z});
+    strokes_ = {};
+  }
+  SwimWish wish;
+  wish.ahead = {ahead.x, ahead.z};
+  const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
+  const std::optional<Pose> head_then = display_.head();
+  const std::array<std::optional<Pose>, 2> at = hands(input);
+  for (std::size_t hand = 0; hand < 2; ++hand) {
+    std::optional<glm::dvec3> from_head_m;
+    if (head_then && strokes_.hands_m[hand]) from_head_m = *strokes_.hands_m[hand] - head_then->position_m;
+    strokes_.hands_m[hand].reset();
+    if (at[hand]) {
+      wish.tracked = true;
+      strokes_.hands_m[hand] = input.hands[hand]->grip.position_m;
+      if (from_head_m && strokes_.from_head_m[hand] && strokes_.dt_s > 0.0) {
+        const glm::dvec3 moves = carrier().orientation * ((*from_head_m - *strokes_.from_head_m[hand]) / strokes_.dt_s);
+        const glm::dvec3& place = at[hand]->position_m;
+        const double deep_m = water.query({place.x, place.z}, {.footprint_m = 0.1}).height_m - place.y;
+        wish.hands[hand] = SwimHand{
+            {moves.x, moves.z}, HandInWater::section_m2(deep_m) / HandInWater::section_m2(2.0 * HandInWater::radius_m)};
+      }
+    }
+    strokes_.from_head_m[hand] = from_head_m;
+  }
+  strokes_.dt_s = dt_s;
+  swim_.step(wish, dt_s);
+  return {swim_.moved_m(), swim_.velocity_mps()};
 }
 
 std::array<std::optional<Pose>, 2> Explorer::hands(const Input& input) const {

@@ -23,6 +23,7 @@ constexpr std::array<const char*, 2> keys[] = {
     {"arrows", "turn, look up and down"},
     {"Z X", "turn by 30 degrees at once"},
     {"T", "aim while it is held; letting go moves there over the water"},
+    {"F", "swim ahead while it is held"},
     {"Shift", "faster"},
     {"wheel", "change the speed"},
     {"1 2 3", "fly, walk at deck height, ride the waves"},

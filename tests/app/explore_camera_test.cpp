@@ -124,6 +124,72 @@ TEST(ExploreCamera, WalkStaysOnDeckAndRideFollowsTheWater) {
   EXPECT_NEAR(camera.pose().position_m.y, 3.7, 1e-6);
 }
 
+CameraWish swimming(const glm::dvec2& mps, double dt_s, std::optional<double> head_m = std::nullopt) {
+  CameraWish wish;
+  wish.swum = CameraWish::Swum{mps * dt_s, mps};
+  if (head_m) wish.head = Pose{{0.1, *head_m, 0.2}};
+  return wish;
+}
+
+// The eyes come down to just above the waves and follow them, and afterwards go back to where one travels: who flies to
+// the height that he had, however time is cut and while he flies on. Controls: who flies left at the water; the climb
+// not times the frame's length; the water's height of the first frame kept.
+TEST(ExploreCamera, ASwimmerFollowsTheWavesAndClimbsBack) {
+  for (const Travel travel : {Travel::fly, Travel::walk, Travel::ride}) {
+    SCOPED_TRACE(travel_name(travel));
+    ExploreCamera camera(pose_at(20.0));
+    camera.set_travel(travel);
+    for (int i = 0; i < 500; ++i) camera.step({}, 0.01, 0.4);
+    const double before_m = camera.pose().position_m.y;
+    camera.step(swimming({0.0, 0.0}, 0.01), 0.01, 0.4);
+    EXPECT_LT(std::abs(camera.pose().position_m.y - before_m), 1.0);  // no jump
+    for (int i = 0; i < 600; ++i) camera.step(swimming({1.0, -2.0}, 0.01), 0.01, 0.4 + 0.3 * std::sin(0.02 * i));
+    const double water_m = 0.4 + 0.3 * std::sin(0.02 * 599);
+    EXPECT_NEAR(camera.pose().position_m.y, water_m + ExploreCamera::swim_height_m, 1e-6);
+    EXPECT_NEAR(camera.pose().position_m.x, 6.0, 1e-9);
+    EXPECT_NEAR(camera.pose().position_m.z, -12.0, 1e-9);
+    EXPECT_EQ(camera.velocity_mps(), glm::dvec3(1.0, 0.0, -2.0));
+    for (int i = 0; i < 500; ++i) camera.step({}, 0.01, 0.4);
+    EXPECT_NEAR(camera.pose().position_m.y, before_m, 1e-3);
+  }
+  const auto height_after = [](int steps) {
+    ExploreCamera camera(pose_at(20.0));
+    for (int i = 0; i < 1000; ++i) camera.step(swimming({0.0, 0.0}, 0.01), 0.01, 0.0);
+    for (int i = 0; i < steps; ++i) camera.step(push(0, 1, 0), 0.5 / steps, 0.0);
+    return camera.pose().position_m.y;
+  };
+  EXPECT_NEAR(height_after(2), height_after(100), 1e-9);
+  EXPECT_GT(height_after(2), 15.0);
+}
+
+// The head that is worn may be raised, and lowered to the water and no further, wherever it was as one began.
+// Controls: the height over the floor taken for that of a person who stands; without swim_clearance_m.
+TEST(ExploreCamera, ASwimmersHeadMovesAndStaysDry) {
+  for (const double began_m : {1.1, 1.7, 1.9}) {
+    ExploreCamera camera(pose_at(3.0));
+    const auto eyes_m = [&](double head_m) {
+      return composed(camera.carrier(), Pose{{0.1, head_m, 0.2}}).position_m.y;
+    };
+    for (int i = 0; i < 600; ++i) camera.step(swimming({0.0, 0.0}, 0.01, began_m), 0.01, 0.4);
+    EXPECT_NEAR(eyes_m(began_m), 0.4 + ExploreCamera::swim_height_m, 1e-6) << began_m;
+    camera.step(swimming({0.0, 0.0}, 0.01, began_m + 0.2), 0.01, 0.4);
+    EXPECT_NEAR(eyes_m(began_m + 0.2), 0.4 + ExploreCamera::swim_height_m + 0.2, 1e-6) << began_m;
+    camera.step(swimming({0.0, 0.0}, 0.01, began_m - 0.5), 0.01, 0.4);
+    EXPECT_NEAR(eyes_m(began_m - 0.5), 0.4 + ExploreCamera::swim_clearance_m, 1e-6) << began_m;
+  }
+}
+
+// Control: the flight's height of before the jump kept.
+TEST(ExploreCamera, ASwimmerWhoJumpsStaysThere) {
+  ExploreCamera camera(pose_at(30.0));
+  for (int i = 0; i < 600; ++i) camera.step(swimming({0.0, 0.0}, 0.01), 0.01, 0.4);
+  camera.jump({50.0, 60.0}, 0.4);
+  for (int i = 0; i < 600; ++i) camera.step(swimming({0.0, 0.0}, 0.01), 0.01, 0.4);
+  EXPECT_NEAR(camera.pose().position_m.y, 0.4 + ExploreCamera::swim_height_m, 1e-6);
+  for (int i = 0; i < 600; ++i) camera.step({}, 0.01, 0.4);
+  EXPECT_NEAR(camera.pose().position_m.y, 0.4 + ExploreCamera::deck_height_m, 1e-6);
+}
+
 // Control: without the clearance the fall goes on below the water.
 TEST(ExploreCamera, StaysAboveTheWater) {
   ExploreCamera camera(pose_at(5.0));

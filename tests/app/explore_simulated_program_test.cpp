@@ -72,7 +72,8 @@ class ExploreSimulated : public testing::Test {
     return names;
   }
   // Where the head was as the recording began and as it ended, around what was done from frame 10 on.
-  std::pair<Pose, Pose> moved(std::vector<InputEvent> events, int until_frame) {
+  std::pair<Pose, Pose> moved(std::vector<InputEvent> events, int until_frame,
+                              const std::vector<std::string>& more = {}) {
     if (std::none_of(events.begin(), events.end(), [](const InputEvent& event) {
           const auto* tracker = std::get_if<TrackerEvent>(&event.what);
           return tracker && tracker->tracker == Tracker::head;
@@ -81,7 +82,7 @@ class ExploreSimulated : public testing::Test {
     hold(events, 6, 2, Action::record);
     hold(events, until_frame, 2, Action::record);
     const std::string out = "moved_" + std::to_string(++moves_);
-    const ProgramResult result = explore(std::move(events), out);
+    const ProgramResult result = explore(std::move(events), out, more);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const CameraPath path = load_camera_path((folder_ / out / "recorded_001.json").string());
     EXPECT_GT(path.keys.size(), 1u);
@@ -224,6 +225,67 @@ TEST_F(ExploreSimulated, TeleportsWhereTheHandPoints) {
   EXPECT_LT(far_m, 15.0);
   EXPECT_NEAR(glm::degrees(std::atan2(way.x, -way.z)), 25.0, 3.0);  // seen from the hand, which is half a metre off
   EXPECT_NEAR(jumped.second.position_m.y, 1.7, 0.6);
+}
+
+// Without hands one swims ahead, at a metre a second where one looks, with the eyes just above the waves; let go of it,
+// one is back at the height at which one flew. Controls: the head's yaw left out; the eyes at deck height; no climb.
+TEST_F(ExploreSimulated, SwimsAheadWithoutHands) {
+  const InputEvent head = head_at(0, {0.3, 1.7, -0.2}, {70.0, -20.0, 0.0});
+  std::vector<InputEvent> events{head};
+  hold(events, 10, 96, Action::swim);
+  const auto swum = moved(events, 80);
+  const glm::dvec3 way =
+      glm::conjugate(heading(swum.first.orientation)) * (swum.second.position_m - swum.first.position_m);
+  const double swum_s = 70.0 / rate_hz;
+  EXPECT_NEAR(way.z, -(swum_s - (1.0 - std::exp(-2.0 * swum_s)) / 2.0), 1.5 / rate_hz);
+  EXPECT_NEAR(way.x, 0.0, 1e-3);
+  EXPECT_GT(swum.second.position_m.y, -0.2);  // calm's waves are a few decimetres high
+  EXPECT_LT(swum.second.position_m.y, 0.7);
+  std::vector<InputEvent> briefly{head};
+  hold(briefly, 10, 40, Action::swim);
+  EXPECT_NEAR(moved(briefly, 130).second.position_m.y, 1.7, 1e-2);
+}
+
+// Both hands pull back under water and come ahead over it, three strokes of 1.4 m/s. Controls: a hand in the air that
+// pulls; the head's own movement not taken off.
+TEST_F(ExploreSimulated, HandsPullThroughTheWater) {
+  const auto strokes = [&](double below_eyes_m) {
+    std::vector<InputEvent> events{head_at(0, {0.0, 1.7, 0.0})};
+    for (const Tracker hand : {Tracker::left, Tracker::right})
+      for (int stroke = 0; stroke < 3; ++stroke)
+        for (const auto& [frame, z_m, low] :
+             {std::tuple(0, -0.6, true), {16, 0.1, true}, {17, 0.1, false}, {31, -0.6, false}})
+          events.push_back(
+              {(50 + 32 * stroke + frame) / rate_hz,
+               TrackerEvent{hand, Pose{{hand == Tracker::left ? -0.3 : 0.3, 1.7 - (low ? below_eyes_m : -0.3), z_m}}}});
+    hold(events, 10, 200, Action::swim);
+    return went(moved(events, 146));
+  };
+  const glm::dvec3 way = strokes(0.55);
+  EXPECT_LT(way.z, -1.2);
+  EXPECT_GT(way.z, -4.5);
+  EXPECT_NEAR(way.x, 0.0, 0.05);
+  EXPECT_NEAR(strokes(-0.3).z, 0.0, 1e-3);
+  // Hands that keep with a head that is thrown back and forth do not pull.
+  std::vector<InputEvent> nodding;
+  for (int frame = 0; frame <= 140; frame += 10) {
+    const double z_m = frame % 20 == 0 ? -0.3 : 0.3;
+    nodding.push_back(head_at(frame, {0.0, 1.7, z_m}));
+    nodding.push_back({frame / rate_hz, TrackerEvent{Tracker::left, Pose{{-0.3, 1.15, z_m - 0.3}}}});
+  }
+  hold(nodding, 10, 200, Action::swim);
+  EXPECT_NEAR(went(moved(nodding, 127)).z, 0.0, 1e-3);  // as far on its way as in frame 6, but for what it swam
+}
+
+// What a person sets for himself, from the start. Control: the options not handed on; the settings not.
+TEST_F(ExploreSimulated, WhoSitsIsSeatedFromTheStart) {
+  const std::vector<std::string> sitting{"--set", "headset.seated=true", "--set", "headset.eye_height_m=1.9"};
+  const auto sat = moved({head_at(0, {0.3, 1.2, -0.2}), head_at(40, {0.3, 1.2, -0.2})}, 30, sitting);
+  EXPECT_NEAR(sat.first.position_m.y, 1.9, 1e-5);
+  EXPECT_NEAR(sat.second.position_m.y, 1.9, 1e-5);
+  EXPECT_EQ(explore({head_at(0, {0.0, 1.7, 0.0})}, "half", {"--every", "1", "--set", "headset.scale=0.5"}).exit_code,
+            0);
+  EXPECT_EQ(read_png(folder_ / "half/frame_0000_left.png").width, 48 / 2);
 }
 
 // The middle comes under the head, and ahead of it: the viewer is where the scene begins, but for the head's height.
