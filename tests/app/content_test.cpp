@@ -1,7 +1,11 @@
 // The shipped paths fly over the shipped seas, never through them.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
+
 #include "app/camera_path.h"
+#include "app/input_script_file.h"
 #include "app/place_inputs.h"
 #include "app/scene.h"
 #include "app/sea_remarks.h"
@@ -44,6 +48,47 @@ TEST(Content, PathsStayAboveTheirSeas) {
     RecordProperty(name, std::to_string(least_m));
   }
   EXPECT_LT(least_clearance("open_sea", 3.0), 0.0);
+}
+
+// The scripts that play a person have no fault, find by their name, and do what they are named for. Controls: a yaw of
+// 400 degrees, an unknown key; the teleport of teleport_and_turn taken out; the hands held over the pool.
+TEST(Content, InputScriptsPlay) {
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "inputs")) {
+    SCOPED_TRACE(entry.path().string());
+    const InputScript script = load_input_script(entry.path().stem().string());
+    ++found;
+    const InputTimeline timeline(script);
+    EXPECT_GT(timeline.end_s(), 4.0);
+    EXPECT_LT(timeline.end_s() * script.rate_hz, 900.0);  // tried out within a minute or two without a GPU too
+    EXPECT_GE(script.rate_hz, 72.0);
+    std::set<Action> pressed;
+    for (const ActionPress& press : timeline.presses(-1.0, timeline.end_s())) pressed.insert(press.action);
+    int turned = 0, wet = 0;
+    for (double t = 0.0; t <= timeline.end_s(); t += 0.1) {
+      const auto head = timeline.pose(Tracker::head, t);
+      ASSERT_TRUE(head.has_value());
+      EXPECT_GT(head->position_m.y, 0.5);
+      turned += std::abs(angles_from_orientation(head->orientation).yaw_deg) > 60.0;
+      for (const Tracker hand : {Tracker::left, Tracker::right}) {
+        const auto at = timeline.pose(hand, t);
+        wet += at && at->position_m.y < 0.05;
+      }
+    }
+    if (entry.path().stem() == "look_around") {
+      EXPECT_GT(turned, 10);
+    }
+    if (entry.path().stem() == "hands_in_water") {
+      EXPECT_GT(wet, 60);
+      EXPECT_TRUE(pressed.contains(Action::grab_right));
+    }
+    if (entry.path().stem() == "teleport_and_turn") {
+      EXPECT_TRUE(pressed.contains(Action::teleport) && pressed.contains(Action::snap_turn));
+    }
+    for (const ActionRow& row : action_rows())
+      EXPECT_EQ(timeline.values(timeline.end_s())[std::size_t(row.action)], 0.0) << row.name;  // nothing stays held
+  }
+  EXPECT_GE(found, 3u);
 }
 
 // The harbour's dry dock is dry up to its walls: from the basin to the land behind it no water stands, nor from side to
