@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ocean/waves/half_floats.h"
+#include "ocean/waves/pattern_moments.h"
 
 namespace seascape {
 
@@ -141,6 +142,7 @@ void DrawnSource::describe(gpu::FrameData& data, glm::dvec2 grid_origin_m) const
                          float(origin.y - std::floor(origin.y) + half_texel), float(laying.side_m / source_->samples()),
                          float(laying.shortest_m));
     d.moments = glm::vec4(glm::vec3(moments), float(laying.longest_m));
+    d.decay = glm::vec4(glm::vec3(pattern_moments(*source_, laying).decay_per_m2()), 0.0f);
   }
 }
 

@@ -38,7 +38,7 @@ void DrawnWaves::follow(Frame& frame) {
 
 void DrawnWaves::declare(SurfaceSlots& slots, std::size_t copy) const {
   slots.set("waves", gpu::value_cascades, std::uint32_t(images_.cascades()));
-  slots.set(gpu::value_warp, images_.bent() ? 1 : 0);
+  slots.set(gpu::value_warp, images_.warped() ? 1 : 0);
   slots.bind(gpu::slot_smooth_sampler, images_.smooth_sampler());
   slots.bind(gpu::slot_pixel_sampler, images_.pixel_sampler());
   for (const WaveImages::Set& set : images_.copies()[copy]) {

@@ -7,25 +7,6 @@
 
 namespace seascape {
 
-namespace {
-// Mean squares of slope over a cascade's whole tile: sums over its bins, in time average.
-glm::dvec3 tile_moments(const WaveBins& bins, int index) {
-  const Cascade& cascade = bins.ladder[index];
-  const int half = bins_of(index) / 2;
-  glm::dvec3 sum(0.0);
-  const double dk = 2.0 * M_PI / cascade.side_m, c = std::cos(cascade.rotation_rad), s = std::sin(cascade.rotation_rad);
-  for (int mz = -half; mz < half; ++mz)
-    for (int mx = -half; mx < half; ++mx) {
-      const gpu::WaveBin& bin = bins.at(index, mx, mz);
-      const double power =
-          0.5 * (double(bin.amplitude.x) * bin.amplitude.x + double(bin.amplitude.y) * bin.amplitude.y);
-      const double kx = dk * (c * mx - s * mz), kz = dk * (s * mx + c * mz);
-      sum += power * glm::dvec3(kx * kx, kz * kz, kx * kz);
-    }
-  return sum;
-}
-}  // namespace
-
 WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& quality, const WaveBins& bins,
                        const SeaStatistics& statistics, double anisotropy, Filled filled, int in_flight)
     : ladder_(bins.ladder), warp_(bins.ladder), statistics_(statistics), chop_(sea.chop), filled_(filled) {
@@ -33,7 +14,7 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
   half_ = quality.half_storage || !device.facts().float32_linear;
   if (half_ && !quality.half_storage)
     spdlog::info("waves: {} cannot filter 32-bit tiles; they are stored as 16-bit floats", device.facts().name);
-  for (int c = 0; c < bins.cascades; ++c) cascade_moments_.push_back(tile_moments(bins, c));
+  for (int c = 0; c < bins.cascades; ++c) cascade_moments_.push_back(pattern_moments(bins, c));
 
   std::vector<ImageSpec> specs;
   for (const int first : {0, 1}) {
@@ -68,7 +49,7 @@ WaveImages::WaveImages(Device& device, const SeaState& sea, const WaveQuality& q
 void WaveImages::take(const WaveBins& bins, double chop, const SeaStatistics& statistics) {
   statistics_ = statistics;
   chop_ = chop;
-  for (int c = 0; c < cascades(); ++c) cascade_moments_[std::size_t(c)] = tile_moments(bins, c);
+  for (int c = 0; c < cascades(); ++c) cascade_moments_[std::size_t(c)] = pattern_moments(bins, c);
 }
 
 void WaveImages::add_reads(Uses& uses) const {
@@ -93,7 +74,8 @@ void WaveImages::describe(gpu::SeaData& data, glm::dvec2 grid_origin_m) const {
     d.origin = glm::vec4(float(origin.x - std::floor(origin.x) + half_texel),
                          float(origin.y - std::floor(origin.y) + half_texel), float(cascade.side_m / samples),
                          float(shortest_wave(cascade)));
-    d.moments = glm::vec4(glm::vec3(cascade_moments_[i]), float(longest_wave(cascade)));
+    d.moments = glm::vec4(glm::vec3(cascade_moments_[i].slope_moments), float(longest_wave(cascade)));
+    d.decay = glm::vec4(glm::vec3(cascade_moments_[i].decay_per_m2()), 0.0f);
   }
   data.warp = warp_.from(grid_origin_m);
   data.tail = glm::vec4(glm::vec3(statistics_.tail_slope_moments), float(chop_));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/frame.h"
+#include "ocean/waves/pattern_moments.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_tiles.h"
@@ -54,7 +55,7 @@ class WaveImages {
   VkSampler pixel_sampler() const { return pixel_sampler_.get(); }
   bool half_storage() const { return half_; }
   int cascades() const { return int(cascade_moments_.size()); }
-  bool bent() const { return bool(warp_); }  // the first cascade's pattern
+  bool warped() const { return bool(warp_); }  // the first cascade's pattern
 
  private:
   friend class WaveCompute;  // which stores into views of their levels
@@ -63,7 +64,7 @@ class WaveImages {
   SeaStatistics statistics_;
   double chop_;
   bool half_ = false;
-  std::vector<glm::dvec3> cascade_moments_;
+  std::vector<PatternMoments> cascade_moments_;
   Filled filled_;
   std::vector<std::vector<Set>> copies_;
   std::size_t shown_ = 0;

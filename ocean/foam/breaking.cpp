@@ -131,7 +131,7 @@ void Breaking::at(std::int64_t ticks, double texel_m, int slices) {
       slice.readings.push_back({tile, level, size, tiles.stride(tile, level), share,
                                 texels * glm::dvec2(place.cosine, place.sine),
                                 texels * glm::dvec2(-place.sine, place.cosine), place.offset * size + middle,
-                                place.longest_m, place.shortest_m});
+                                glm::vec3(place.decay_per_m2)});
     }
   }
 }
@@ -141,14 +141,14 @@ void Breaking::add(const FoamRow& row, float per_s, const BreakingWater& water, 
   const Slice& slice = slices_[std::size_t(row.slice)];
   std::array<BreakingLayer, most_breaking_layers> layers;
   std::size_t count = 0;
-  // Bent derivatives count as straight ones here: the strain, a twentieth at most, is far less than the Jacobian's own
-  // deviation.
+  // Warped derivatives count as straight ones here: the strain, a twentieth at most, is far less than the Jacobian's
+  // own deviation.
   const PatternWarp& warp = field().warp();
-  WarpRow bent{};
-  for (std::size_t i = 0; warp && i < bent.waves.size(); ++i) {
+  WarpRow warped{};
+  for (std::size_t i = 0; warp && i < warped.waves.size(); ++i) {
     const PatternWarp::Wave& wave = warp.waves()[i];
-    bent.waves[i] = {glm::dot(wave.along, row.first_m) + wave.phase, wave.along.x * row.texel_m, float(wave.way.x),
-                     float(wave.way.y)};
+    warped.waves[i] = {glm::dot(wave.along, row.first_m) + wave.phase, wave.along.x * row.texel_m, float(wave.way.x),
+                       float(wave.way.y)};
   }
   for (const Reading& r : slice.readings)
     layers[count++] = {tiles().texels(r.tile, WavePlane::slope, r.level),
@@ -161,9 +161,9 @@ void Breaking::add(const FoamRow& row, float per_s, const BreakingWater& water, 
                        r.along_z.x * row.texel_m,
                        float(r.along_x.x),
                        float(r.along_x.y),
-                       float(2.0 * std::numbers::pi / std::sqrt(r.longest_m * r.shortest_m)),
+                       r.decay_per_m2,
                        r.share,
-                       warp && r.tile == 0 ? &bent : nullptr};
+                       warp && r.tile == 0 ? &warped : nullptr};
   const BreakingLaw law{float(thinner),        float(least_sigma),    float(least_threshold),
                         float(most_threshold), float(lowest_),        float(threshold_),
                         float(variance_),      float(slice.variance), float(least_flow_mps)};

@@ -67,7 +67,8 @@ class Breaking {
     int tile, level, size, stride;
     float share;
     glm::dvec2 along_x, along_z;  // from rest positions to its texels
-    double offset, longest_m, shortest_m;
+    double offset;
+    glm::vec3 decay_per_m2;
   };
   struct Slice {
     std::vector<Reading> readings;

@@ -103,25 +103,24 @@ HWY_INLINE void add_terms(const BreakingLayer& layer, const BreakingLaw& law, co
     terms.mask[n] = layer.mask;
   }
   const auto zero = hn::Zero(d), whole = hn::Set(d, layer.share);
-  const auto way_s = hn::Set(d, float(std::abs(phase.second_s - phase.first_s)) * layer.middle_per_m);
+  const auto way_s = hn::Set(d, float(std::abs(phase.second_s - phase.first_s)));
   for (int i = 0; i < group; i += int(hn::Lanes(d))) {
-    auto bent_x = zero, bent_z = zero;
-    if (layer.warp != nullptr) shift_pattern(layer, first, i, bent_x, bent_z);
+    auto warp_x = zero, warp_z = zero;
+    if (layer.warp != nullptr) shift_pattern(layer, first, i, warp_x, warp_z);
     if (patterns == 1) {
-      locate(layer, start, terms, term, i, bent_x, bent_z, whole);
+      locate(layer, start, terms, term, i, warp_x, warp_z, whole);
       continue;
     }
     const auto x = hn::Load(d, flow_x + i), z = hn::Load(d, flow_z + i);
     const auto square = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
     const auto stands = hn::Lt(square, hn::Set(d, law.least_flow_mps * law.least_flow_mps));
-    const auto height =
-        flow_height(d, hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(way_s, way_s), square)), float(phase.first));
+    const auto height = flow_height(d, layer.decay_per_m2, hn::Mul(way_s, x), hn::Mul(way_s, z), float(phase.first));
     const auto cosine = hn::Set(d, layer.cosine), sine = hn::Set(d, layer.sine);
     const auto u = hn::Add(hn::Mul(cosine, x), hn::Mul(sine, z)), v = hn::Sub(hn::Mul(cosine, z), hn::Mul(sine, x));
     const auto put = [&](int at, double way, double counts, Vector standing) HWY_ATTR {
       const auto back = hn::Set(d, float(-way));
-      locate(layer, start, terms, at, i, hn::Add(bent_x, hn::IfThenElse(stands, zero, hn::Mul(back, u))),
-             hn::Add(bent_z, hn::IfThenElse(stands, zero, hn::Mul(back, v))),
+      locate(layer, start, terms, at, i, hn::Add(warp_x, hn::IfThenElse(stands, zero, hn::Mul(back, u))),
+             hn::Add(warp_z, hn::IfThenElse(stands, zero, hn::Mul(back, v))),
              hn::IfThenElse(stands, standing, hn::Mul(whole, hn::Mul(height, hn::Set(d, float(counts))))));
     };
     put(term, phase.first_s, phase.first, whole);

@@ -10,7 +10,7 @@
 
 namespace seascape {
 
-// The bend of a row's texels.
+// The warp of a row's texels.
 struct WarpRow {
   struct Wave {
     double turns, step;  // its phase at the row's first texel, and from one to the next
@@ -27,9 +27,9 @@ struct BreakingLayer {
   double u, v;                     // of the row's first texel, in texels
   double step_u, step_v;           // from one of the row's texels to the next
   float cosine, sine;              // from the world to the tile, times texels a metre
-  float middle_per_m;              // wave number in the middle of the waves' band (flow_height)
+  glm::vec3 decay_per_m2;          // of the pattern (flow_height)
   float share;                     // that counts
-  const WarpRow* warp = nullptr;   // by which its pattern is bent; null: it lies straight
+  const WarpRow* warp = nullptr;   // of its pattern; null: it lies straight
 };
 
 // What waves do besides, of each of a row's texels; null where nothing does. Water that nothing moves does not break.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "ocean/places/place_fields.h"
@@ -68,7 +67,7 @@ ShorePattern FoamShore::pattern(double footprint, const WaveField& field, const 
   result.size = float(place.size);
   result.kept = filter.level[at] >= last ? 0.0f : std::max(filter.share[at], 0.0f);
   result.whole_moment = tiles.texels(tile, WavePlane::moments, last)->w;
-  result.middle_per_m = float(2.0 * std::numbers::pi / std::sqrt(place.longest_m * place.shortest_m));
+  result.decay_per_m2 = glm::vec3(place.decay_per_m2);
   result.least_flow_mps = least_flow_mps;
   for (int step = 0; result.kept > 0.0f && step < (filter.between[at] > 0.0f ? 2 : 1); ++step) {
     const int level = filter.level[at] + step, size = tiles.layout().level(tile, level).size;

@@ -145,16 +145,15 @@ void move(const ShorePattern& pattern, const FlowPhase& phase, const ShoreTexelP
   for (int turn = 0; turn < (flows ? 2 : 1); ++turn) {
     const float way_s = float(turn == 0 ? phase.first_s : phase.second_s),
                 part = float(turn == 0 ? phase.first : 1.0 - phase.first);
-    const auto apart = hn::Set(d, float(std::abs(phase.second_s - phase.first_s)) * pattern.middle_per_m);
+    const auto apart = hn::Set(d, float(std::abs(phase.second_s - phase.first_s)));
     for (int i = 0; i < group; i += int(hn::Lanes(d))) {
       const auto load = [&](const float* from) HWY_ATTR { return hn::Load(d, from + i); };
       const auto f_x = load(t.forward_x), f_z = load(t.forward_z), v_x = load(t.flow_x), v_z = load(t.flow_z);
       const auto along = hn::Mul(load(t.stretch), hn::Add(hn::Mul(v_x, f_x), hn::Mul(v_z, f_z))),
                  across = hn::Sub(hn::Mul(v_z, f_x), hn::Mul(v_x, f_z)), back = hn::Set(d, -way_s);
       const auto stands = hn::And(hn::Eq(v_x, zero), hn::Eq(v_z, zero));
-      const auto square = hn::Add(hn::Mul(along, along), hn::Mul(across, across));
       const auto height =
-          flow_height(d, hn::Mul(hn::Mul(hn::Set(d, 0.5f), hn::Mul(apart, apart)), square), float(phase.first));
+          flow_height(d, pattern.decay_per_m2, hn::Mul(apart, along), hn::Mul(apart, across), float(phase.first));
       hn::Store(hn::IfThenElse(stands, turn == 0 ? one : zero, hn::Mul(height, hn::Set(d, part))), d, counts + i);
       for (int l = 0; l < pattern.count; ++l)
         locate(pattern.levels[l], hn::Add(load(t.bent_x), hn::Mul(back, along)),

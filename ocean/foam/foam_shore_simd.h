@@ -18,12 +18,12 @@ struct ShoreLevel {
 };
 struct ShorePattern {
   ShoreLevel levels[2];
-  int count = 0;         // none: the footprint has taken it all
-  float size;            // what displacements are to be multiplied with
-  float kept;            // share of the waves that the footprint keeps
-  float whole_moment;    // of the divergence
-  float middle_per_m;    // wave number in the middle of its band (flow_height)
-  float least_flow_mps;  // slower, water stands
+  int count = 0;           // none: the footprint has taken it all
+  float size;              // what displacements are to be multiplied with
+  float kept;              // share of the waves that the footprint keeps
+  float whole_moment;      // of the divergence
+  glm::vec3 decay_per_m2;  // of the pattern (flow_height)
+  float least_flow_mps;    // slower, water stands
 };
 
 // Where a texel lies along the curves, and what they bring it.

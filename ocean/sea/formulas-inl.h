@@ -2,6 +2,8 @@
 // compiles this for. Nothing fuses a multiplication with an addition: all instruction sets give the same bits.
 #include <hwy/highway.h>
 
+#include <glm/glm.hpp>
+
 #if defined(SEASCAPE_FORMULAS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SEASCAPE_FORMULAS_INL_H
 #undef SEASCAPE_FORMULAS_INL_H
@@ -53,7 +55,7 @@ HWY_INLINE hn::Vec<D> exp_minus(D d, hn::Vec<D> x) {
   return hn::IfThenElse(hn::Lt(x, hn::Set(d, 80.0f)), hn::Mul(sum, hn::BitCast(d, power)), hn::Zero(d));
 }
 
-// flow_height() of exp(-x), x being half the square of the way, in radians of the band's middle wave.
+// flow_height() of patterns that are so far alike.
 template <class D>
 HWY_INLINE hn::Vec<D> height_of_alike(D d, hn::Vec<D> alike, float first) {
   const float second = 1.0f - first;
@@ -62,8 +64,11 @@ HWY_INLINE hn::Vec<D> height_of_alike(D d, hn::Vec<D> alike, float first) {
   return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(sum));
 }
 template <class D>
-HWY_INLINE hn::Vec<D> flow_height(D d, hn::Vec<D> half_square, float first) {
-  return height_of_alike(d, exp_minus(d, half_square), first);
+HWY_INLINE hn::Vec<D> flow_height(D d, glm::vec3 decay_per_m2, hn::Vec<D> way_x, hn::Vec<D> way_z, float first) {
+  const auto by_x =
+                 hn::Add(hn::Mul(hn::Set(d, decay_per_m2.x), way_x), hn::Mul(hn::Set(d, 2.0f * decay_per_m2.z), way_z)),
+             apart = hn::Add(hn::Mul(by_x, way_x), hn::Mul(hn::Mul(hn::Set(d, decay_per_m2.y), way_z), way_z));
+  return height_of_alike(d, exp_minus(d, apart), first);
 }
 
 }  // namespace

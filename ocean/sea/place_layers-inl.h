@@ -23,18 +23,16 @@ namespace seascape {
 namespace HWY_NAMESPACE {
 namespace {
 
-// Two patterns that a current carries: how far each has come, and the square of the current.
+// Two patterns that a current carries: how far each has come, and the current.
 template <class N>
 struct Carried {
   std::array<N, 2> x, z;
-  N square;
+  N flow_x, flow_z;
 };
 template <class N>
 HWY_INLINE Carried<N> carried(const N& flow_x, const N& flow_z, const FlowPhase& phase) {
   const float first = float(phase.first_s), second = float(phase.second_s);
-  return {{times(flow_x, first), times(flow_x, second)},
-          {times(flow_z, first), times(flow_z, second)},
-          flow_x * flow_x + flow_z * flow_z};
+  return {{times(flow_x, first), times(flow_x, second)}, {times(flow_z, first), times(flow_z, second)}, flow_x, flow_z};
 }
 
 // flow_height() of these patterns, and what it grows by in a second.
@@ -44,17 +42,18 @@ struct CarriedHeight {
   V in_second;
 };
 template <class V, int count>
-HWY_INLINE CarriedHeight<V, count> carried_height(const Dual<V, count>& square, float factor, const FlowPhase& phase,
-                                                  float share_per_s) {
+HWY_INLINE CarriedHeight<V, count> carried_height(const Carried<Dual<V, count>>& by, const glm::vec3& decay,
+                                                  const FlowPhase& phase, float share_per_s) {
   const hn::DFromV<V> d;
   const float first = float(phase.first), second = 1.0f - first;
-  const auto half_square = times(square, factor);
-  const auto alike = exp_minus(d, half_square.value), height = height_of_alike(d, alike, first);
+  const auto apart = (times(by.flow_x, decay.x) + times(by.flow_z, 2.0f * decay.z)) * by.flow_x +
+                     times(by.flow_z, decay.y) * by.flow_z;
+  const auto alike = exp_minus(d, apart.value), height = height_of_alike(d, alike, first);
   CarriedHeight<V, count> result{constant<count>(height), hn::Zero(d)};
   if constexpr (count > 0) {
     const auto cube = hn::Mul(height, hn::Mul(height, height));
     const auto of_way = hn::Mul(cube, hn::Mul(alike, hn::Set(d, first * second)));
-    for (const std::size_t by : {by_x, by_z}) result.height.by[by] = hn::Mul(of_way, half_square.by[by]);
+    for (const std::size_t n : {by_x, by_z}) result.height.by[n] = hn::Mul(of_way, apart.by[n]);
     result.in_second =
         hn::Mul(hn::Mul(cube, hn::Sub(alike, hn::Set(d, 1.0f))), hn::Set(d, share_per_s * (first - second)));
   }
@@ -80,10 +79,10 @@ struct Laid {
   V x_s, z_s, there_s;  // what these grow by in a second of a current, where there are derivatives
 };
 
-// The bend at the rest positions of points i to i + lanes - 1.
+// The warp at the rest positions of points i to i + lanes - 1.
 template <int count, class D>
-HWY_INLINE void bend(D d, const PlacePlan& plan, const Group& g, int i, Dual<hn::Vec<D>, count>& x,
-                     Dual<hn::Vec<D>, count>& z) {
+HWY_INLINE void warp_at(D d, const PlacePlan& plan, const Group& g, int i, Dual<hn::Vec<D>, count>& x,
+                        Dual<hn::Vec<D>, count>& z) {
   const auto by = warped(d, plan.waves, g, hn::Load(d, g.way_x + i), hn::Load(d, g.way_z + i), i);
   x.value = by.x, z.value = by.z;
   if constexpr (count > 0) {
@@ -124,10 +123,10 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
   // Of a layer that a current carries both patterns; in still water both are the same, which is laid once.
   const auto put_carried = [&](int l, const N& x, const N& z, const N& there, const N& sideways, const Carried<N>& by,
                                const N& way_of_x, const N& way_of_z, V x_s, V z_s) HWY_ATTR {
-    const auto still = hn::Eq(by.square.value, zero.value);
+    const auto still = hn::And(hn::Eq(by.flow_x.value, zero.value), hn::Eq(by.flow_z.value, zero.value));
     const bool all_still = hn::AllTrue(d, still);
     CarriedHeight<V, count> sum{one, zero.value};
-    if (!all_still) sum = carried_height(by.square, plan.placed[std::size_t(l)].flow_height, plan.phase, share_per_s);
+    if (!all_still) sum = carried_height(by, plan.placed[std::size_t(l)].decay, plan.phase, share_per_s);
     for (std::size_t pattern = 0; pattern < (all_still ? 1u : 2u); ++pattern) {
       // A pattern whose turn begins has no share yet, but the share grows: it has to count as there (locate_placed).
       const float share = std::max(pattern == 0 ? first : 1.0f - first, 1e-20f);
@@ -147,8 +146,8 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
       put(l + int(pattern), laid);
     }
   };
-  N warp_x = zero, warp_z = zero;  // what the pattern that lies bent is shifted by
-  if (plan.waves.warp != nullptr) bend<count>(d, plan, g, i, warp_x, warp_z);
+  N warp_x = zero, warp_z = zero;  // what the warped pattern is shifted by
+  if (plan.waves.warp != nullptr) warp_at<count>(d, plan, g, i, warp_x, warp_z);
   Carried<N> by;
   if (plan.flow) by = carried(flow_x, flow_z, plan.phase);
   const auto not_x = hn::Neg(flow_x.value), not_z = hn::Neg(flow_z.value);
@@ -175,7 +174,7 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
         off_z = times(bend, plan.along[std::size_t(layer.bent)].y);
       }
     }
-    if (plan.waves.layers[std::size_t(l)].bent) off_x = off_x + warp_x, off_z = off_z + warp_z;
+    if (plan.waves.layers[std::size_t(l)].warped) off_x = off_x + warp_x, off_z = off_z + warp_z;
     if (plan.flow) {
       put_carried(l, off_x, off_z, there, sideways, by, way_x, way_z, not_x, not_z);
       l += 2;

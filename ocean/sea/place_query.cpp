@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "ocean/places/flow_phase.h"
 #include "ocean/sea/place_query_simd.h"
@@ -113,8 +112,7 @@ bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double time, const ClipRead& r
 namespace {
 // The layers of one place as a bed and a current have them: once, or once for each of two patterns.
 void place_layers(PlacePlan& plan, const QueryLayer& layer, PlacedLayer placed, const WaveField::Place& place) {
-  const double way = std::numbers::pi * plan.period_s;
-  placed.flow_height = float(0.5 * way * way / (place.longest_m * place.shortest_m));
+  placed.decay = glm::vec3(0.25 * plan.period_s * plan.period_s * place.decay_per_m2);
   placed.laid = layer.share * layer.laid[0];
   for (int pattern = plan.flow ? 0 : -1; pattern <= (plan.flow ? 1 : -1); ++pattern) {
     placed.pattern = std::int8_t(pattern);
@@ -138,7 +136,7 @@ void place_dynamic(PlacePlan& plan, const DynamicSurface& dynamic, double footpr
                        .runs_up = false,
                        .even = dynamic.share() == 1.0,
                        .pattern = -1,
-                       .flow_height = 0.0f,
+                       .decay = glm::vec3(0.0f),
                        .laid = 1.0f,
                        .end_m = end,
                        .per_border = 1.0f / (gpu::lod_border * end),

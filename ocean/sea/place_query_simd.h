@@ -48,7 +48,7 @@ struct PlacedLayer {
   bool runs_up;         // its height has the run-up's share besides
   bool even;            // its sideways displacement is multiplied with the same as its height
   std::int8_t pattern;  // 0 and 1: of two that a current carries; -1: there is no current
-  float flow_height;    // (k T / 2)^2 / 2 for a current's period T and the middle wave number k: times (m/s)^2
+  glm::vec3 decay;      // PatternMoments::decay_per_m2 times (T / 2)^2 for a current's period T, s^2/m^2
   float laid;           // QueryLayer::share, times the size that it is laid in
   // Of dynamic waves: the end of its window, one over the border in which it fades (m), what it counts for, and of that
   // what its sideways displacement does.

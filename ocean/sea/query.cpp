@@ -46,7 +46,7 @@ QueryPlan plan_queries(const WaveField& field, const WaveTiles& tiles, const Que
       const float laid = float(place.size);
       layer.laid = {laid, laid, laid, 1.0f};
       layer.plain = laid == 1.0f;
-      layer.bent = c == 0 && plan.warp != nullptr;
+      layer.warped = c == 0 && plan.warp != nullptr;
       layer.shift = plane(WavePlane::shift);
       layer.velocity = plan.velocity ? plane(WavePlane::velocity) : nullptr;
     }

@@ -42,7 +42,7 @@ struct Group {
   alignas(64) std::int32_t iterations[group];
   alignas(64) std::int32_t whole_x[most_layers][group], whole_z[most_layers][group];  // texel of the place, and
   alignas(64) float part_x[most_layers][group], part_z[most_layers][group];           // how far into it
-  alignas(64) std::int32_t warp_turns[gpu::warp_waves][group];  // phases of the bend at the places, times 2^32
+  alignas(64) std::int32_t warp_turns[gpu::warp_waves][group];  // phases of the warp at the places, times 2^32
   // Of the four texels that a sample blends, in the order (x, z), (x + 1, z), (x, z + 1), (x + 1, z + 1): where the
   // first of each row is, in floats from the plane's first, its bits turned over where the second is the row's first;
   // and their weights.
@@ -54,7 +54,7 @@ struct Group {
   alignas(64) float shift[4 * group], along_x[4 * group], along_z[4 * group], velocity[4 * group];
 };
 
-// The phases of the bend at the places asked.
+// The phases of the warp at the places asked.
 void place_in_warp(const PatternWarp& warp, Group& g, int count) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -63,7 +63,7 @@ void place_in_warp(const PatternWarp& warp, Group& g, int count) {
       hn::Store(warp_phase(d, warp.waves()[n], hn::Load(d, g.x + i), hn::Load(d, g.z + i)), di, g.warp_turns[n] + i);
 }
 
-// The bend at points i to i + lanes - 1, at these ways from the places asked.
+// The warp at points i to i + lanes - 1, at these ways from the places asked.
 template <class D>
 HWY_INLINE Warped<hn::Vec<D>> warped(D d, const QueryPlan& plan, const Group& g, hn::Vec<D> way_x, hn::Vec<D> way_z,
                                      int i) {
@@ -124,14 +124,14 @@ HWY_INLINE void locate_layer(D d, const QueryLayer& layer, int l, Group& g, cons
 template <class D>
 HWY_INLINE void locate(D d, const QueryPlan& plan, Group& g, int i) {
   const auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
-  auto bent_x = way_x, bent_z = way_z;
+  auto warped_x = way_x, warped_z = way_z;
   if (plan.warp != nullptr) {
-    const auto bend = warped(d, plan, g, way_x, way_z, i);
-    bent_x = hn::Add(bent_x, bend.x), bent_z = hn::Add(bent_z, bend.z);
+    const auto warp = warped(d, plan, g, way_x, way_z, i);
+    warped_x = hn::Add(warped_x, warp.x), warped_z = hn::Add(warped_z, warp.z);
   }
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const Spot<D> at = spot(d, layer, l, g, layer.bent ? bent_x : way_x, layer.bent ? bent_z : way_z, i);
+    const Spot<D> at = spot(d, layer, l, g, layer.warped ? warped_x : way_x, layer.warped ? warped_z : way_z, i);
     locate_layer(d, layer, l, g, at, hn::Set(d, layer.share), i);
   }
 }
@@ -142,12 +142,12 @@ template <class D>
 HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
   const auto one = hn::Set(d, 1.0f);
   const auto way_x = hn::Load(d, g.way_x + i), way_z = hn::Load(d, g.way_z + i);
-  auto bend = unwarped(d);
-  if (plan.warp != nullptr) bend = warped(d, plan, g, way_x, way_z, i);
+  auto warp = unwarped(d);
+  if (plan.warp != nullptr) warp = warped(d, plan, g, way_x, way_z, i);
   for (int l = 0; l < plan.count; ++l) {
     const QueryLayer& layer = plan.layers[std::size_t(l)];
-    const Spot<D> at = layer.bent ? spot(d, layer, l, g, hn::Add(way_x, bend.x), hn::Add(way_z, bend.z), i)
-                                  : spot(d, layer, l, g, way_x, way_z, i);
+    const Spot<D> at = layer.warped ? spot(d, layer, l, g, hn::Add(way_x, warp.x), hn::Add(way_z, warp.z), i)
+                                    : spot(d, layer, l, g, way_x, way_z, i);
     const auto left = hn::Sub(one, at.right), above = hn::Sub(one, at.below);
     const auto store = [&](hn::Vec<D> u, hn::Vec<D> v, float* to) HWY_ATTR {
       const auto u_above = hn::Mul(u, above), u_below = hn::Mul(u, at.below);
@@ -156,16 +156,16 @@ HWY_INLINE void locate_slopes(D d, const QueryPlan& plan, Group& g, int i) {
                             hn::Add(u_below, v_right), d, to);
     };
     const float cosine = layer.cosine_a_texel * layer.share, sine = layer.sine_a_texel * layer.share;
-    if (HWY_UNLIKELY(layer.bent)) {
+    if (HWY_UNLIKELY(layer.warped)) {
       // Of a way along (x, z) of the pattern that a metre makes.
       const auto columns = [&](hn::Vec<D> x, hn::Vec<D> z) HWY_ATTR {
         return hn::Add(hn::Mul(hn::Set(d, cosine), x), hn::Mul(hn::Set(d, sine), z));
       };
       const auto rows = [&](hn::Vec<D> x, hn::Vec<D> z)
                             HWY_ATTR { return hn::Sub(hn::Mul(hn::Set(d, cosine), z), hn::Mul(hn::Set(d, sine), x)); };
-      const auto xx = hn::Add(one, bend.x_by_x), zz = hn::Add(one, bend.z_by_z);
-      store(columns(xx, bend.z_by_x), rows(xx, bend.z_by_x), g.weight_x[l] + 4 * i);
-      store(columns(bend.x_by_z, zz), rows(bend.x_by_z, zz), g.weight_z[l] + 4 * i);
+      const auto xx = hn::Add(one, warp.x_by_x), zz = hn::Add(one, warp.z_by_z);
+      store(columns(xx, warp.z_by_x), rows(xx, warp.z_by_x), g.weight_x[l] + 4 * i);
+      store(columns(warp.x_by_z, zz), rows(warp.x_by_z, zz), g.weight_z[l] + 4 * i);
       continue;
     }
     store(hn::Set(d, cosine), hn::Set(d, -sine), g.weight_x[l] + 4 * i);

@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// PatternWarp::Bend: the shift, and what it grows by.
+// PatternWarp::Local: the shift, and what it grows by.
 template <class V>
 struct Warped {
   V x, z;
@@ -47,7 +47,7 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> warp_phase(D d, const PatternWar
   return hn::DemoteTo(hn::Rebind<std::int32_t, D>(), hn::Max(hn::Neg(most), hn::Min(part, most)));
 }
 
-// A wave's share of the bend at these ways from where it has this phase.
+// A wave's share of the warp at these ways from where it has this phase.
 template <class D>
 HWY_INLINE void add_wave(D d, const PatternWarp::Wave& wave, hn::Vec<hn::RebindToSigned<D>> phase, hn::Vec<D> way_x,
                          hn::Vec<D> way_z, Warped<hn::Vec<D>>& to) {

@@ -11,12 +11,13 @@ namespace {
 constexpr double longest_side = 16937.0,
                  longest_last = 2.47;  // sides of the first and the last tile of the longest class
 constexpr int classes = 8;             // each half as long as the one before
-constexpr int straight = 3;            // of them; the rest are laid bent
+constexpr int straight = 3;            // of them; the rest are warped
 // Share of the variance that the shorter tiles may carry. The last straight class may leave more: it has tiled no more
-// than is allowed with what the next one would take over, and a bent sea's copies add next to nothing.
+// than is allowed with what the next one would take over, and a warped sea's copies add next to nothing.
 constexpr double most_left(int index) { return index + 1 < straight ? 0.125 : 0.15; }
 constexpr double no_help = 0.5;  // of ripples that even the last class leaves, and a tile of 4.2 km may as well
-// A bent tile has no place for waves that are long beside it: their copies are hardly shifted, and few bins hold them.
+// A warped tile has no place for waves that are long beside it: their copies are hardly shifted, and few bins hold
+// them.
 constexpr double long_beside = 1.0 / 16.0, most_long = 0.02;
 // |m| between which a tile hands over to the next.
 constexpr std::array<double, 2> fade{25.0, 31.0}, long_fade{108.0, 127.0};
@@ -82,7 +83,7 @@ Ladder ladder(const SeaState& sea) {
     const auto& edge = i == 0 ? long_fade : fade;
     c.k_out = {edge[0] * step, edge[1] * step};
     c.k_in = i == 0 ? std::array<double, 2>{0.0, 0.0} : result[i - 1].k_out;
-    c.bent = i == 0 && chosen >= straight;
+    c.warped = i == 0 && chosen >= straight;
   }
   return result;
 }

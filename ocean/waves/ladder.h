@@ -25,7 +25,7 @@ struct Cascade {
   // The share of variance of a wave number that this cascade carries: it rises from k_in[0] to k_in[1] and falls from
   // k_out[0] to k_out[1] (rad/m); neighbours' shares add to one (band_share).
   std::array<double, 2> k_in, k_out;
-  bool bent = false;  // its pattern is laid bent (pattern_warp.h)
+  bool warped = false;  // by pattern_warp.h
 };
 
 using Ladder = std::array<Cascade, gpu::max_cascades>;
@@ -33,10 +33,10 @@ using Ladder = std::array<Cascade, gpu::max_cascades>;
 // The longest tile has one of eight sides (132 m to 16.9 km, each twice the one before), so that a change of wind
 // within a class keeps every wave in its place: the longest that leaves little of the sea's variance to the shorter
 // tiles, which repeat within sight. Little is an eighth, and 0.15 from 4.2 km down. A light wind's waves are too short
-// for a tile of 4.2 km. A shorter one would repeat within sight itself, and is laid bent. Where a swell is too long for
-// a bent tile (a fiftieth of the variance in waves longer than a sixteenth of it), the tile stays as long as it has to.
-// So it does, at 4.2 km, where a wind below 2 m/s makes waves too short for any. The sides after it fall by a ratio of
-// 2 to 6.5 to a last one of 1.5 to 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31 and
+// for a tile of 4.2 km. A shorter one would repeat within sight itself, and is warped. Where a swell is too long for
+// a warped tile (a fiftieth of the variance in waves longer than a sixteenth of it), the tile stays as long as it has
+// to. So it does, at 4.2 km, where a wind below 2 m/s makes waves too short for any. The sides after it fall by a ratio
+// of 2 to 6.5 to a last one of 1.5 to 2.5 m. The longest tile carries |m| < 127 of its waves, the others |m| < 31 and
 // start where |m| is about 5 or more. Throws Error as validate() does.
 Ladder ladder(const SeaState& sea);
 

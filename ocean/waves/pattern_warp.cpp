@@ -8,7 +8,7 @@
 namespace seascape {
 
 namespace {
-// A wave of the bend in the tile's own axes: its wave vector, the direction that it shifts in, its strain and its
+// A wave of the warp in the tile's own axes: its wave vector, the direction that it shifts in, its strain and its
 // phase.
 struct Shape {
   bool by_side;  // the wave vector is in turns a side; else in turns in 10 km
@@ -23,8 +23,8 @@ constexpr Shape shapes[gpu::warp_waves] = {{true, {0.30797, 0.19657}, 17.7, 0.03
                                            {false, {0.08615, 0.94087}, 96.5, 0.01859, 0.97}};
 }  // namespace
 
-PatternWarp::PatternWarp(const Ladder& ladder) : bent_(ladder[0].bent) {
-  if (!bent_) return;
+PatternWarp::PatternWarp(const Ladder& ladder) : warped_(ladder[0].warped) {
+  if (!warped_) return;
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     const Shape& shape = shapes[i];
     const double rotation = ladder[0].rotation_rad, towards = shape.towards_deg * std::numbers::pi / 180.0;
@@ -34,21 +34,21 @@ PatternWarp::PatternWarp(const Ladder& ladder) : bent_(ladder[0].bent) {
   }
 }
 
-PatternWarp::Bend PatternWarp::at(glm::dvec2 rest) const {
-  Bend bend;
+PatternWarp::Local PatternWarp::at(glm::dvec2 rest) const {
+  Local warp;
   for (const Wave& wave : waves_) {
     const glm::dvec2 turn(
         gpu::cos_sin_turns(gpu::warp_turns(wave.along.x, wave.along.y, wave.phase, rest.x, rest.y)));  // cosine, sine
-    bend.shift_m += turn.y * wave.way;
+    warp.shift_m += turn.y * wave.way;
     for (int by = 0; by < 2; ++by)
-      for (int of = 0; of < 2; ++of) bend.growth[by][of] += gpu::warp_growth(wave.way[of], wave.along[by], turn.x);
+      for (int of = 0; of < 2; ++of) warp.growth[by][of] += gpu::warp_growth(wave.way[of], wave.along[by], turn.x);
   }
-  return bend;
+  return warp;
 }
 
-glm::dvec3 PatternWarp::Bend::of_moments(const glm::dvec3& m) const {
-  const glm::dmat2 bent = glm::dmat2(1.0) + growth;
-  const glm::dmat2 result = glm::transpose(bent) * glm::dmat2(m.x, m.z, m.z, m.y) * bent;
+glm::dvec3 PatternWarp::Local::of_moments(const glm::dvec3& m) const {
+  const glm::dmat2 warped = glm::dmat2(1.0) + growth;
+  const glm::dmat2 result = glm::transpose(warped) * glm::dmat2(m.x, m.z, m.z, m.y) * warped;
   return {result[0][0], result[1][1], result[0][1]};
 }
 

@@ -1,4 +1,4 @@
-// The bend that a light sea's longest tile is laid with: a smooth shift of its pattern, the same at every quality.
+// The warp of a light sea's longest tile: a smooth shift of its pattern, the same at every quality.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -22,11 +22,11 @@ class PatternWarp {
     double phase;      // at the world's origin, turns
   };
   using Waves = std::array<Wave, gpu::warp_waves>;
-  // At a place; columns of `growth`: what the shift grows by in a metre along x and z.
-  struct Bend {
+  // The warp at a place; columns of `growth`: what the shift grows by in a metre along x and z.
+  struct Local {
     glm::dvec2 shift_m{0.0};
     glm::dmat2 growth{0.0};
-    // Of a pattern's gradient what the bent pattern's is.
+    // Of a pattern's gradient what the warped pattern's is.
     glm::dvec2 of(glm::dvec2 gradient) const { return gradient + gradient * growth; }
     // The same of second moments of gradients (xx, zz, xz).
     glm::dvec3 of_moments(const glm::dvec3& moments) const;
@@ -34,14 +34,14 @@ class PatternWarp {
 
   PatternWarp() = default;  // none
   explicit PatternWarp(const Ladder& ladder);
-  explicit operator bool() const { return bent_; }
-  Bend at(glm::dvec2 rest_m) const;
+  explicit operator bool() const { return warped_; }
+  Local at(glm::dvec2 rest_m) const;
   const Waves& waves() const { return waves_; }
   // For rest positions counted from `origin_m`, whose phases are found in double.
   gpu::WarpData from(glm::dvec2 origin_m) const;
 
  private:
-  bool bent_ = false;
+  bool warped_ = false;
   Waves waves_{};
 };
 

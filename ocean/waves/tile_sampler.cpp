@@ -34,8 +34,8 @@ WaveField::Filter WaveField::filter(double footprint_m) const {
 
 SampledPlaces WaveField::sampled(const WaveTiles& tiles, glm::dvec2 rest_m, const Filter& filter) const {
   assert(tiles.cascades() == quality_.cascades && tiles.layout().resolution == quality_.resolution);
-  const bool bent = bool(warp_);
-  return {tiles, places(), rest_m, bent, bent ? warp_.at(rest_m) : PatternWarp::Bend{}, filter};
+  const bool warped = bool(warp_);
+  return {tiles, places(), rest_m, warped, warped ? warp_.at(rest_m) : PatternWarp::Local{}, filter};
 }
 
 SeaSample WaveField::sea(const WaveTiles& tiles, glm::dvec2 rest_xz_m, const Filter& filter) const {

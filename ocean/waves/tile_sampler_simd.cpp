@@ -82,7 +82,7 @@ struct PlaneSum {
 struct SeaSum {
   const WaveTiles& tiles;
   SeaSample& to;
-  const PatternWarp::Bend* bend;  // of the first place; null: it lies straight
+  const PatternWarp::Local* warp;  // of the first place; null: it lies straight
   HWY_INLINE void resolved(const LevelSpot& spot) {
     const double share = spot.share;
     const glm::dvec4 shift = share * sample(tiles, spot, WavePlane::shift),
@@ -92,9 +92,9 @@ struct SeaSum {
     to.displacement += spot.size * glm::dvec3(shift);
     const glm::dvec3 below(std::max(moments.x - slope.x * slope.x, 0.0), std::max(moments.y - slope.y * slope.y, 0.0),
                            moments.z - slope.x * slope.y);
-    if (bend != nullptr && spot.number == 0) {
-      add_bent(slope, shift.w);
-      to.slope_moments += bend->of_moments(below);
+    if (warp != nullptr && spot.number == 0) {
+      add_warped(slope, shift.w);
+      to.slope_moments += warp->of_moments(below);
     } else {
       to.height_gradient += glm::dvec2(slope);
       to.shift_gradient += glm::dvec3(slope.z, slope.w, shift.w);
@@ -105,13 +105,13 @@ struct SeaSum {
   }
   void unresolved(std::size_t number, int tile) {
     const glm::dvec4 moments(*tiles.texels(tile, WavePlane::moments, tiles.levels(tile) - 1));
-    to.slope_moments += bend != nullptr && number == 0 ? bend->of_moments(glm::dvec3(moments)) : glm::dvec3(moments);
+    to.slope_moments += warp != nullptr && number == 0 ? warp->of_moments(glm::dvec3(moments)) : glm::dvec3(moments);
     to.divergence_moment += moments.w;
   }
-  // The two halves of a bent pattern's shear differ by less than its strain times the shift's, and have their mean.
-  void add_bent(const glm::dvec4& slope, double shear) {
-    const glm::dvec2 of_x = bend->of({slope.z, shear}), of_z = bend->of({shear, slope.w});
-    to.height_gradient += bend->of(glm::dvec2(slope));
+  // The two halves of a warped pattern's shear differ by less than its strain times the shift's, and have their mean.
+  void add_warped(const glm::dvec4& slope, double shear) {
+    const glm::dvec2 of_x = warp->of({slope.z, shear}), of_z = warp->of({shear, slope.w});
+    to.height_gradient += warp->of(glm::dvec2(slope));
     to.shift_gradient += glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x));
   }
 };
@@ -132,7 +132,7 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
     const hn::FixedTag<double, 1> d;
     const WaveField::Place& place = places.places[n];
     glm::dvec2 from = places.rest_m;
-    if (n == 0 && places.bent) from += places.bend.shift_m;
+    if (n == 0 && places.warped) from += places.warp.shift_m;
     const auto at = in_tile(d, hn::Set(d, place.cosine), hn::Set(d, place.sine), hn::Set(d, place.inverse_side),
                             hn::Set(d, from.x), hn::Set(d, from.y));
     const int level = filter.level[n];
@@ -152,7 +152,7 @@ HWY_INLINE void visit_places(const SampledPlaces& places, Visit visit) {
 }  // namespace
 
 void sum_sea(const SampledPlaces& places, SeaSample& to) {
-  visit_places(places, SeaSum{places.tiles, to, places.bent ? &places.bend : nullptr});
+  visit_places(places, SeaSum{places.tiles, to, places.warped ? &places.warp : nullptr});
 }
 void sum_plane(const SampledPlaces& places, WavePlane plane, glm::dvec3& to) {
   visit_places(places, PlaneSum{places.tiles, plane, to});

@@ -12,8 +12,8 @@ struct SampledPlaces {
   const WaveTiles& tiles;
   std::span<const WaveField::Place> places;
   glm::dvec2 rest_m;
-  bool bent;  // the first place, by this
-  PatternWarp::Bend bend;
+  bool warped;  // the first place, by this
+  PatternWarp::Local warp;
   const WaveField::Filter& filter;
 };
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ocean/waves/dispersion.h"
+#include "ocean/waves/pattern_moments.h"
 #include "ocean/waves/spectrum.h"
 #include "ocean/waves/wave_tiles.h"
 #include "ocean/waves/wave_tiles_simd.h"
@@ -75,7 +76,8 @@ WaveField::WaveField(const SeaState& sea, const WaveQuality& quality, WaveBins b
     plans_.push_back(make_fft_plan(samples, std::min(samples, bins_of(i))));
     tables_.push_back(make_table(sea, bins_, i, samples, plans_.back().band));
     places_.push_back({std::cos(cascade.rotation_rad), std::sin(cascade.rotation_rad), 1.0 / cascade.side_m,
-                       cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade), shortest_wave(cascade)});
+                       cascade.side_m / samples, i, 0.0, 1.0, longest_wave(cascade),
+                       pattern_moments(bins_, i).decay_per_m2()});
   }
   if (quality.cascades > 0) warp_ = PatternWarp(bins_.ladder);
   feed(std::move(others));
@@ -94,7 +96,7 @@ void WaveField::feed(TileSources others) {
     for (const Laying& laying : others_[s]->layings())
       places_.push_back({std::cos(laying.rotation_rad), std::sin(laying.rotation_rad), 1.0 / laying.side_m,
                          laying.side_m / others_[s]->samples(), quality_.cascades + int(s), laying.offset, laying.size,
-                         laying.longest_m, laying.shortest_m});
+                         laying.longest_m, pattern_moments(*others_[s], laying).decay_per_m2()});
   }
   assert(places_.size() <= std::size_t(most_places));
 }
@@ -119,6 +121,7 @@ void WaveField::take(const WaveBins& bins, double chop, const SeaStatistics& sta
         table.shift_x[at] = towards * table.kx[at];
         table.shift_z[at] = towards * table.kz[at];
       }
+    places_[std::size_t(cascade)].decay_per_m2 = pattern_moments(bins_, cascade).decay_per_m2();
   });
 }
 

@@ -199,7 +199,8 @@ class WaveField {
     double cosine, sine, inverse_side, texel_m;
     int tile;                         // whose: cascades, then sources
     double offset = 0.0, size = 1.0;  // of a laying (tile_source.h)
-    double longest_m = 0.0, shortest_m = 0.0;
+    double longest_m = 0.0;
+    glm::dvec3 decay_per_m2{0.0};  // PatternMoments
   };
   std::span<const Place> places() const {
     return {places_.data(), laid_};
@@ -208,7 +209,7 @@ class WaveField {
   const Place& curved_place() const { return places_[laid_]; }
   std::size_t curved() const { return laid_; }
   const TileSources& others() const { return others_; }
-  // How the first cascade's pattern is bent, which is the first place; none where it lies straight.
+  // The warp of the first cascade's pattern, which is the first place; none where it lies straight.
   const PatternWarp& warp() const { return warp_; }
 
  private:

@@ -4,7 +4,8 @@
 
 // What the two patterns' weighted sum has to be multiplied by. `flow`: the water's velocity, m/s.
 float flow_height(CascadeData c, vec2 flow) {
-  return flow_height(c.moments.w, c.origin.w, length(flow) * frame.sea.place.flow.w, frame.sea.place.flow.z);
+  const vec2 way = flow * frame.sea.place.flow.w;
+  return flow_height(c.decay.x, c.decay.y, c.decay.z, way.x, way.y, frame.sea.place.flow.z);
 }
 
 // The sum of the two patterns' texels at tile coordinates `at`.

@@ -23,7 +23,7 @@ layout(constant_id = value_cascades) const int cascade_count = max_cascades;
 // Of the samplers of slopes; 1 where the driver has no other.
 layout(constant_id = value_anisotropy) const float anisotropy = 1.0;
 
-// Whether the first cascade's pattern lies bent, as in light seas; false: nothing of it is left here.
+// Whether the first cascade's pattern is warped, as in light seas; false: nothing of it is left here.
 layout(constant_id = value_warp) const bool sea_warp = false;
 
 // A recorded loop's tile (the effect baked); 0: there is none, and nothing of it is left here.
@@ -175,7 +175,7 @@ float level_blur(vec3 to_eye, float pixel) {
   return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
 }
 
-// Of a cascade's derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), those of its pattern as a bed and the bend have it.
+// Of a cascade's derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), those of its pattern as a bed and the warp have it.
 vec4 drawn_derivatives(SeaPlace place, vec4 d, int number) {
   vec4 drawn = d;
   if (sea_bed) drawn = sea_bed_derivatives(place.bed, d, number);

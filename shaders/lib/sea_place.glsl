@@ -17,7 +17,7 @@ struct SeaShore {
   vec2 bent;      // the place in the pattern, m
 };
 
-// The bend of the first cascade's pattern: how far it is shifted, m, and what that grows by in a metre: (x by x, x by
+// The warp of the first cascade's pattern: how far it is shifted, m, and what that grows by in a metre: (x by x, x by
 // z, z by x, z by z).
 struct SeaWarp {
   vec2 shift;

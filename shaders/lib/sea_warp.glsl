@@ -1,4 +1,4 @@
-// The bend of the first cascade's pattern in light seas. Part of lib/sea.glsl; the C++ twin is
+// The warp of the first cascade's pattern in light seas. Part of lib/sea.glsl; the C++ twin is
 // ocean/waves/pattern_warp.cpp.
 #include "shared/phase.h"
 
@@ -20,7 +20,7 @@ vec2 sea_warp_shift(SeaWarp warp, CascadeData c, int number) {
   return number == 0 ? tile_vector(c, warp.shift) : vec2(0.0);
 }
 
-// What the bend adds to derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), the shift's shear left out.
+// What the warp adds to derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), the shift's shear left out.
 vec4 sea_warp_growth(SeaWarp warp, vec4 d, int number) {
   return number == 0 ? vec4(dot(d.xy, warp.growth.xz), dot(d.xy, warp.growth.yw), d.zw * warp.growth.xw) : vec4(0.0);
 }

@@ -9,12 +9,12 @@ using glm::sqrt;
 #endif
 
 // What the weighted sum of two patterns of one band of waves has to be multiplied by to stand as high as either, which
-// lie `way_m` apart and of which the first counts for `first` and the second for the rest. They are alike as far as the
-// way is short against their waves, by a Gaussian of the way over the band's middle wave length.
-SEASCAPE_REAL_FUNCTION Real flow_height(Real longest_m, Real shortest_m, Real way_m, Real first) {
-  Real way = Real(6.283185307179586) / sqrt(longest_m * shortest_m) * way_m;
+// lie (way_x, way_z) metres apart and of which the first counts for `first` and the second for the rest. `xx`, `zz`,
+// `xz`: how fast they cease to be alike, 1/m^2 (PatternMoments::decay_per_m2).
+SEASCAPE_REAL_FUNCTION Real flow_height(Real xx, Real zz, Real xz, Real way_x, Real way_z, Real first) {
+  Real alike = exp(-(xx * way_x * way_x + zz * way_z * way_z + Real(2.0) * xz * way_x * way_z));
   Real second = Real(1.0) - first;
-  return Real(1.0) / sqrt(first * first + second * second + Real(2.0) * first * second * exp(Real(-0.5) * way * way));
+  return Real(1.0) / sqrt(first * first + second * second + Real(2.0) * first * second * alike);
 }
 
 SEASCAPE_SHARED_END

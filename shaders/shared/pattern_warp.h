@@ -1,5 +1,5 @@
-// How the longest tile's pattern is laid in a light sea: bent by a few long waves of shift, so that copies of the tile
-// are unlike each other (ocean/waves/pattern_warp.h). Shared by C++ and GLSL.
+// How the longest tile's pattern is laid in a light sea: warped by a few long waves of shift, so that copies of the
+// tile are unlike each other (ocean/waves/pattern_warp.h). Shared by C++ and GLSL.
 #ifndef SEASCAPE_PATTERN_WARP_H
 #define SEASCAPE_PATTERN_WARP_H
 #include "gpu_types.h"

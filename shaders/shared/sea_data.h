@@ -15,6 +15,7 @@ struct CascadeData {
   vec4 origin;   // xy: tile coordinates of the grid origin, half a texel added; z: metres a texel; w: its shortest wave
                  // in metres
   vec4 moments;  // E[hx^2], E[hz^2], E[hx hz] over the whole tile; w: its longest wave in metres
+  vec4 decay;    // xyz: how fast it ceases to be like itself with distance, 1/m^2 (PatternMoments::decay_per_m2)
 };
 
 SEASCAPE_CONST int max_dynamic_levels = 8;

@@ -141,8 +141,8 @@ TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
     }
 }
 
-// A light sea, whose longest tile is laid bent, at the world's origin and a thousand kilometres out, and in a current
-// and over a bed. Controls seen: the bend's phases taken at the world's origin and not the grid's; the bend left out of
+// A light sea, whose longest tile is warped, at the world's origin and a thousand kilometres out, and in a current
+// and over a bed. Controls seen: the warp's phases taken at the world's origin and not the grid's; the warp left out of
 // the shaders (0.1 to 1 m).
 TEST_P(DrawnSurface, StandsThereInLightSeas) {
   for (const char* wind : {"3", "7"}) {

@@ -7,7 +7,8 @@
 layout(local_size_x = 64) in;
 struct Given {
   vec4 height_shift;  // dh/dx, dh/dz, dDx/dx, dDz/dz
-  vec4 shear_flow;    // dDx/dz; longest and shortest wave and the way between two patterns, m
+  vec4 shear_decay;   // dDx/dz; how fast two patterns cease to be alike, 1/m^2
+  vec4 way;           // xy: between them, m
 };
 layout(std430, binding = 0) readonly buffer In { Given given[]; };
 layout(std430, binding = 1) writeonly buffer Out { vec4 found[]; };  // slope, Jacobian, height of the patterns
@@ -15,8 +16,8 @@ layout(std430, binding = 1) writeonly buffer Out { vec4 found[]; };  // slope, J
 void main() {
   const Given g = given[gl_GlobalInvocationID.x];
   const vec2 slope = surface_slope(g.height_shift.x, g.height_shift.y, g.height_shift.z, g.height_shift.w,
-                                   g.shear_flow.x, g.shear_flow.x);
+                                   g.shear_decay.x, g.shear_decay.x);
   found[gl_GlobalInvocationID.x] =
-      vec4(slope, surface_jacobian(g.height_shift.z, g.height_shift.w, g.shear_flow.x, g.shear_flow.x),
-           flow_height(g.shear_flow.y, g.shear_flow.z, g.shear_flow.w, 0.3));
+      vec4(slope, surface_jacobian(g.height_shift.z, g.height_shift.w, g.shear_decay.x, g.shear_decay.x),
+           flow_height(g.shear_decay.y, g.shear_decay.z, g.shear_decay.w, g.way.x, g.way.y, 0.3));
 }

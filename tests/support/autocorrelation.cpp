@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "tests/support/bent_tile.h"
+#include "tests/support/warped_tile.h"
 
 namespace truth {
 
@@ -112,7 +112,7 @@ class Search {
       };
       fields_.emplace_back(tile.half, size, at);
       shares_.push_back(tile.total() / sum);
-      if (!tile.warp.empty()) bent_.emplace_back(tile, sum), kept_ = 10;
+      if (!tile.warp.empty()) warped_.emplace_back(tile, sum), kept_ = 10;
       for (int mz = -tile.half + 1; mz < tile.half; ++mz)
         for (int mx = -tile.half + 1; mx < tile.half; ++mx)
           waves_.push_back({tile.side_m / std::max(1e-9, std::hypot(double(mx), double(mz))), at(mx, mz)});
@@ -136,10 +136,10 @@ class Search {
     }
     return sum;
   }
-  double excess(double x, double z) const { return tiles_at(x, z, true) + bent_at(x, z) - continuous_.at(x, z); }
-  double bent_at(double x, double z) const {
+  double excess(double x, double z) const { return tiles_at(x, z, true) + warped_at(x, z) - continuous_.at(x, z); }
+  double warped_at(double x, double z) const {
     double sum = 0.0;
-    for (const BentTile& tile : bent_) sum += tile.at(x, z);
+    for (const WarpedTile& tile : warped_) sum += tile.at(x, z);
     return sum;
   }
 
@@ -152,10 +152,10 @@ class Search {
         propose({tiles_at(x, z, false, 0.002) - continuous_.at(x, z), x, z, 0.0, 0.0, -1});
       }
     settle();
-    std::size_t bent = 0;
+    std::size_t warped = 0;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       if (!tiles_[i].warp.empty()) {
-        search_bent(bent_[bent++], tiles_[i].side_m, int(i));
+        search_warped(warped_[warped++], tiles_[i].side_m, int(i));
         continue;
       }
       if (shares_[i] < 0.002) continue;
@@ -166,13 +166,14 @@ class Search {
           const double u = ix * side, v = iz * side, r2 = u * u + v * v;
           if (r2 < from_ * from_ || r2 > to_ * to_) continue;
           const double x = c * u - s * v, z = s * u + c * v;
-          // Of tiles that repeat so often what bent tiles add counts in the climb alone: at most a few hundredths more.
+          // Of tiles that repeat so often what warped tiles add counts in the climb alone: at most a few hundredths
+          // more.
           const double value = shares_[i] < 0.07 ? tiles_at(x, z, true) - continuous_.at(x, z) : excess(x, z);
           propose({value, x, z, 0.0, 0.0, int(i)});
         }
       settle();
     }
-    best_.tiles = tiles_at(best_.x_m, best_.z_m, true) + bent_at(best_.x_m, best_.z_m);
+    best_.tiles = tiles_at(best_.x_m, best_.z_m, true) + warped_at(best_.x_m, best_.z_m);
     best_.continuous = continuous_.at(best_.x_m, best_.z_m);
     return best_;
   }
@@ -188,7 +189,7 @@ class Search {
     candidates_.push_back(e);
     std::push_heap(candidates_.begin(), candidates_.end(), more);
   }
-  void search_bent(const BentTile& tile, double side, int lattice) {
+  void search_warped(const WarpedTile& tile, double side, int lattice) {
     const double wave = tile.middle_wave_m();
     const int most = int(to_ / side) + 1;
     for (int iz = 0; iz <= most; ++iz)
@@ -240,7 +241,7 @@ class Search {
   double from_, to_, step_ = 3.0;
   std::size_t kept_ = 40;  // candidates; fewer where a climb is a long sum
   std::vector<PeriodicField> fields_;
-  std::vector<BentTile> bent_;
+  std::vector<WarpedTile> warped_;
   std::vector<double> shares_;
   std::vector<std::pair<double, double>> waves_;  // length (m), share of the variance
   std::vector<Excess> candidates_;

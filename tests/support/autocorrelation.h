@@ -8,7 +8,7 @@
 
 namespace truth {
 
-// A wave of shift that a tile is laid bent by: its pattern at x is taken at x + way sin(2 pi (along . x + a phase)).
+// A wave of shift that a tile is warped by: its pattern at x is taken at x + way sin(2 pi (along . x + a phase)).
 struct WarpWave {
   double along_x, along_z;  // turns a metre
   double way_x, way_z;      // m
@@ -65,8 +65,8 @@ struct Excess {
 
 // The largest excess over all lags of from_m to to_m: a dense search at a sixth of the wave of which nine tenths of the
 // variance are longer (at least 3 m), every whole-tile vector of every tile, and a climb from the best of both. Tiles
-// that lie bent (bent_tile.h) are searched as far around every whole-tile vector as their copies are shifted, and at
-// 1,000 lags between.
+// that are warped (warped_tile.h) are searched as far around every whole-tile vector as their copies are shifted, and
+// at 1,000 lags between.
 Excess largest_excess(std::span<const SpectralTile> tiles, const ContinuousAutocorrelation& continuous,
                       double from_m = 1000.0, double to_m = 4000.0);
 

@@ -138,8 +138,9 @@ void PlaceTruth::carry(Here& here, const Asked& asked) const {
   const std::vector<Part> parts = std::exchange(here.parts, {});
   for (const Part& whole : parts) {
     const WaveField::Place& place = asked.field.places()[whole.of];
-    const double height =
-        gpu::flow_height(place.longest_m, place.shortest_m, glm::length(velocity) * 0.5 * period_s, phase.first);
+    const glm::dvec2 apart = 0.5 * period_s * velocity;
+    const glm::dvec3 decay = place.decay_per_m2;
+    const double height = gpu::flow_height(decay.x, decay.y, decay.z, apart.x, apart.y, phase.first);
     for (const bool first : {true, false}) {
       Part part = whole;
       part.place -= velocity * (first ? phase.first_s : phase.second_s);
@@ -153,8 +154,9 @@ void PlaceTruth::carry(Here& here, const Asked& asked) const {
     const glm::dvec2 bent(double(whole.at.stretch) * glm::dot(velocity, whole.at.forward),
                           glm::dot(velocity, whole.at.right()));
     const WaveField::Place& place = asked.field.curved_place();
-    const double height = gpu::flow_height(place.longest_m, place.shortest_m,
-                                           glm::length(bent) * std::abs(phase.second_s - phase.first_s), phase.first);
+    const glm::dvec2 apart = std::abs(phase.second_s - phase.first_s) * bent;
+    const glm::dvec3 decay = place.decay_per_m2;
+    const double height = gpu::flow_height(decay.x, decay.y, decay.z, apart.x, apart.y, phase.first);
     for (const bool first : {true, false}) {
       Curved part = whole;
       part.at.bent_m -= (first ? phase.first_s : phase.second_s) * bent;

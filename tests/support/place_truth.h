@@ -31,7 +31,7 @@ class PlaceTruth : public PlaceSea {
     double share = 1.0, lift = 1.0;    // of its displacement; of its height
     glm::dvec2 lift_gradient{0.0};     // a metre
     glm::dvec2 along{0.0}, bend{0.0};  // Refraction: the pattern's direction, and the gradient of its shift
-    glm::dmat2 warp{0.0};              // of a light sea's longest tile: what the bend's shift grows by along x and z
+    glm::dmat2 warp{0.0};              // of a light sea's longest tile: what the warp's shift grows by along x and z
   };
   // Waves along a curve.
   struct Curved {

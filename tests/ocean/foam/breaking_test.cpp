@@ -31,8 +31,7 @@ struct Level {
   std::optional<WarpRow> warp;
   std::vector<glm::vec4> slope, shift;
   BreakingLayer layer;
-  double longest_m, shortest_m;
-  Level(int size, double step, double turn, std::mt19937& random) : longest_m(9.0 * step), shortest_m(2.0 * step) {
+  Level(int size, double step, double turn, std::mt19937& random) {
     std::normal_distribution<float> normal(0.0f, 0.15f);
     const int stride = size + 4;
     for (std::vector<glm::vec4>* plane : {&slope, &shift})
@@ -48,7 +47,7 @@ struct Level {
              .step_v = -step * std::sin(turn),
              .cosine = float(step * std::cos(turn)),
              .sine = float(step * std::sin(turn)),
-             .middle_per_m = float(2.0 * std::numbers::pi / std::sqrt(longest_m * shortest_m)),
+             .decay_per_m2 = glm::vec3(glm::dvec3(1.2, 0.9, 0.4) / (step * step)),
              .share = 0.8f};
   }
   // dDx/dx, dDz/dz, dDx/dz of texel i, `off` metres beside it.
@@ -80,8 +79,9 @@ double reference(const std::vector<Level>& levels, const BreakingWater& w, const
       g += double(level.layer.share) * level.gradient(i, glm::dvec2(0.0));
       continue;
     }
-    const double height = gpu::flow_height(level.longest_m, level.shortest_m,
-                                           glm::length(flow) * std::abs(phase.second_s - phase.first_s), phase.first);
+    const glm::dvec2 apart = std::abs(phase.second_s - phase.first_s) * flow;
+    const glm::dvec3 decay(level.layer.decay_per_m2);
+    const double height = gpu::flow_height(decay.x, decay.y, decay.z, apart.x, apart.y, phase.first);
     g += double(level.layer.share) * height *
          (phase.first * level.gradient(i, -phase.first_s * flow) +
           (1.0 - phase.first) * level.gradient(i, -phase.second_s * flow));
@@ -118,7 +118,7 @@ struct Waters {
 
 // Rows of all that can come together and of each alone; of each instruction set the same to the bit. Controls seen: the
 // left column's weight for the right one's; the second pattern at the first one's place; the texels past a row's end
-// not wrapped; the sea's threshold where other waves count; land that is not told from water; a group's bend begun at
+// not wrapped; the sea's threshold where other waves count; land that is not told from water; a group's warp begun at
 // the row's first texel.
 TEST(Breaking, RowsAreAsTexelByTexel) {
   std::mt19937 random(11);

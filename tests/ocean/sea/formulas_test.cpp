@@ -61,21 +61,17 @@ TEST(Formulas, FlowHeightsOfVectorsAreTheScalarOnes) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   double most = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    const double longest = 1.0 + 40.0 * unit(random), shortest = longest * (0.1 + 0.9 * unit(random)),
-                 first = unit(random);
-    float half_square[4], out[4];
-    double way[4];
+    const float xx = float(unit(random)), zz = float(0.1 * unit(random)),
+                xz = float((2.0 * unit(random) - 1.0) * std::sqrt(xx * zz)), first = float(unit(random));
+    float way_x[4], way_z[4], out[4];
+    for (int lane = 0; lane < 4; ++lane)
+      way_x[lane] = float(10.0 * unit(random) * unit(random)), way_z[lane] = float(10.0 * unit(random) - 5.0);
+    hn::StoreU(vectors::flow_height(d, {xx, zz, xz}, hn::LoadU(d, way_x), hn::LoadU(d, way_z), first), d, out);
     for (int lane = 0; lane < 4; ++lane) {
-      way[lane] = 10.0 * unit(random) * unit(random);
-      half_square[lane] =
-          float(0.5 * std::pow(2.0 * 3.14159265358979 / std::sqrt(longest * shortest) * way[lane], 2.0));
-    }
-    hn::StoreU(vectors::flow_height(d, hn::LoadU(d, half_square), float(first)), d, out);
-    for (int lane = 0; lane < 4; ++lane) {
-      const double want = gpu::flow_height(longest, shortest, way[lane], first);
+      const double want =
+          gpu::flow_height(double(xx), double(zz), double(xz), double(way_x[lane]), double(way_z[lane]), double(first));
       most = std::max(most, std::abs(double(out[lane]) - want) / want);
-      ASSERT_NEAR(want, double(gpu::flow_height(float(longest), float(shortest), float(way[lane]), float(first))),
-                  2e-6);
+      ASSERT_NEAR(want, double(gpu::flow_height(xx, zz, xz, way_x[lane], way_z[lane], first)), 2e-6);
       ASSERT_GE(want, 1.0 - 1e-12);
       ASSERT_LE(want, std::sqrt(2.0) + 1e-12);
     }

@@ -1,4 +1,4 @@
-// A light sea's longest tile, whose pattern is laid bent: against waves of shift in double, and against the same tile
+// A light sea's longest tile, whose pattern is warped: against waves of shift in double, and against the same tile
 // laid straight.
 #include "ocean/waves/pattern_warp.h"
 
@@ -24,17 +24,17 @@ SeaState wind(double mps) {
 }
 
 // The waves of shift, in long double.
-PatternWarp::Bend bend_of(const PatternWarp& warp, glm::dvec2 at) {
-  PatternWarp::Bend bend;
+PatternWarp::Local local_of(const PatternWarp& warp, glm::dvec2 at) {
+  PatternWarp::Local local;
   for (const PatternWarp::Wave& wave : warp.waves()) {
     const long double turns = static_cast<long double>(wave.along.x) * static_cast<long double>(at.x) +
                               static_cast<long double>(wave.along.y) * static_cast<long double>(at.y) +
                               static_cast<long double>(wave.phase);
     const double turn = 2.0 * truth::pi * double(turns - std::floor(turns));
-    bend.shift_m += std::sin(turn) * wave.way;
-    bend.growth += 2.0 * truth::pi * std::cos(turn) * glm::outerProduct(wave.way, wave.along);
+    local.shift_m += std::sin(turn) * wave.way;
+    local.growth += 2.0 * truth::pi * std::cos(turn) * glm::outerProduct(wave.way, wave.along);
   }
-  return bend;
+  return local;
 }
 
 double distance(const glm::dmat2& a, const glm::dmat2& b) {
@@ -43,8 +43,8 @@ double distance(const glm::dmat2& a, const glm::dmat2& b) {
 
 const std::vector<glm::dvec2> corners{{0.0, 0.0}, {1e6, -1e6}, {-3e7, 2e7}};
 
-// Light seas are bent, and none of those that lie straight.
-TEST(PatternWarp, OnlyLightSeasAreBent) {
+// Light seas are warped, and none of those that lie straight.
+TEST(PatternWarp, OnlyLightSeasAreWarped) {
   for (const double mps : {0.0, 1.0, 10.0, 15.0, 25.0}) EXPECT_FALSE(PatternWarp(ladder(wind(mps)))) << mps;
   for (const double mps : {2.0, 3.0, 5.0, 7.0, 9.0}) EXPECT_TRUE(PatternWarp(ladder(wind(mps)))) << mps;
   SeaState swell = wind(5.0);  // which a tile of 1 km has no place for
@@ -63,7 +63,7 @@ TEST(PatternWarp, IsItsWavesOfShiftAnywhere) {
       const gpu::WarpData seen = warp.from(corner);
       for (int i = 0; i < 200; ++i) {
         const glm::dvec2 off(glm::vec2(near(random), near(random)));
-        const PatternWarp::Bend want = bend_of(warp, corner + off), got = warp.at(corner + off);
+        const PatternWarp::Local want = local_of(warp, corner + off), got = warp.at(corner + off);
         EXPECT_LT(glm::length(got.shift_m - want.shift_m), 1e-4);
         EXPECT_LT(distance(got.growth, want.growth), 1e-6);
         glm::dvec2 shown(0.0);
@@ -96,53 +96,53 @@ TEST(PatternWarp, StrainsByFiveAndAHalfPercentAtMost) {
   }
 }
 
-// The first cascade alone, bent and straight.
+// The first cascade alone, warped and straight.
 struct Both {
-  WaveField bent, straight;
+  WaveField warped, straight;
   WaveTiles tiles{true}, straight_tiles{true};
   explicit Both(const SeaState& sea, int resolution = 64)
       : Both(sea, make_wave_bins(sea, {.resolution = resolution, .cascades = 1}), resolution) {}
   Both(const SeaState& sea, const WaveBins& bins, int resolution)
-      : bent(sea, {.resolution = resolution, .cascades = 1}, bins),
+      : warped(sea, {.resolution = resolution, .cascades = 1}, bins),
         straight(sea, {.resolution = resolution, .cascades = 1}, laid_straight(bins)) {
-    bent.evaluate(ticks_from_seconds(7.7), tiles);
+    warped.evaluate(ticks_from_seconds(7.7), tiles);
     straight.evaluate(ticks_from_seconds(7.7), straight_tiles);
   }
   static WaveBins laid_straight(WaveBins bins) {
-    bins.ladder[0].bent = false;
+    bins.ladder[0].warped = false;
     return bins;
   }
 };
 
-// What a bent sea has at a place the straight one has where the bend shifts it to: displacement and velocity, and its
+// What a warped sea has at a place the straight one has where the warp shifts it to: displacement and velocity, and its
 // derivatives by the chain rule; also where a footprint leaves roughness. Control seen: the shift turned about.
-TEST(PatternWarp, ABentSeaIsTheStraightOneShifted) {
+TEST(PatternWarp, AWarpedSeaIsTheStraightOneShifted) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> near(-2000.0, 2000.0);
   const Both sea(wind(5.0));
-  const double hs = 4.0 * std::sqrt(sea.bent.statistics().height_variance);
+  const double hs = 4.0 * std::sqrt(sea.warped.statistics().height_variance);
   for (const glm::dvec2 corner : corners)
     for (const double footprint : {0.0, 12.0, 30.0, 500.0, 1e5})
       for (int i = 0; i < 50; ++i) {
         const glm::dvec2 at = corner + glm::dvec2(near(random), near(random));
-        const PatternWarp::Bend bend = bend_of(sea.bent.warp(), at);
-        const SeaSample got = sea.bent.sea(sea.tiles, at, footprint),
-                        want = sea.straight.sea(sea.straight_tiles, at + bend.shift_m, footprint);
+        const PatternWarp::Local local = local_of(sea.warped.warp(), at);
+        const SeaSample got = sea.warped.sea(sea.tiles, at, footprint),
+                        want = sea.straight.sea(sea.straight_tiles, at + local.shift_m, footprint);
         ASSERT_LT(glm::length(got.displacement - want.displacement), 1e-4 * hs);
-        ASSERT_LT(glm::length(sea.bent.displacement(sea.tiles, at, footprint) - want.displacement), 1e-4 * hs);
-        ASSERT_LT(glm::length(sea.bent.velocity(sea.tiles, at, footprint) -
-                              sea.straight.velocity(sea.straight_tiles, at + bend.shift_m, footprint)),
+        ASSERT_LT(glm::length(sea.warped.displacement(sea.tiles, at, footprint) - want.displacement), 1e-4 * hs);
+        ASSERT_LT(glm::length(sea.warped.velocity(sea.tiles, at, footprint) -
+                              sea.straight.velocity(sea.straight_tiles, at + local.shift_m, footprint)),
                   1e-4 * hs);
         const auto chained = [&](glm::dvec2 g) {
-          return glm::dvec2(g.x * (1.0 + bend.growth[0][0]) + g.y * bend.growth[0][1],
-                            g.x * bend.growth[1][0] + g.y * (1.0 + bend.growth[1][1]));
+          return glm::dvec2(g.x * (1.0 + local.growth[0][0]) + g.y * local.growth[0][1],
+                            g.x * local.growth[1][0] + g.y * (1.0 + local.growth[1][1]));
         };
         ASSERT_LT(glm::length(got.height_gradient - chained(want.height_gradient)), 2e-5);
         const glm::dvec3& s = want.shift_gradient;
         const glm::dvec2 of_x = chained({s.x, s.z}), of_z = chained({s.z, s.y});
         ASSERT_LT(glm::length(got.shift_gradient - glm::dvec3(of_x.x, of_z.y, 0.5 * (of_x.y + of_z.x))), 4e-5);
         // Of a random slope with these moments, what its chained one's moments are.
-        const glm::dvec3 tail = sea.bent.statistics().tail_slope_moments, m = want.slope_moments - tail;
+        const glm::dvec3 tail = sea.warped.statistics().tail_slope_moments, m = want.slope_moments - tail;
         const glm::dvec2 x = chained({1.0, 0.0}), z = chained({0.0, 1.0});
         const glm::dvec3 moments(m.x * x.x * x.x + m.y * z.x * z.x + 2.0 * m.z * x.x * z.x,
                                  m.x * x.y * x.y + m.y * z.y * z.y + 2.0 * m.z * x.y * z.y,
@@ -168,13 +168,13 @@ TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec2 at(near(random), near(random));
     const auto along = [&](glm::dvec2 step) {  // the derivative to the fourth order, over two texels and four
-      const auto height = [&](double steps) { return sea.bent.displacement(sea.tiles, at + steps * step, 0.0).y; };
+      const auto height = [&](double steps) { return sea.warped.displacement(sea.tiles, at + steps * step, 0.0).y; };
       return (8.0 * (height(1.0) - height(-1.0)) - (height(2.0) - height(-2.0))) / (12.0 * glm::length(step));
     };
     const glm::dvec2 want(along({4.0, 0.0}), along({0.0, 4.0}));
-    const glm::dvec2 got = sea.bent.sea(sea.tiles, at, 0.0).height_gradient,
-                     straight =
-                         sea.straight.sea(sea.straight_tiles, at + sea.bent.warp().at(at).shift_m, 0.0).height_gradient;
+    const glm::dvec2 got = sea.warped.sea(sea.tiles, at, 0.0).height_gradient,
+                     straight = sea.straight.sea(sea.straight_tiles, at + sea.warped.warp().at(at).shift_m, 0.0)
+                                    .height_gradient;
     const auto square = [](glm::dvec2 v) { return glm::dot(v, v); };
     off += square(got - want), off_straight += square(straight - want), size += square(got);
   }
@@ -185,7 +185,7 @@ TEST(PatternWarp, GradientsAreThoseOfWhatIsDrawn) {
 // Queries see the same water, near and far: the point found is that of the field's own rest position, its slope that of
 // the heights found beside it. Controls seen: the growth left out of its slopes (2.5e-3); the field's shift turned
 // about.
-TEST(PatternWarp, QueriesSeeTheBentSea) {
+TEST(PatternWarp, QueriesSeeTheWarpedSea) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> near(-3000.0, 3000.0);
   const WaveField field(wind(7.0), {.resolution = 64, .cascades = 1});
@@ -224,7 +224,7 @@ TEST(PatternWarp, QueriesSeeTheBentSea) {
   }
 }
 
-// The bend takes nothing from the statistics: height and slope variances over many places are the straight sea's.
+// The warp takes nothing from the statistics: height and slope variances over many places are the straight sea's.
 TEST(PatternWarp, KeepsTheStatistics) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> anywhere(-1e5, 1e5);
@@ -233,7 +233,7 @@ TEST(PatternWarp, KeepsTheStatistics) {
   constexpr int places = 200000;
   for (int i = 0; i < places; ++i) {
     const glm::dvec2 at(anywhere(random), anywhere(random));
-    const SeaSample a = sea.bent.sea(sea.tiles, at, 0.0), b = sea.straight.sea(sea.straight_tiles, at, 0.0);
+    const SeaSample a = sea.warped.sea(sea.tiles, at, 0.0), b = sea.straight.sea(sea.straight_tiles, at, 0.0);
     height += a.displacement.y * a.displacement.y, straight_height += b.displacement.y * b.displacement.y;
     slope += glm::dot(a.height_gradient, a.height_gradient);
     straight_slope += glm::dot(b.height_gradient, b.height_gradient);

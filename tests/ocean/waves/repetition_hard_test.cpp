@@ -10,8 +10,8 @@
 #include "ocean/waves/gaussian.h"
 #include "ocean/waves/wave_field.h"
 #include "tests/support/autocorrelation.h"
-#include "tests/support/bent_tile.h"
 #include "tests/support/causes_of_sea.h"
+#include "tests/support/warped_tile.h"
 
 namespace seascape {
 namespace {
@@ -125,8 +125,8 @@ TEST(Repetition, the_search_finds_planted_tiles) {
   EXPECT_LT(turned, 0.9);
 }
 
-// A tile of 1.5 km that waves of shift bend, their wave vectors times `along` and their shifts times `way`.
-truth::SpectralTile bent_tile(double along, double way) {
+// A tile of 1.5 km that waves of shift warp, their wave vectors times `along` and their shifts times `way`.
+truth::SpectralTile warped_tile(double along, double way) {
   truth::SpectralTile tile = planted({{1500.0, 0.3}}).front();
   tile.warp = {{along / 3100.0, along / 4700.0, 160.0 * way, 60.0 * way},
                {-along / 5300.0, along / 2900.0, -50.0 * way, 190.0 * way},
@@ -134,13 +134,13 @@ truth::SpectralTile bent_tile(double along, double way) {
   return tile;
 }
 
-TEST(Repetition, a_bent_tile_is_its_mean_over_the_plane) {
+TEST(Repetition, a_warped_tile_is_its_mean_over_the_plane) {
   // The product of J0 against the mean of cosines at many places. Control: half the argument of J0.
-  const truth::SpectralTile tile = bent_tile(1.0, 0.3);
+  const truth::SpectralTile tile = warped_tile(1.0, 0.3);
   const double total = tile.total();
   const truth::PeriodicField field(
       64, 1024, [&](int mx, int mz) { return tile.variance[std::size_t((mz + 64) * 128 + mx + 64)] / total; });
-  const truth::BentTile bent(tile, total);
+  const truth::WarpedTile warped(tile, total);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(-1e7, 1e7);
   double largest = 0.0;
@@ -159,26 +159,26 @@ TEST(Repetition, a_bent_tile_is_its_mean_over_the_plane) {
       const glm::dvec2 in_tile = rotate_xz(apart, -tile.rotation_rad) / tile.side_m;
       mean += field.cubic(in_tile.x, in_tile.y) / places;
     }
-    EXPECT_NEAR(bent.at(lag.x, lag.y), mean, 0.03) << lag.x << ' ' << lag.y;
+    EXPECT_NEAR(warped.at(lag.x, lag.y), mean, 0.03) << lag.x << ' ' << lag.y;
     largest = std::max(largest, std::abs(mean));
   }
   EXPECT_GT(largest, 0.2);
 }
 
-TEST(Repetition, the_search_knows_what_a_bend_takes) {
-  // Bent, a tile that is all there is passes; bent by a tenth, or by waves that come round within it, it is found.
+TEST(Repetition, the_search_knows_what_a_warp_takes) {
+  // Warped, a tile that is all there is passes; warped by a tenth, or by waves that come round within it, it is found.
   const truth::ContinuousAutocorrelation none([](double, double) { return 0.0; }, 1.0, 200.0);
   const auto excess = [&](truth::SpectralTile tile) {
     const std::vector<truth::SpectralTile> tiles{std::move(tile)};
     return truth::largest_excess(tiles, none).value;
   };
-  truth::SpectralTile whole = bent_tile(1.0, 1.0);
+  truth::SpectralTile whole = warped_tile(1.0, 1.0);
   for (truth::WarpWave& wave : whole.warp) {
     const glm::dvec2 along = rotate_xz({1.0 / 1500.0, 0.0}, 0.3);
     wave.along_x = along.x, wave.along_z = along.y;
   }
-  EXPECT_LT(excess(bent_tile(1.0, 1.0)), 0.25);
-  EXPECT_GT(excess(bent_tile(1.0, 0.1)), 0.7);
+  EXPECT_LT(excess(warped_tile(1.0, 1.0)), 0.25);
+  EXPECT_GT(excess(warped_tile(1.0, 0.1)), 0.7);
   EXPECT_GT(excess(std::move(whole)), 0.9);
 }
 
@@ -186,7 +186,7 @@ void expect_no_tiling(const std::string& name, SeaState sea, const std::vector<W
                       int fewest_seeds = 2) {
   const truth::ContinuousAutocorrelation continuous = continuous_of(sea);
   // 1 but for the waves too short for its grid, which are all of a light sea's.
-  EXPECT_GT(continuous.at(0.0, 0.0), ladder(sea)[0].bent ? -1e-3 : 0.6);
+  EXPECT_GT(continuous.at(0.0, 0.0), ladder(sea)[0].warped ? -1e-3 : 0.6);
   EXPECT_LT(continuous.at(0.0, 0.0), 1.01);
   const auto expect = [&](const std::string& what, const std::vector<truth::SpectralTile>& tiles) {
     const truth::Excess e = truth::largest_excess(tiles, continuous);
@@ -234,13 +234,13 @@ TEST(Repetition, hard_winds_do_not_tile) {
 }
 
 TEST(Repetition, hard_light_winds_do_not_tile) {
-  // Wind seas whose longest tile is laid bent, at every preset's number of cascades. In the smallest tile the search
+  // Wind seas whose longest tile is warped, at every preset's number of cascades. In the smallest tile the search
   // takes long. Control: all shifts a fifth as long (0.65 to 0.85).
   for (const double wind : {3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) {
     if ((wind == 4.0 || wind == 6.0) && !long_run()) continue;
     SeaState sea;
     sea.wind_speed_mps = wind;
-    ASSERT_TRUE(ladder(sea)[0].bent) << wind;
+    ASSERT_TRUE(ladder(sea)[0].warped) << wind;
     std::vector<WaveQuality> qualities;
     for (const int cascades : {3, 4, 5}) qualities.push_back({.resolution = 256, .cascades = cascades});
     expect_no_tiling("U " + std::to_string(int(wind)), sea, qualities, wind >= 7.0 ? 1 : 0);

@@ -84,7 +84,7 @@ TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_signif
   // samples, four a wave, it would be 2 thousandths of Hs: no preset has so few). Controls: amplitudes drawn from the
   // number of cascades; amplitudes not divided by what bilinear sampling takes at a resolution.
   const std::vector<glm::dvec2> places = some_places(4000);
-  // A light sea's longest tile is laid bent.
+  // A light sea's longest tile is warped.
   for (const std::string scene : {"open_sea", "calm", "storm", "swell", "wind of 7 m/s", "wind of 3 m/s"}) {
     const bool light = scene.starts_with("wind");
     std::map<std::pair<int, int>, std::vector<glm::dvec3>> drawn;  // by resolution and cascades
@@ -96,7 +96,7 @@ TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_signif
     SeaState sea;
     sea.wind_speed_mps = scene == "wind of 3 m/s" ? 3.0 : 7.0;
     if (!light) sea = load_scene(scene, "ultra").settings.sea;
-    ASSERT_EQ(ladder(sea)[0].bent, light) << scene;
+    ASSERT_EQ(ladder(sea)[0].warped, light) << scene;
     const auto quality = [&](const char* preset) {
       return load_scene(light ? "open_sea" : scene, preset).settings.waves;
     };

@@ -328,7 +328,7 @@ TEST(Ladder, hard_34_shares_add_to_one_and_vanish_inside_the_tile) {
     for (int i = 1; i < gpu::max_cascades; ++i) {
       const double ratio = l[i - 1].side_m / l[i].side_m;
       // The first tile has four times as many bins. The shorter it is, the nearer are all others to each other.
-      EXPECT_GT(ratio, l[0].bent ? (i == 1 ? 8 : 2.0) : (i == 1 ? 20 : 4.7));
+      EXPECT_GT(ratio, l[0].warped ? (i == 1 ? 8 : 2.0) : (i == 1 ? 20 : 4.7));
       EXPECT_LT(ratio, i == 1 ? 30 : 6.8);
       EXPECT_GT(std::abs(ratio - std::round(ratio)), 0.004) << "sides " << i - 1 << " and " << i << " are commensurate";
       EXPECT_GT(l[i].k_in[0] * l[i].side_m / (2 * truth::pi), 4.0);

@@ -1,4 +1,4 @@
-// The autocorrelation of a periodic tile that is laid bent by waves of shift, over the infinite plane. Includes nothing
+// The autocorrelation of a periodic tile that is warped by waves of shift, over the infinite plane. Includes nothing
 // of the code it judges.
 #pragma once
 #include <functional>
@@ -14,11 +14,11 @@ double bessel_j0(double x);
 // Of waves of the tile, for a lag r: the mean over the plane of cos(k . (r + shift(x + r) - shift(x))), which is
 // cos(k . r) times the product over the waves of shift of J0(2 k . way sin(pi along . r)): the mean of exp(i a sin t)
 // over t is J0(a) (Jacobi and Anger), and the phases of waves of no common period are independent over the plane.
-class BentTile {
+class WarpedTile {
  public:
   // Shares are of `all`. The weakest bins, of 5 % together, are left out: they are the shortest waves, whose products
   // are the smallest.
-  BentTile(const SpectralTile& tile, double all);
+  WarpedTile(const SpectralTile& tile, double all);
   double at(double x_m, double z_m) const;
   // The length of the wave of which half of the variance is longer, m.
   double middle_wave_m() const { return middle_wave_m_; }

@@ -1,4 +1,4 @@
-#include "tests/support/bent_tile.h"
+#include "tests/support/warped_tile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ double bessel_j0(double x) {
   return table[i] + (at - double(i)) * (table[i + 1] - table[i]);
 }
 
-BentTile::BentTile(const SpectralTile& tile, double all)
+WarpedTile::WarpedTile(const SpectralTile& tile, double all)
     : side_m_(tile.side_m), cosine_(std::cos(tile.rotation_rad)), sine_(std::sin(tile.rotation_rad)), warp_(tile.warp) {
   const int half = tile.half;
   const auto variance = [&](int mx, int mz) {
@@ -60,14 +60,14 @@ BentTile::BentTile(const SpectralTile& tile, double all)
             [](const Bin& a, const Bin& b) { return std::pair(a.mz, a.mx) < std::pair(b.mz, b.mx); });
 }
 
-double BentTile::most_shift_m(int ix, int iz) const {
+double WarpedTile::most_shift_m(int ix, int iz) const {
   double sum = 0.0;
   for (const WarpWave& way : ways_at(side_m_ * (cosine_ * ix - sine_ * iz), side_m_ * (sine_ * ix + cosine_ * iz)))
     sum += std::hypot(way.way_x, way.way_z);
   return sum;
 }
 
-std::vector<WarpWave> BentTile::ways_at(double x, double z) const {
+std::vector<WarpWave> WarpedTile::ways_at(double x, double z) const {
   std::vector<WarpWave> ways = warp_;
   for (WarpWave& wave : ways) {
     const double apart = 2.0 * std::sin(0.5 * turn * (wave.along_x * x + wave.along_z * z));
@@ -76,21 +76,21 @@ std::vector<WarpWave> BentTile::ways_at(double x, double z) const {
   return ways;
 }
 
-double BentTile::product(const Bin& bin, const std::vector<WarpWave>& ways) const {
+double WarpedTile::product(const Bin& bin, const std::vector<WarpWave>& ways) const {
   double product = 1.0;
   for (const WarpWave& wave : ways) product *= bessel_j0(bin.kx * wave.way_x + bin.kz * wave.way_z);
   return product;
 }
 
-double BentTile::at(double x, double z) const {
+double WarpedTile::at(double x, double z) const {
   const std::vector<WarpWave> ways = ways_at(x, z);
   double sum = 0.0;
   for (const Bin& bin : bins_) sum += bin.share * product(bin, ways) * std::cos(bin.kx * x + bin.kz * z);
   return sum;
 }
 
-void BentTile::around(int ix, int iz, double reach, double step, const std::function<double()>& least,
-                      const std::function<void(double, double, double)>& put) const {
+void WarpedTile::around(int ix, int iz, double reach, double step, const std::function<double()>& least,
+                        const std::function<void(double, double, double)>& put) const {
   // In the tile's own axes the sum over a row of bins is shared by all lags of a column. Bins lie row by row.
   const int count = int(reach / (3.0 * step)) + 1;  // of steps to each side of a part's middle
   const int size = 2 * count + 1;
