@@ -50,8 +50,8 @@ double variance_at_half(const WaveField& field, const std::vector<std::vector<Wa
 // Two patterns of a current together stand as high as one, whatever lies between them and in which direction: the
 // root mean square of the variance's logarithm, and its ends (a Gaussian knows no patterns that are opposite, so that
 // along the waves at half a wave the variance falls to 0.5). Controls seen: the middle of a cascade's band for its wave
-// number, as it was (0.26 and 0.33 of the variance); wave numbers in no direction, a quarter of k^2 in all
-// (1.35 across the waves); the moments along x and z exchanged.
+// number, as it was (0.25 to 0.27, and 0.32 to 0.38 of the variance); the same in every direction (1.32 to 1.39 across
+// the waves); the moments along x and z exchanged (1.27 to 1.34).
 TEST(PatternMoments, TwoPatternsStandAsHighAsOne) {
   std::vector<SeaState> seas(4);
   seas[1].wind_speed_mps = 20.0;

@@ -82,7 +82,8 @@ TEST(SharedWaves, presets_draw_what_they_share_within_a_thousandth_of_the_signif
   // within a thousandth, those of all tiles and those after the first, which most presets sample alike. What differs
   // beyond is what straight lines between texels make of the shortest waves of the tiles after the first (with 128
   // samples, four a wave, it would be 2 thousandths of Hs: no preset has so few). Controls: amplitudes drawn from the
-  // number of cascades; amplitudes not divided by what bilinear sampling takes at a resolution.
+  // number of cascades; amplitudes not divided by what bilinear sampling takes at a resolution. Control
+  // seen of light seas: a warp whose length follows the resolution by a thousandth (24 times the bar).
   const std::vector<glm::dvec2> places = some_places(4000);
   // A light sea's longest tile is warped.
   for (const std::string scene : {"open_sea", "calm", "storm", "swell", "wind of 7 m/s", "wind of 3 m/s"}) {
