@@ -18,7 +18,8 @@ sys.dont_write_bytecode = True
 MODELS = {"rowing_boat": ("rowing_boat", "build"), "buoy_lateral_port": ("buoys", "port"),
           "buoy_lateral_starboard": ("buoys", "starboard"), "buoy_mooring": ("buoys", "mooring"), "crate": ("cargo", "crate"),
           "barrel": ("cargo", "barrel"), "pier": ("pier", "build"), "lighthouse": ("shore", "lighthouse"),
-          "breakwater": ("shore", "breakwater")}
+          "breakwater": ("shore", "breakwater"),
+          "fishing_boat": ("fishing_boat", "build")}
 
 
 def make(name, folder):

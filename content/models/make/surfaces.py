@@ -237,3 +237,39 @@ def concrete(f):
     value = np.clip(0.62 + 0.08 * f.cloud(70, 50) - 0.06 * run - 0.1 * board - 0.3 * pore, 0, 1)
     return plain(value, [(0.30, 0.29, 0.27), (0.50, 0.49, 0.46), (0.66, 0.65, 0.61), (0.78, 0.77, 0.73)],
                  np.clip(0.7 + 0.1 * f.noise(9, 9), 0, 1), matte(0.75, 0.95), 0.001 * f.cloud(20, 20) - 0.002 * board - 0.003 * pore)
+
+
+def carvel(f):
+    """One painted plank of a smooth hull: seams at its edges, a butt joint now and then, rust weeping from a fastening."""
+    p = painted(f)
+    edge = np.minimum(f.y, f.h - 1 - f.y)
+    seam = step(5.0, 2.5, edge)
+    butt = step(2.0, 0.8, np.abs(f.x - f.w * 0.37))
+    rust = np.zeros_like(f.x)
+    for k in range(6):
+        x = f.state.uniform(0, f.w)
+        run = step(5, 0.5, np.abs(f.x - x) + f.noise(8, 8)) * step(f.h * 0.95, f.h * 0.3, f.y) * (f.y > f.h * 0.3)
+        rust = np.maximum(rust, run * f.state.uniform(0.3, 1))
+    p["value"] = p["value"] - 0.12 * np.maximum(seam, butt) - 0.16 * rust - 0.02 * np.clip(f.noise(5, f.h * 2), 0, 3)
+    p["height"] = p["height"] - 0.0025 * np.maximum(seam, butt)
+    return p
+
+
+def deck_planks(f):
+    """Three scrubbed pine planks with tarred seams."""
+    g = grain(f)
+    at = (f.v * 3) % 1
+    seam = step(0.055, 0.03, np.minimum(at, 1 - at))
+    tone = np.array([-0.07, 0.06, 0.0])[np.minimum((f.v * 3).astype(int), 2)]
+    stain = step(0.8, 2.0, f.cloud(60, 40))
+    value = np.clip(0.5 + 0.3 * g + tone - 0.18 * stain, 0.25, 1) * (1 - 0.9 * seam)
+    return plain(value, [(0.07, 0.06, 0.06), (0.30, 0.26, 0.22), (0.52, 0.46, 0.38), (0.70, 0.63, 0.53)],
+                 np.clip(0.6 + 0.25 * g - 0.2 * stain, 0, 1), matte(0.5, 0.95), 0.001 * g - 0.003 * seam)
+
+
+def net(f):
+    """Netting wound on a drum: crossing meshes over layers of twine."""
+    a, b = (f.x / 8 + f.y / 8) % 1, (f.x / 8 - f.y / 8) % 1
+    twine = np.maximum(step(0.22, 0.05, np.abs(a - 0.5)), step(0.22, 0.05, np.abs(b - 0.5)))
+    value = np.clip(0.25 + 0.5 * twine + 0.12 * f.cloud(40, 12), 0, 1)
+    return plain(value, [(0.12, 0.14, 0.12), (0.5, 0.52, 0.48), (0.9, 0.92, 0.86)], np.clip(1 - twine, 0, 1), [(1, 0.8, 0), (0.5, 0.95, 0)], 0.006 * twine)
