@@ -178,8 +178,8 @@ def lever(d, base, height, paint, knob, lean=0.0):
 
 def lamp(d, at, colour, metal, glass, r=0.05):
     """A navigation light: base, lens and cap."""
-    return join([lathe(np.array([(r, 0), (r, 0.3 * r), (0.8 * r, 0.35 * r)]), d.sides(12), metal), lathe(np.array([(0.8 * r, 0.35 * r), (0.85 * r, 1.0 * r), (0.8 * r, 1.7 * r)]), d.sides(12), glass.tinted(*colour)),
-                 lathe(np.array([(0.8 * r, 1.7 * r), (r, 1.75 * r), (r, 2 * r), (0, 2.2 * r)]), d.sides(12), metal)]).move(*at)
+    return join([lathe(np.array([(r, 0), (r, 0.3 * r), (0.8 * r, 0.35 * r)]), d.sides(9), metal), lathe(np.array([(0.8 * r, 0.35 * r), (0.85 * r, 1.0 * r), (0.8 * r, 1.7 * r)]), d.sides(9), glass.tinted(*colour)),
+                 lathe(np.array([(0.8 * r, 1.7 * r), (r, 1.75 * r), (r, 2 * r), (0, 2.2 * r)]), d.sides(9), metal)]).move(*at)
 
 
 def seat(d, at, size, cushion, shell):
@@ -195,8 +195,8 @@ def seat(d, at, size, cushion, shell):
 def winch(d, at, paint, drum, r=0.055):
     """A sheet winch standing on a deck."""
     s = r / 0.055
-    body = lathe(np.array([(0.062, 0), (0.062, 0.02), (0.045, 0.03), (0.040, 0.08), (0.047, 0.11), (0.054, 0.115), (0.054, 0.125)]) * s, d.sides(20), paint)
-    top = lathe(np.array([(0.054, 0.125), (0.05, 0.14), (0.03, 0.146), (0.012, 0.146), (0.012, 0.14), (0, 0.14)]) * s, d.sides(20), drum)
+    body = lathe(np.array([(0.062, 0), (0.062, 0.02), (0.045, 0.03), (0.040, 0.08), (0.054, 0.113), (0.054, 0.125)]) * s, d.sides(14), paint)
+    top = lathe(np.array([(0.054, 0.125), (0.05, 0.14), (0.012, 0.146), (0, 0.14)]) * s, d.sides(14), drum)
     return join([body, top]).move(*at)
 
 

@@ -59,17 +59,18 @@ def step(edge0, edge1, x):
 
 
 class Sheet:
-    """A set of textures of w pixels by the sum of the strips' heights, at `density` pixels a metre."""
+    """A set of textures as high as its strips together. Strips: (name, height in pixels, painter[, pixels a metre])."""
 
-    def __init__(self, name, density, width, strips, seed=1):
+    def __init__(self, name, usual, width, strips, seed=1):
         self.name, self.width = name, width
-        self.height = sum(h for _, h, _ in strips)
+        self.height = sum(strip[1] for strip in strips)
         self.skins = {}
         colour, rough, normal = [], [], []
         self.palettes = [], []
         levels = min(48, 256 // len(strips))
         top = 0
-        for k, (strip, h, painter) in enumerate(strips):
+        for k, (strip, h, painter, *own) in enumerate(strips):
+            density = own[0] if own else usual
             tiles = len(strips) == 1
             margin = 0 if tiles else min(3, h // 8)
             field = Field(seed * 100 + k, h, width)
