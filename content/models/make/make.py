@@ -19,7 +19,8 @@ MODELS = {"rowing_boat": ("rowing_boat", "build"), "buoy_lateral_port": ("buoys"
           "buoy_lateral_starboard": ("buoys", "starboard"), "buoy_mooring": ("buoys", "mooring"), "crate": ("cargo", "crate"),
           "barrel": ("cargo", "barrel"), "pier": ("pier", "build"), "lighthouse": ("shore", "lighthouse"),
           "breakwater": ("shore", "breakwater"),
-          "fishing_boat": ("fishing_boat", "build"), "yacht": ("yacht", "build")}
+          "fishing_boat": ("fishing_boat", "build"), "yacht": ("yacht", "build"),
+          "rib": ("rib", "build")}
 
 
 def make(name, folder):

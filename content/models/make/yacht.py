@@ -183,6 +183,8 @@ class Boat:
                 parts.append(bar(door[a], door[b], 0.05, 0.03, P["wood"].tinted(.55, .36, .22), up=(0, 0, 1)))
         aft = np.array([(-1.2, t - 0.12, 0), (-1.0, s, 0), (-0.46, s, 0), (-0.40, f, 0), (0.40, f, 0), (0.46, s, 0), (1.0, s, 0), (1.2, t - 0.12, 0)])[::-1] + [0, 0, WELL1]
         parts.append(panel(aft, 0.03, P["hull"]))
+        end = np.array([(1.00, s, 0), (1.22, self.side_y(3) + 0.02, 0), (1.19, t - 0.02, 0), (1.17, t, 0), (1.09, t, 0), (1.06, t - 0.02, 0)]) + [0, 0, WELL1]
+        parts.append(panel(end, 0.02, P["hull"]).both_sides())
         parts.append(box((0, s + 0.09, WELL1 + 0.02), (2.1, 0.22, 0.10), P["hull"], bevel=0.02))
         parts.append(panel(upward(np.array([(-0.46, s + 0.03, 3.85), (0.46, s + 0.03, 3.85), (0.46, s + 0.03, WELL1), (-0.46, s + 0.03, WELL1)])), 0.04, P["teak"], bevel=0.01))  # helm's bench
         # Pedestal with compass and a grab rail.
