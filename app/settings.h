@@ -45,7 +45,6 @@ struct Settings {
   ComfortSettings comfort;                      // keys comfort.*
   HeadsetSettings headset;                      // keys headset.*
   MirrorSettings mirror;                        // keys mirror.*
-  HeadsetSettings headset;                      // keys headset.*
   double sea_change_s = 6.0;                    // key waves.change_s
   double time_scale = 1.0;                      // key time.scale
   double time_start_s = 0.0;                    // key time.start_s

@@ -69,8 +69,6 @@ constexpr auto headset = &at<&Settings::headset, member>;
 template <auto member>
 constexpr auto mirror = &at<&Settings::mirror, member>;
 template <auto member>
-constexpr auto headset = &at<&Settings::headset, member>;
-template <auto member>
 constexpr ChoiceMember mirror_choice{&choice_of<&Settings::mirror, member>, &set_choice<&Settings::mirror, member>};
 template <auto member>
 constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choice<&Settings::sea, member>};
@@ -863,6 +861,11 @@ const std::vector<Setting>& table() {
       {"headset.eye_height_m", "m",
        "Height of the eyes over the floor for who sits, and where the runtime knows no floor.",
        headset<&HeadsetSettings::eye_height_m>, 0.5, 3.0},
+      {"headset.symmetric", "",
+       "Both eyes are drawn with one field of view, as wide to the left as to the right, of which each shows its own "
+       "part: GPUs that draw by tiles sort triangles once for both. It draws and keeps up to half again as many pixels "
+       "in width, black where no eye sees them. Taken when the headset begins.",
+       headset<&HeadsetSettings::symmetric>, 0.0, 1.0},
 
       {"mirror.view",
        "",
@@ -883,11 +886,6 @@ const std::vector<Setting>& table() {
        100.0},
       {"mirror.smooth_s", "s", "Time in which that camera comes within a tenth of where the head has gone.",
        mirror<&MirrorSettings::smooth_s>, 0.0, 10.0},
-      {"headset.symmetric", "",
-       "Both eyes are drawn with one field of view, as wide to the left as to the right, of which each shows its own "
-       "part: GPUs that draw by tiles sort triangles once for both. It draws and keeps up to half again as many pixels "
-       "in width, black where no eye sees them. Taken when the headset begins.",
-       headset<&HeadsetSettings::symmetric>, 0.0, 1.0},
 
       {"time.scale", "", "Speed of the sea's time; 0 stands still, below 0 it runs backwards.",
        real<&Settings::time_scale>, -8.0, 8.0},
