@@ -18,8 +18,7 @@ constexpr const char* hand_names[] = {"/user/hand/left", "/user/hand/right"};
 
 }  // namespace
 
-HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session)
-    : system_(system), seen_(system, session) {
+HeadsetInput::HeadsetInput(const HeadsetSystem& system, XrSession session) : system_(system), seen_(system, session) {
   const XrApi& api = system.api();
   try {
     for (std::size_t h = 0; h < 2; ++h) hand_paths_[h] = system.path(hand_names[h]);

@@ -197,7 +197,7 @@ TEST(SolidModel, MovesNodes) {
 }
 
 // Each is refused by name, with its place. Control: each refusal taken away in turn reads another message.
-TEST(SolidModel, hard_28_RefusesWhatItCannotDraw) {
+TEST(SolidModel, RefusesWhatItCannotDraw) {
   GltfMaker maker = triangle();
   maker.nodes = R"({"mesh":0,"name":"arm","skin":0})";
   EXPECT_THAT(fault_of(maker), HasSubstr("node 0 'arm' has a skin"));
@@ -237,9 +237,8 @@ TEST(SolidModel, hard_28_RefusesWhatItCannotDraw) {
   EXPECT_THAT(fault_of(cyclic), HasSubstr("is met twice"));
 }
 
-// Broken pictures of every length, and files that lie. Controls: TJERR_FATAL taken for a warning; the check of pixels
-// against bytes taken away (memory).
-TEST(SolidModel, hard_28_BrokenPicturesAreTold) {
+// Broken pictures of every length, and files that lie. Control: the check of pixels against bytes taken away.
+TEST(SolidModel, BrokenPicturesAreTold) {
   const std::vector<std::uint8_t> jpeg = jpeg_of(checks(32, 3));
   for (std::size_t length = 0; length < jpeg.size(); length += 7) {
     try {

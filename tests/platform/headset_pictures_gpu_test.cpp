@@ -146,7 +146,7 @@ TEST(HeadsetPicturesTest, BehindLensesAreTheSameWhereAnEyeSees) {
     system_of_device.make_device(device_options);
     Device device(device_options);
     constexpr double lens = 0.9;
-    for (const Look& look : looks) {
+    for (const HeadsetLook& look : looks) {
       const auto seen_through = [&](double through) {
         SimulatedOptions options = wide_eyed(folder.path());
         options.lens = through;

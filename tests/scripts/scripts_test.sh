@@ -1,5 +1,5 @@
 #!/bin/bash
-# Tests of ./run, ./check, scripts/ and the models, one case a call: scripts_test.sh CASE. Each case makes a project tree of its own, in
+# Tests of ./run, ./check and scripts/, one case a call: scripts_test.sh CASE. Each case makes a project tree of its own, in
 # a path with a space, a quote and a backslash, with stand-ins first in PATH that write down how they were called. Each
 # case ends with its control: a fault is planted in the copied script or tree and the same question must then answer no.
 set -u
@@ -337,23 +337,6 @@ TEXT
     # Debian 12's package names only: each line is `run NAME` or `check NAME`, none twice.
     grep -vE '^(#.*|(run|check) [a-z0-9][a-z0-9+.-]+)$' "$source_root/scripts/packages.txt" && fail "packages.txt"
     [ -z "$(grep -v '^#' "$source_root/scripts/packages.txt" | cut -d' ' -f2 | sort | uniq -d)" ] || fail "a package twice"
-    ;;
-  models)
-    # The models of content/ are what their script makes, to the byte, and float as their extras say.
-    python=/usr/bin/python3
-    "$python" -c 'import numpy' 2> /dev/null || { printf 'notice: no numpy (Debian: python3-numpy); the models are not made anew\n' >&2; exit 77; }
-    models="$source_root/content/models"
-    "$python" "$models/make/make.py" --same > "$work/out" 2> "$work/err" || { show; fail "the models are not what make.py makes"; }
-    [ "$(wc -l < "$work/out")" -eq "$(ls "$models"/*.glb | wc -l)" ] || { show; fail "a model that no script makes"; }
-    "$python" "$models/make/check_models.py" "$models"/*.glb 2> "$work/err" || { cat "$work/err" >&2; fail "a faulty model"; }
-    # Controls: a crate made 1 cm longer is not the committed one; one that is too heavy for the water that it displaces.
-    mkdir -p "$work/models" && cp -r "$models/make" "$models/crate.glb" "$work/models/"
-    sed 's/"mass_kg":70.0/"mass_kg":73.0/' "$models/crate.glb" > "$work/heavy.glb"
-    "$python" "$work/models/make/check_models.py" "$work/heavy.glb" 2> "$work/err" && fail "control: a heavy crate"
-    says err 'mass 73.0 kg, displaced 70' || { cat "$work/err" >&2; fail "control: what is said of the heavy crate"; }
-    sed -i 's/size, mass = (0.60, 0.46, 0.84)/size, mass = (0.60, 0.46, 0.85)/' "$work/models/make/cargo.py"
-    "$python" "$work/models/make/make.py" crate --same > "$work/out" 2> "$work/err" && fail "control: a longer crate"
-    says err 'is not what make.py makes' || { cat "$work/err" >&2; fail "control: what is said of the longer crate"; }
     ;;
   check_usage)
     make_tree
