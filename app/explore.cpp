@@ -101,7 +101,7 @@ std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& argu
       explorer.run();
     } catch (const HeadsetLost& fault) {
       if (!has_desktop()) throw;
-      spdlog::warn("{}: {}; going on in a window", fault.where(), fault.fault());
+      spdlog::warn("the headset is lost: {}; going on in a window", fault.fault());
       left_off = explorer.left_off();
     }
   }
