@@ -9,8 +9,8 @@ namespace seascape {
 namespace {
 
 constexpr glm::vec3 amber{1.0f, 0.42f, 0.03f}, red{0.9f, 0.02f, 0.02f};
-constexpr double line_m = 0.004, ring_m = 0.022;  // radii up close
-constexpr double radians = 0.0016;                // and half the width that they are seen in, at least
+constexpr double line_m = 0.004, ring_m = 0.025;  // radii up close
+constexpr double radians = 0.0026;                // and half the width that they are seen in, at least
 constexpr double before_hand_m = 0.12;            // the line begins there: no fingers are in it
 
 }  // namespace

@@ -14,6 +14,7 @@ layout(location = 2) in vec4 limb_colour;
 layout(location = 0) out vec3 normal;
 layout(location = 1) out vec3 to_eye;
 layout(location = 2) flat out vec4 colour;
+layout(location = 3) flat out vec3 axis;
 
 void main() {
   const int quad = gl_VertexIndex / 6, corner = gl_VertexIndex % 6;
@@ -24,7 +25,7 @@ void main() {
   const float up = radians(30.0) * float(far_end ? ring - 4 : ring - 3),
               about = radians(360.0) * float(side) / limb_sides;
   const vec3 along = limb_to.xyz - limb_from.xyz;
-  const vec3 axis = along / max(length(along), 1e-6);
+  axis = along / max(length(along), 1e-6);
   const vec3 across = normalize(abs(axis.y) < 0.9 ? vec3(-axis.z, 0.0, axis.x) : vec3(axis.y, -axis.x, 0.0));
   normal = sin(up) * axis + cos(up) * (cos(about) * across + sin(about) * cross(axis, across));
   const vec4 end = far_end ? limb_to : limb_from;

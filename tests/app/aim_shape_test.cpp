@@ -45,8 +45,8 @@ TEST(AimShape, IsAsWideFarAway) {
     std::vector<Limb> limbs;
     append_aim(aim_at({0.0, 0.0, -far_m}), eyes, limbs);
     for (const Limb& limb : limbs) {
-      EXPECT_GE(limb.to_radius_m / glm::distance(limb.to_m, eyes), 0.0015) << far_m;
-      EXPECT_LE(limb.to_radius_m, std::max(0.03, 0.002 * (far_m + 1.0))) << far_m;
+      EXPECT_GE(limb.to_radius_m / glm::distance(limb.to_m, eyes), 0.0025) << far_m;
+      EXPECT_LE(limb.to_radius_m, std::max(0.03, 0.003 * (far_m + 1.0))) << far_m;
     }
   }
 }
