@@ -16,7 +16,7 @@ layout(binding = slot_sea_depths) uniform sampler2DArray sea_depths;
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 to_eye;
 layout(location = 2) flat in vec4 colour;  // HandLimb
-layout(location = 3) flat in vec3 axis;       // of length 1
+layout(location = 3) flat in vec3 axis;    // of length 1
 
 layout(location = 0) out vec4 shown;
 
@@ -32,8 +32,8 @@ void main() {
   const float edge = 0.04 + 0.3 * pow(1.0 - max(dot(n, v), 0.0), 5.0);
   vec3 lit = (colour.rgb * arrives + edge * light.sky_irradiance.rgb * above) / 3.14159265;
   lit *= light.exposure.x * exp2(frame.air.y);
-  // What glows is as bright by day and by night, with a dark edge before glitter and foam: where a limb turns away across
-  // its axis, for it may be looked at along it.
+  // What glows is as bright by day and by night, with a dark edge before glitter and foam: where a limb turns away
+  // across its axis, for it may be looked at along it.
   const float across = max(length(v - axis * dot(v, axis)), 0.02);
   if (colour.w > 0.0) lit = colour.rgb * (1.5 * smoothstep(0.1, 0.5, dot(n, v) / across));
   if (tile_shape) lit = tone_map(lit);
