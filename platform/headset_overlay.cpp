@@ -54,7 +54,9 @@ std::optional<glm::dvec2> pointed_at(const Pose& ray, const Pose& board, const g
 HeadsetOverlay::HeadsetOverlay(Device& device, Headset& headset) : device_(device), headset_(headset) {
   const EffectScope scope(device, "panel");
   make_board();
+  ImGuiContext* const before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
+  ImGui::SetCurrentContext(before);  // the first of a process would else stay current, and outlive its end so
   const Current current(context_);
   ImGui::GetIO().DisplaySize = {float(width_), float(height_)};
   ImGui::GetIO().MouseDrawCursor = true;
@@ -65,8 +67,10 @@ HeadsetOverlay::HeadsetOverlay(Device& device, Headset& headset) : device_(devic
 HeadsetOverlay::~HeadsetOverlay() {
   headset_.show(nullptr);
   device_.wait_for_gpu();
-  const Current current(context_);
-  ImGui_ImplVulkan_Shutdown();
+  {
+    const Current current(context_);
+    ImGui_ImplVulkan_Shutdown();
+  }
   ImGui::DestroyContext(context_);
 }
 

@@ -103,5 +103,21 @@ TEST_F(HeadsetOverlayTest, OutlivesASessionThatEndsInItsCalls) {
   }
 }
 
+// Another overlay's context stays current, or none: what comes after it, such as a window's overlay where the runtime
+// dies, would else begin with one that is gone. Control: the context left current by its constructor.
+TEST_F(HeadsetOverlayTest, LeavesNoContextBehind) {
+  ASSERT_EQ(ImGui::GetCurrentContext(), nullptr);
+  {
+    HeadsetRig rig(simulated());
+    const std::unique_ptr<Overlay> overlay = rig.headset.make_overlay();
+    EXPECT_EQ(ImGui::GetCurrentContext(), nullptr);
+    rig.steps(2);
+    (void)button(*overlay);
+    rig.steps(1);
+    EXPECT_EQ(ImGui::GetCurrentContext(), nullptr);
+  }
+  EXPECT_EQ(ImGui::GetCurrentContext(), nullptr);
+}
+
 }  // namespace
 }  // namespace seascape
