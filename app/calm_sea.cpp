@@ -12,6 +12,7 @@ Scene calm_sea(const Scene& awaited, DeviceClass device) {
   Settings& own = calm.settings;
   own.sky = awaited.settings.sky;
   own.comfort = awaited.settings.comfort;
+  own.headset = awaited.settings.headset;
   own.mirror = awaited.settings.mirror;
   own.render.near_m = awaited.settings.render.near_m;
   own.render.stereo = awaited.settings.render.stereo;

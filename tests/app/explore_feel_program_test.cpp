@@ -54,7 +54,9 @@ std::vector<Felt> felt(std::vector<InputEvent> events, const std::vector<std::st
   system.make_device(device);
   Program program = make_program(arguments, device);
   {
-    Headset display(system, *program.device, {});
+    HeadsetOptions how;
+    how.in_real_time = false;
+    Headset display(system, *program.device, how);
     Explorer(arguments, program, display).run();
   }
   expect_no_validation_messages(*program.device);

@@ -27,7 +27,8 @@ class ExplorerRig {
     arguments.scene = scene;
     arguments.preset = "low";
     arguments.out = folder_.path().string();
-    arguments.overrides = {{"--set", "waves.cascades", "3"}, {"--set", "msaa", "1"}};
+    arguments.overrides = {
+        {"--set", "waves.cascades", "3"}, {"--set", "msaa", "1"}, {"--set", "headset.seated", "true"}};
     DeviceOptions device;
     device.validation = true;
     system_.make_device(device);
@@ -83,13 +84,16 @@ class ExplorerRig {
   std::unique_ptr<Explorer> explorer;  // given up first
 };
 
-// Controls: build(program_.scene) for the sea that waits; frames that wait for the loader.
+// Controls: build(program_.scene) for the sea that waits; frames that wait for the loader; calm_sea() without what the
+// wearer has set.
 TEST_F(ExplorerTest, ShowsASeaUntilTheSceneIsThere) {
   ExplorerRig rig("storm");
   EXPECT_EQ(rig.explorer->scene().name, "");
   EXPECT_EQ(rig.explorer->scene().effects, std::vector<std::string>{"waves"});
   EXPECT_EQ(rig.explorer->left_off().scene.name, "storm");
+  EXPECT_TRUE(rig.explorer->scene().settings.headset.seated);
   EXPECT_GT(rig.arrive("storm"), 3);
+  EXPECT_TRUE(rig.explorer->scene().settings.headset.seated);
   rig.frames(5);
   rig.expect_a_world_in_every_frame();
 }
