@@ -22,8 +22,10 @@ using test::wait_until;
 // The window that is no mirror; "" where there is none.
 std::string window_of(const VirtualDisplay& display) {
   std::istringstream found(display.xdotool({"search", "--onlyvisible", "--name", "^Seascape: "}));
-  for (std::string window; found >> window;)
-    if (display.xdotool({"getwindowname", window}).find("mirror") == std::string::npos) return window;
+  for (std::string window; found >> window;) {
+    const std::string name = display.xdotool({"getwindowname", window});  // none where it has gone meanwhile
+    if (name.starts_with("Seascape: ") && name.find("mirror") == std::string::npos) return window;
+  }
   return "";
 }
 

@@ -57,7 +57,7 @@ void expect_pictures(const HeadsetLook& look, int frames, int every) {
     as.push_back(recorded(sea.drawn(), monado.record.taken().submitted));
   }
   const std::vector<HeadsetPicture> expected =
-      drawn_without(*monado.device, scene, test::options_of(*monado.headset), as);
+      drawn_without(*monado.device, scene, test::options_of(*monado.headset), as, monado.headset->hidden());
   ASSERT_EQ(seen.size(), std::size_t(frames / every));
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const std::string what = fmt::format("{} picture {} at {} s", look.name, i, seen[i].time_s);

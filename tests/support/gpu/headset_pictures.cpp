@@ -68,8 +68,9 @@ DisplayFrame HeadsetScene::step(bool kept) {
   return shown;
 }
 
-std::vector<HeadsetPicture> drawn_without(Device& device, const Scene& scene, const ExperienceOptions& options,
-                                          const std::vector<HeadsetPicture>& as) {
+std::vector<HeadsetPicture> drawn_without(Device& device, const Scene& scene, ExperienceOptions options,
+                                          const std::vector<HeadsetPicture>& as, const HiddenMesh* hidden) {
+  options.hidden = hidden != nullptr;
   Experience experience(device, shaders(), scene, options);
   std::vector<HeadsetPicture> all;
   for (const HeadsetPicture& one : as) {
@@ -77,6 +78,7 @@ std::vector<HeadsetPicture> drawn_without(Device& device, const Scene& scene, co
     experience.resize(one.width, one.height);
     Frame& frame = experience.frame();
     frame.begin();
+    if (hidden) experience.hide(*hidden);
     draw_frame(experience, frame, one.viewpoint, one.time_s);
     frame.submit();
     frame.finish();

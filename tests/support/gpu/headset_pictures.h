@@ -51,9 +51,9 @@ class HeadsetScene {
 
 // As in `headset`, but for the images, which are the experience's own.
 ExperienceOptions options_of(const Headset& headset);
-// The same frames of a new Experience, without a headset.
-std::vector<HeadsetPicture> drawn_without(Device& device, const Scene& scene, const ExperienceOptions& options,
-                                          const std::vector<HeadsetPicture>& as);
+// The same frames of a new Experience, without a headset; `hidden`: what its lenses would hide; null: nothing.
+std::vector<HeadsetPicture> drawn_without(Device& device, const Scene& scene, ExperienceOptions options,
+                                          const std::vector<HeadsetPicture>& as, const HiddenMesh* hidden = nullptr);
 // An eye's depths in a picture's upper left part.
 std::vector<std::uint8_t> depths_of(Device& device, const Image& depth, const HeadsetPicture& of, std::size_t eye);
 
