@@ -20,7 +20,7 @@ struct CameraWish {
   std::optional<Pose> head;
   std::optional<double> ridden_m;  // the height that carries who rides the waves; nothing: the water's
   double faster_notches = 0;       // of the wheel: each changes the speed by a fifth
-  // Who swims has his eyes just above the water, and goes as far as this along the sea in this time (x, z). Nothing:
+  // A swimmer's eyes are just above the water, and move as far as this along the sea in this time (x, z). Nothing:
   // one travels, or climbs back to how one travelled.
   struct Swum {
     glm::dvec2 moved_m{0.0}, velocity_mps{0.0};

@@ -133,8 +133,10 @@ void Explorer::take(std::unique_ptr<Experience> loaded) {
   experience_->apply(theirs);
   wanted_.reset();  // of the scene before
   wanted_effects_.reset();
+  const bool told =
+      std::exchange(at_sea_, false) && experience_->scene().file == program_.scene.file;  // as it was read
   program_.scene = experience_->scene();
-  if (!std::exchange(at_sea_, false)) tell_remarks(program_.scene);  // or else they have been told
+  if (!told) tell_remarks(program_.scene);
   take_experience();
   camera_ = ExploreCamera(program_.scene.start);
   comfort_.begin_anew();

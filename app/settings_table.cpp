@@ -856,10 +856,11 @@ const std::vector<Setting>& table() {
        "Swaps what the two controllers' sticks and buttons do; what grabs and points stays with its hand.",
        headset<&HeadsetSettings::left_handed>, 0.0, 1.0},
       {"headset.seated", "",
-       "For who sits: lowers the floor so that the eyes are at headset.eye_height_m, measured as the view is centred.",
+       "For someone who sits: lowers the floor so that the eyes are at headset.eye_height_m, measured as the view is "
+       "centred.",
        headset<&HeadsetSettings::seated>, 0.0, 1.0},
       {"headset.eye_height_m", "m",
-       "Height of the eyes over the floor for who sits, and where the runtime knows no floor.",
+       "Height of the eyes over the floor for someone who sits, and where the runtime knows no floor.",
        headset<&HeadsetSettings::eye_height_m>, 0.5, 3.0},
       {"headset.symmetric", "",
        "Both eyes are drawn with one field of view, as wide to the left as to the right, of which each shows its own "

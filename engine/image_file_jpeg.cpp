@@ -11,9 +11,8 @@ namespace seascape {
 
 namespace {
 
-// A JPEG's smallest unit, 8 x 8 pixels in one of up to three planes, takes at least 6 bits of a Huffman stream that is
-// not progressive; a progressive one can leave blocks out by runs of 32767. So what a header promises is held against
-// this.
+// A blank picture is the smallest: a progressive JPEG leaves out up to 32,767 blocks of 8 x 8 pixels by some three
+// bytes. With its headers no real file comes near this; a header that promises more is refused before memory is taken.
 constexpr std::uint64_t most_pixels_a_byte = 8 * 8 * 4096;
 
 [[noreturn]] void broken(const std::string& where, const std::string& how) {

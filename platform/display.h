@@ -70,7 +70,7 @@ class Display {
   virtual void set_rate(double /*rate_hz*/) {}
   // Whether sticks and buttons of the two hands change places.
   virtual void set_left_handed(bool) {}
-  // Who sits gets a floor so far below that the eyes stand `eye_height_m` over it, measured now and as it is centred
+  // Someone who sits gets a floor so low that the eyes are `eye_height_m` over it, measured now and as it is centred
   // anew. A display that knows no floor takes it to be as far below.
   virtual void set_stature(bool /*seated*/, double /*eye_height_m*/) {}
   // Asks the display to come to its end, which begin() then says.

@@ -90,7 +90,7 @@ double Headset::floor_of_who_stands_m() const {
   return space_type_ == XR_REFERENCE_SPACE_TYPE_LOCAL ? -options_.eye_height_m : 0.0;
 }
 
-// For who sits, under the head as it is at `time`; as soon as it is tracked.
+// For someone who sits: under the head as it is at `time`, as soon as it is tracked.
 void Headset::lay_floor(XrTime time) {
   double floor_m = floor_of_who_stands_m();
   if (options_.seated) {
