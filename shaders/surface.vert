@@ -20,13 +20,14 @@ layout(std430, binding = slot_probe) buffer Probe {
 
 layout(location = 0) in ivec4 patch_data[patches_an_instance];  // PatchInstance: corner, stride, flags
 
-layout(location = 0) out vec3 place;         // metres from the viewer, world axes
-layout(location = 1) out vec2 rest;          // rest position, metres from the grid origin
-layout(location = 2) out vec2 height_shear;  // x: above the curved still sea, metres; y: dDx/dz
-layout(location = 3) out vec4 derivatives;   // of the cascades that vertices carry
+layout(location = 0) out vec3 place;  // metres from the viewer, world axes
+layout(location = 1) out vec2 rest;   // rest position, metres from the grid origin
+layout(location = 2) out vec3
+    height_shear;  // x: above the curved still sea, metres; y: dDx/dz; z: 1 on land, 0 on water
+layout(location = 3) out vec4 derivatives;  // of the cascades that vertices carry
 layout(location = 4) flat out uint flags;
-layout(location = 5) out vec3
-    shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz
+layout(location = 5) out vec4
+    shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz; land
 
 void main() {
   const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
@@ -48,11 +49,13 @@ void main() {
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
-  if (deferred && water_clip && !sea_bed && (water_clip_kinds & 6) != 0) height_shear = vec2(d.y, 0.0);
+  if (deferred && water_clip && !sea_bed && (water_clip_kinds & 6) != 0) height_shear = vec3(d.y, 0.0, 0.0);
+  float land = 0.0;
+  if (sea_bed) land = d.y <= here.bed.here.x ? 1.0 : 0.0;
   if (deferred)
-    shift_shear = d.xzw;
+    shift_shear = vec4(d.xzw, land);
   else
-    height_shear = d.yw;
+    height_shear = vec3(d.yw, land);
   const ViewData view = frame.view[eye_index()];
   derivatives = sea_carried(here, spacing, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;

@@ -46,8 +46,9 @@ void main() {
     p.derivatives = vec4(unpackHalf2x16(kept.y), unpackHalf2x16(kept.z));
     const vec2 shear_footprint = unpackHalf2x16(kept.w);
     p.height_shear = vec2(flat_place.y, shear_footprint.x);
+    p.ramp = shear_footprint.y < 0.0;
     p.along =
-        vec2(shear_footprint.y, 0.0);  // a sampler of one texel in all directions asks only how long the longer is
+        vec2(abs(shear_footprint.y), 0.0);  // a sampler of one texel in all directions asks only how long the longer is
     p.across = p.along.yx;
     if (anisotropy > 1.0) {
       const uvec2 footprint = texelFetch(footprints, at, 0).xy;

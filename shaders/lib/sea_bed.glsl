@@ -55,6 +55,9 @@ vec4 sea_bed_derivatives(SeaBed bed, vec4 d, int number) {
 
 float sea_bed_energy(SeaBed bed, int number) { return sea_bed_of(bed, number) * sea_bed_of(bed, number); }
 
+// Of what is 1 at a triangle's corners on land and 0 at the others: is it a triangle of both?
+bool joins_land(float land) { return land > 0.0 && land < 0.9999; }
+
 // Land stands above the water, and does not go to and fro with it.
 vec4 sea_bed_land(SeaPlace place, vec4 sum) {
   const float wet = smoothstep(dry_depth_m, wet_depth_m, place.level.x - place.bed.here.x);

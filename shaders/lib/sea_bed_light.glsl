@@ -8,6 +8,10 @@ struct Bed {
   float water;        // share of the footprint under water
 };
 
+// Thinner water is wet land, and land that lies at the still level is land.
+const float least_film_m = 0.01;
+const float flattest_beach = 0.02;  // its slope; beaches of 0.01 to 0.11 were measured (Stockdon et al. 2006, table 1)
+
 float bed_hash(vec2 cell) {
   vec3 p = fract(vec3(cell.xyx) * 0.1031);  // of whole numbers up to some thousands (Hoskins 2014)
   p += dot(p, p.yzx + 33.33);
@@ -31,6 +35,38 @@ float bed_height(vec2 place, float footprint) { return sea_bed_height(place_read
 
 vec2 bed_slope(vec2 place, float footprint) { return sea_bed_slope(place_read(place, footprint), place).xy; }
 
+// Of a triangle that stands with one foot in the water and with another on land (`above`: as in bed_at): is it the wall
+// that the line of sight goes on to above the water? Then what is known of the bed is that of the wall.
+void meet_wall(inout Bed bed, SurfacePoint p, SeaPlace here, float above, vec3 v, float footprint) {
+  const float level = max(length(v.xz), 0.1), fall = v.y / level, stands = here.level.x + above;
+  const vec2 on = -v.xz / level;
+  float outside = 0.0, within = 1.5 * mesh_spacing(p.rest);
+  bool meets = false;
+  for (int i = 0; i < 3 && !meets; ++i) {
+    meets = stands - fall * within < bed_height(p.place + on * within, footprint);
+    if (!meets) outside = within;
+    if (!meets) within *= 2.0;
+  }
+  if (!meets) return;
+  for (int i = 0; i < 6; ++i) {
+    const float middle = 0.5 * (outside + within);
+    if (stands - fall * middle < bed_height(p.place + on * middle, footprint))
+      within = middle;
+    else
+      outside = middle;
+  }
+  const vec2 slope = bed_slope(p.place + on * within, footprint);
+  const float met = above - fall * within;
+  float wall = smoothstep(0.5, 1.0, length(slope));
+  if (wall > 0.0) {
+    const float water = sea_displacement(here, mesh_spacing(p.rest)).y - here.level.x;
+    wall *= smoothstep(0.0, 0.2, met - water);
+  }
+  bed.water *= 1.0 - wall;
+  bed.still_depth = mix(bed.still_depth, -met, wall);
+  bed.slope = mix(bed.slope, slope, wall);
+}
+
 // `above`: the drawn water over the still one, m; `v`: to the eye.
 Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float footprint) {
   Bed bed;
@@ -46,42 +82,16 @@ Bed bed_at(SurfacePoint p, SeaPlace here, float above, vec3 v, float footprint) 
       add_displacement(run, sea_longest_displacement, frame.sea.cascade[0], 0, 0.0, vec4(1.0), here, footprint);
     if (cascade_count > 1)
       add_displacement(run, sea_displacement_tiles, frame.sea.cascade[1], 1, 0.0, vec4(1.0), here, footprint);
+    // Ground flatter than any beach (1 in 50) has no shore for water to run up: there its crests and troughs would lie
+    // about as sheets and bars.
+    run.y *= smoothstep(0.0, flattest_beach, length(bed.slope));
     bed.film = mix(bed.still_depth + run.y, bed.film, smoothstep(shore, 2.0 * shore, bed.still_depth));
   }
   if (bed.still_depth < -2.0 * shore) bed.film = bed.still_depth;
-  bed.water = clamp(0.5 + bed.film / (length(bed.slope) * footprint + 0.01), 0.0, 1.0);
-  // A triangle from the water up to a wall beside it is that wall, where it is higher than the water and the line of
-  // sight goes on to the wall. Only high water is asked about: all would take a fifth of the time of a place.
-  if (bed.still_depth > -2.0 * shore && above > max(0.5 * frame.sea.footprint.w, -bed.still_depth)) {
-    const float level = max(length(v.xz), 0.1), fall = v.y / level, stands = here.level.x + above;
-    const vec2 on = -v.xz / level;
-    float outside = 0.0, within = 1.5 * mesh_spacing(p.rest);
-    bool meets = false;
-    for (int i = 0; i < 3 && !meets; ++i) {
-      meets = stands - fall * within < bed_height(p.place + on * within, footprint);
-      if (!meets) outside = within;
-      if (!meets) within *= 2.0;
-    }
-    if (meets) {
-      for (int i = 0; i < 6; ++i) {
-        const float middle = 0.5 * (outside + within);
-        if (stands - fall * middle < bed_height(p.place + on * middle, footprint))
-          within = middle;
-        else
-          outside = middle;
-      }
-      const vec2 slope = bed_slope(p.place + on * within, footprint);
-      const float met = above - fall * within;
-      float wall = met > 0.0 ? smoothstep(0.5, 1.0, length(slope)) : 0.0;
-      if (wall > 0.0) {
-        const float water = sea_displacement(here, mesh_spacing(p.rest)).y - here.level.x;
-        wall *= smoothstep(0.0, 0.2, met - max(water, 0.0));
-      }
-      bed.water *= 1.0 - wall;
-      bed.still_depth = mix(bed.still_depth, -met, wall);
-      bed.slope = mix(bed.slope, slope, wall);
-    }
-  }
+  bed.water = clamp(0.5 + (bed.film - least_film_m) / (length(bed.slope) * footprint + least_film_m), 0.0, 1.0);
+  // Only where the drawn surface leaves the ground.
+  if (p.ramp && bed.still_depth > -2.0 * shore && above > -bed.still_depth)
+    meet_wall(bed, p, here, above, v, footprint);
   return bed;
 }
 
@@ -194,9 +204,9 @@ vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
       1.0 - smoothstep(0.4 * run_up, 1.3 * run_up + 0.01,
                        -bed.still_depth +
                            0.25 * run_up * (bed_noise(place + frame.sea.place.outside_bed.yz, 16.0, footprint) - 0.5));
-  // A wall sees half of the sky, of which what stands low counts most, and in place of the rest what sky and sun light
-  // around it: sand, growth and water.
-  const vec3 low = 0.5 * pi * textureLod(sky_map, sky_coordinate(normalize(vec3(normal.x, 0.25, normal.z))), 0.0).rgb;
+  // A wall sees half of the sky, and in place of the rest what sky and sun light around it: sand, growth and water. Its
+  // half of the sky gives it what pi / 2 times the radiance 19 degrees above the horizon would (docs/accuracy.md).
+  const vec3 low = 0.5 * pi * textureLod(sky_map, sky_coordinate(normalize(vec3(normal.x, 0.35, normal.z))), 0.0).rgb;
   const vec3 around = ground_around * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(frame.sun.y, 0.0));
   const vec3 light_there = mix(low + 0.5 * around, light.sky_irradiance.rgb, normal.y) +
                            sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);

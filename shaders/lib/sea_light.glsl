@@ -26,6 +26,7 @@ struct SurfacePoint {
   vec2 along, across;  // of the rest position, a pixel to the right and a pixel down
   vec2 height_shear;   // x: above the curved still sea, metres; y: dDx/dz
   vec4 derivatives;    // of the cascades that vertices carry
+  bool ramp;           // of a triangle that joins water and land
 };
 
 #include "lib/foam.glsl"

@@ -17,7 +17,7 @@ layout(constant_id = value_clip_samples) const int clip_samples = 4;  // of a pi
 // Centroid: at the edge of a crest a multisampled pixel would else extrapolate past it, to places without sense.
 layout(location = 0) centroid in vec3 relative;
 layout(location = 1) centroid in vec2 rest;
-layout(location = 2) centroid in vec2 height_shear;
+layout(location = 2) centroid in vec3 height_shear;
 layout(location = 3) centroid in vec4 derivatives;
 layout(location = 4) flat in uint flags;
 
@@ -78,7 +78,8 @@ void main() {
   if (dry) discard;
 #endif
   vec3 normal;
-  const SurfacePoint p = SurfacePoint(seen, rest, place, along, across, height_shear, derivatives);
+  SurfacePoint p = SurfacePoint(seen, rest, place, along, across, height_shear.xy, derivatives, false);
+  if (sea_bed) p.ramp = joins_land(height_shear.z);
   vec3 lit = sea_light(p, frame.view[eye_index()], normal);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);
