@@ -133,6 +133,11 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   if (water_ && sea_.spec().has_waves)
     result.below =
         water_below(water_.field(), water_.tiles(), viewpoint.viewer.position_m, sea_.statistics().near_motion);
+  if (result.below && !waves_->by_processor()) {
+    // The felt water is known, another one is drawn: each lacks some waves that the other may have.
+    const double apart_m = std::hypot(sea_.left_out_m(SeaDetail::felt), sea_.left_out_m(SeaDetail::drawn));
+    result.below->motion.add(apart_m, sea_.chop());
+  }
   if (waves_alone()) return result;
   result.mesh_error = source_error_.with(result.mesh_error);
   if (dynamic_waves_) result.near = dynamic_waves_->mesh_errors();

@@ -13,7 +13,7 @@ DrawnWaves::DrawnWaves(Device& device, ShaderLibrary& shaders, Sea& sea, WavePla
     : sea_(sea),
       images_(device, sea.state(), sea.spec().drawn, sea.bins(), sea.statistics(), anisotropy,
               on_gpu(device, where) ? WaveImages::Filled::stored : WaveImages::Filled::written, in_flight),
-      version_(sea.waves_version()) {
+      version_(sea.bins_version()) {
   if (!sea.spec().has_waves) return;
   if (on_gpu(device, where))
     compute_ = std::make_unique<WaveCompute>(device, shaders, sea.state(), sea.bins(), images_);
@@ -30,8 +30,8 @@ void DrawnWaves::make(Frame& frame, double time_s) {
 
 // Takes what a change has made of the waves.
 void DrawnWaves::follow(Frame& frame) {
-  if (sea_.waves_version() == version_) return;
-  version_ = sea_.waves_version();
+  if (sea_.bins_version() == version_) return;
+  version_ = sea_.bins_version();
   images_.take(sea_.bins(), sea_.chop(), sea_.statistics());
   if (compute_) compute_->take(frame, sea_.bins(), sea_.chop());
 }

@@ -37,7 +37,7 @@ class DrawnWaves final : public DrawnPiece {
   WaveImages images_;
   std::unique_ptr<WaveCompute> compute_;  // either this
   std::unique_ptr<WaveUpload> upload_;    // or this fills them
-  std::uint64_t version_;                 // Sea::waves_version that is drawn
+  std::uint64_t version_;                 // Sea::bins_version that is drawn
   SeaView nothing_;
 };
 

@@ -204,7 +204,7 @@ void Sea::take_waves(std::int64_t ticks) {
   if (drawn_bins_) drawn_bins_ = kept_bins(bins_, spec_.drawn);
   statistics_ = blend_->statistics(ticks);
   chop_ = blend_->chop(ticks);
-  ++waves_version_;
+  ++waves_version_, ++bins_version_;
   // Who holds a view keeps the waves that it has.
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     std::shared_ptr<WaveField>& field = fields_[i];
@@ -313,7 +313,7 @@ void Sea::draw_other_waves() {
     statistics_ = sea_statistics(waves_of_, bins());
   }
   drawn_changed_ = true;
-  ++waves_version_;
+  ++waves_version_, ++bins_version_;
 }
 
 void Sea::know_velocity(SeaDetail detail, bool known) {

@@ -79,11 +79,15 @@ class Sea {
   const WaveBins& bins() const { return drawn_bins_ ? *drawn_bins_ : bins_; }
   const SeaStatistics& statistics() const { return statistics_; }
   double chop() const { return chop_; }
+  // What waves of a detail lack of the sea (SeaView::left_out_m); 0 before its first view.
+  double left_out_m(SeaDetail detail) const { return left_out_m_[std::size_t(detail)]; }
   const ShallowsMix& shallows() const { return shallows_; }
   // Whose phases all waves have; none while two seeds' waves are there at once.
   std::optional<std::uint32_t> seed() const { return seed_; }
-  // Counts up whenever the waves' amplitudes change, from 1.
+  // Counts up whenever the water of a moment changes, from 1: by its waves, by sources or by places.
   std::uint64_t waves_version() const { return waves_version_; }
+  // Counts up whenever bins(), chop() or statistics() change, from 1.
+  std::uint64_t bins_version() const { return bins_version_; }
   // Null where the scene has none, or nothing that could ever push the water.
   const DynamicSea* dynamic_waves() const { return dynamic_.get(); }
   // Their surface as of the last advance; null where there are none.
@@ -124,7 +128,7 @@ class Sea {
   double chop_;
   std::optional<std::uint32_t> seed_;
   SeaState waves_of_;  // the state that bins_ have while no change runs
-  std::uint64_t waves_version_ = 1;
+  std::uint64_t waves_version_ = 1, bins_version_ = 1;
   std::array<std::shared_ptr<WaveField>, sea_details> fields_;  // made when first asked for
   std::array<double, sea_details> left_out_m_{};
   ShallowsMix shallows_;

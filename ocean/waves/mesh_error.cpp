@@ -90,6 +90,11 @@ glm::dvec2 NearMotion::operator()(double distance_m) const {
                   of_octave);
 }
 
+void NearMotion::add(double height_m, double chop) {
+  for (double& deviation : vertical_m) deviation = std::hypot(deviation, height_m);
+  for (double& deviation : horizontal_m) deviation = std::hypot(deviation, chop * height_m);
+}
+
 double MeshError::operator()(double spacing_m) const {
   const auto [n, share] = octave(spacing_m * (1.0 / least_spacing_m), octave_m.size() - 1);
   return std::lerp(octave_m[n], octave_m[n + 1], share);

@@ -84,6 +84,8 @@ struct NearMotion {
   static constexpr double footprint_m = 8.0, least_distance_m = 0.25;
   std::array<double, 16> vertical_m{}, horizontal_m{};  // for distances of 1, 2, 4, ... times the least
   glm::dvec2 operator()(double distance_m) const;       // the height's, the shift's
+  // Other waves besides, whose height's standard deviation is `height_m`: at every distance.
+  void add(double height_m, double chop);
 };
 
 // Sums over the drawn bins: what the surface's statistics must come to. Variances in m^2 and (dimensionless) slope^2.

@@ -139,8 +139,8 @@ Went run_on(const test::ShotOptions& options, const std::string& key, const std:
 }
 
 // In a storm with foam and spray, or where else a row acts. Controls seen: an Ocean::apply that forgets
-// foam_->sea().apply, one that forgets settings_, one that makes its spray anew, and an Ocean::takes that is always
-// false.
+// foam_->sea().apply, one that forgets settings_, one that makes its spray anew, an Ocean::takes that is always
+// false, and waves of the GPU that are copied anew whenever a source changes.
 TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
   std::map<std::string, Went> plain;  // by the scene
   std::size_t live = 0;
@@ -149,8 +149,11 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     SCOPED_TRACE(row.key);
     ++live;
     if (std::getenv("SEASCAPE_LONG") == nullptr && live % 2 == 0) continue;  // half of them unless all are wanted
-    const test::ShotOptions options = test::where_it_acts(row.key);
-    const std::string shown = options.scene + std::to_string(options.set.size());
+    test::ShotOptions options = test::where_it_acts(row.key);
+    // Half of those with waves of the GPU, which software drivers do not have of themselves.
+    const char* where = live % 4 == 1 ? "gpu" : "cpu";
+    options.set.push_back({"waves.where", where});
+    const std::string shown = options.scene + std::to_string(options.set.size()) + where;
     if (!plain.contains(shown)) {
       plain[shown] = run_on(options, "", "");
       ASSERT_EQ(plain[shown].objects, 0u);

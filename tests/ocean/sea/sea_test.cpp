@@ -199,11 +199,23 @@ TEST(Sea, ViewsOutliveAChange) {
   }
   sea.advance(11.0, head);
   EXPECT_FALSE(sea.changing());
+  EXPECT_GT(sea.bins_version(), 1u);
   EXPECT_EQ(before.query(place).height_m, height);
   Sea as_it_was(small_spec());
   EXPECT_EQ(later.query(place).height_m, as_it_was.view_at(10.5, SeaDetail::felt).query(place).height_m);
   EXPECT_NE(sea.view_at(10.0, SeaDetail::felt).query(place).height_m, height);
   EXPECT_GT(sea.statistics().height_variance, 3.0 * Sea(small_spec()).statistics().height_variance);
+}
+
+// Another level moves the water and leaves its waves: who draws them copies none anew. Control seen: both counts
+// raised.
+TEST(Sea, TellsChangedWavesFromChangedWater) {
+  Sea sea(small_spec());
+  SeaSpec spec = small_spec();
+  spec.place.settings.level_m = 0.3;
+  sea.apply(std::move(spec));
+  EXPECT_GT(sea.waves_version(), 1u);
+  EXPECT_EQ(sea.bins_version(), 1u);
 }
 
 // 99 of 100 felt heights lie within three times left_out_m of the drawn ones, and not all within a third of it. Of
