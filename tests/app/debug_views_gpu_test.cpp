@@ -166,7 +166,7 @@ TEST_F(DebugViews, NormalsAreTheSurfaces) {
     shot.set("waves.wind_speed_mps", "0");
     shot.set("waves.swell_height_m", "0");
     const Image8 still = shot.picture(view, time_s);
-    EXPECT_EQ(test::count_colour(still, 187, 255, 187), width * height) << preset;
+    EXPECT_EQ(test::count_colour(still, 187, 255, 187, 1), width * height) << preset;
   }
 }
 
@@ -231,7 +231,7 @@ TEST_F(DebugViews, SlicesRepeatEverySixteenMetres) {
   shot.set("waves.change_s", "0");
   shot.set("waves.wind_speed_mps", "0");
   shot.set("waves.swell_height_m", "0");
-  EXPECT_EQ(test::count_colour(shot.picture(view, time_s), 187, 187, 187), width * height);
+  EXPECT_EQ(test::count_colour(shot.picture(view, time_s), 187, 187, 187, 1), width * height);
 }
 
 // Frozen, the vertices stay where they are in the world while the camera goes elsewhere. Control: thawed, they follow.

@@ -25,6 +25,7 @@ test::ShotOptions options(const std::string& scene, const std::string& lighting)
           .height = 108,
           .views = 2,
           .set = {{"msaa", "1"},
+                  {"waves.where", "cpu"},  // whose waves say where eyes are in the air
                   {"frame.lighting", lighting},
                   {"frame.facing_only", lighting == "deferred" ? "true" : "false"}}};
 }

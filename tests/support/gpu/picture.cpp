@@ -45,11 +45,11 @@ PictureStatistics statistics(const Image8& picture) {
   return s;
 }
 
-int count_colour(const Image8& picture, int red, int green, int blue) {
+int count_colour(const Image8& picture, int red, int green, int blue, int within) {
   int count = 0;
   for (std::size_t i = 0; i < pixels(picture); ++i) {
     const std::uint8_t* p = &picture.pixels[i * std::size_t(picture.channels)];
-    count += p[0] == red && p[1] == green && p[2] == blue;
+    count += std::abs(p[0] - red) <= within && std::abs(p[1] - green) <= within && std::abs(p[2] - blue) <= within;
   }
   return count;
 }

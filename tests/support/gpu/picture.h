@@ -14,8 +14,8 @@ struct PictureStatistics {
 };
 PictureStatistics statistics(const Image8& picture);
 
-// Pixels of exactly this colour.
-int count_colour(const Image8& picture, int red, int green, int blue);
+// Pixels of this colour, each value off by at most `within` (of 255): drivers round what lies between two either way.
+int count_colour(const Image8& picture, int red, int green, int blue, int within = 0);
 // Pixels in which two pictures of one size differ in any bit of colour.
 int differing_pixels(const Image8& a, const Image8& b);
 

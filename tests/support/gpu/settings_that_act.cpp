@@ -23,7 +23,10 @@ ShotOptions where_it_acts(std::string_view key) {
                       .preset = "low",
                       .width = 64,
                       .height = 48,
-                      .set = {{"waves.resolution", "32"},
+                      // On GPUs too: where the GPU makes the waves, eyes are known to be in the air from higher up
+                      // alone, and fewer patches are left out.
+                      .set = {{"waves.where", "cpu"},
+                              {"waves.resolution", "32"},
                               {"waves.cascades", "3"},
                               {"msaa", "1"},
                               {"foam.simulated", "true"},
@@ -48,7 +51,7 @@ ShotOptions where_it_acts(std::string_view key) {
   if (begins("place.")) options.scene = "rivers";
   if (begins("baked.")) {
     options.scene = "baked";
-    options.set = {{"baked.fade_m", "100"}};
+    options.set = {{"waves.where", "cpu"}, {"baked.fade_m", "100"}};
   }
   if (begins("waves."))
     for (const char* swell : {"waves.swell_height_m", "waves.swell2_height_m", "waves.swell3_height_m"})
