@@ -165,9 +165,15 @@ void Experience::build() {
   look.deferred = deferred();
   look.probe = options_.probe;
   look.hidden = options_.hidden;
+  look.solids = calls_for(scene_.effects, "models") && !scene_.objects.empty();
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   const SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
+  solids_.reset();
+  if (look.solids)
+    solids_ = std::make_unique<DrawnSolids>(
+        device_, shaders_, drawn, light, scene_.objects.models,
+        SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(), look.anisotropy});
   spray_.reset();
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
@@ -262,6 +268,7 @@ void Experience::set_area() {
 void Experience::take_targets() {
   surface_->resize(in_tile() ? picture_ : lit_);
   if (spray_) spray_->resize(surface_->depths());
+  if (solids_) solids_->resize(surface_->depths());
   if (hands_) hands_->resize(surface_->depths());
   if (tone_pipeline_) bind_tone();
   set_area();

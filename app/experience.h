@@ -8,6 +8,7 @@
 #include "app/hidden_area.h"
 #include "app/scene.h"
 #include "app/sky.h"
+#include "app/solids/drawn_solids.h"
 #include "ocean/ocean.h"
 #include "ocean/surface/drawn_spray.h"
 
@@ -89,6 +90,8 @@ class Experience {
   const std::shared_ptr<Sea>& sea() const { return sea_; }
   Sky& sky() { return *sky_; }
   const Surface& surface() const { return *surface_; }
+  // Null where there are no things.
+  const DrawnSolids* solids() const { return solids_.get(); }
   // Null where there is none, or a debug view shows something else than light.
   const DrawnSpray* spray() const { return spray_.get(); }
   // The finished picture, one layer a view, sRGB.
@@ -120,6 +123,7 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<DrawnSolids> solids_;
   std::unique_ptr<ComfortOverlay> comfort_;
   std::unique_ptr<DrawnHands> hands_;
   std::unique_ptr<HiddenArea> hidden_area_;

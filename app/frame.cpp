@@ -58,7 +58,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
 
   // 2. The light: only when sun or haze have changed.
-  stages.time("sky", [&] { e.sky_->update(frame, settings.sky); });
+  bool sky_is_new = false;
+  stages.time("sky", [&] { sky_is_new = e.sky_->update(frame, settings.sky); });
 
   // 3. The patches for all eyes together, chosen by the viewer's head; what the shaders are told.
   const SurfaceSelection* selection = nullptr;
@@ -66,6 +67,11 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   const std::uint32_t uniform = frame.upload_uniform(data);
+  if (e.solids_)
+    stages.time("things", [&] {
+      e.solids_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new, e.scene_.objects.things, viewpoint,
+                        time_s);
+    });
   // What is drawn of the viewer himself, and over what he sees.
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
@@ -76,15 +82,16 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.spray_)
     stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
 
-  // 5. Sea, then the sky where no sea is, hands before them, and spray over all: in the tile up to the finished
-  // picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of
-  // all pixels.
+  // 5. Sea and solid things, then the sky where none of them is, hands before them, and spray over all: in the tile up
+  // to the finished picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first,
+  // then the light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =
       e.options_.probe ? use(e.surface_->probed(), Access::vertex_store) : use(e.sky_->light(), Access::surface_read);
   Uses uses{use(e.sky_->map(), Access::surface_read), use(e.sky_->light(), Access::surface_read), probe};
   e.ocean_->add_uses(uses);
+  if (e.solids_) e.solids_->add_uses(uses);
   const auto record = [&](const char* name, const RenderTarget& target, const Uses& used, const auto& commands) {
     stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
   };
@@ -94,10 +101,12 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
     e.surface_->draw(c, frame, *selection, uniform, from_air);
+    if (e.solids_) e.solids_->draw(c, uniform);
     if (deferred) return;
     c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
+    if (e.solids_) e.solids_->draw_blended(c, uniform);
     if (e.hands_) e.hands_->draw(c, uniform);
     if (e.spray_) e.spray_->draw(c, uniform);
     finish(c, tile);
@@ -106,6 +115,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     e.surface_->add_points(uses);
     record("light", drawn, uses, [&](Commands& c) {
       e.surface_->light(c, uniform);
+      if (e.solids_) e.solids_->draw_blended(c, uniform);
       if (e.hands_) e.hands_->draw(c, uniform);
       if (e.spray_) e.spray_->draw(c, uniform);
       finish(c, tile);

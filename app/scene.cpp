@@ -127,6 +127,8 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
     scene.inputs = read_inputs(*inputs, scene.effects, where, faults);
     for (std::string& remark : remarks_of(scene.inputs)) scene.remarks.push_back(std::move(remark));
   }
+  if (const LocatedJson* objects = file.optional("objects"))
+    scene.objects = read_objects(*objects, scene.effects, where, faults);
   file.finish();
 }
 

@@ -37,10 +37,10 @@ Sky::Sky(Device& device, ShaderLibrary& shaders) {
                              {{.binding = 0, .buffer = &light_}, {.binding = 1, .view = map_.view()}}, "sky light");
 }
 
-void Sky::update(Frame& frame, const SkySettings& settings) {
+bool Sky::update(Frame& frame, const SkySettings& settings) {
   if (made_ && settings.sun_elevation_deg == made_for_.sun_elevation_deg &&
       settings.sun_to_deg == made_for_.sun_to_deg && settings.haze == made_for_.haze)
-    return;
+    return false;
   made_ = true;
   made_for_ = settings;
   const gpu::SkyPush push{glm::vec4(glm::vec3(sun_direction(settings)), float(settings.haze))};
@@ -60,6 +60,7 @@ void Sky::update(Frame& frame, const SkySettings& settings) {
     c.push(push);
     c.dispatch(1, 1, 1);
   });
+  return true;
 }
 
 }  // namespace seascape

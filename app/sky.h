@@ -13,8 +13,8 @@ glm::dvec3 sun_direction(const SkySettings& settings);
 class Sky {
  public:
   Sky(Device& device, ShaderLibrary& shaders);
-  // Recomputes the map when the settings differ from the last call's.
-  void update(Frame& frame, const SkySettings& settings);
+  // Recomputes the map when the settings differ from the last call's; returns whether they do.
+  bool update(Frame& frame, const SkySettings& settings);
   const Image& map() const { return map_; }
   VkSampler sampler() const { return sampler_.get(); }
   const Buffer& light() const { return light_; }

@@ -48,9 +48,9 @@ void Commands::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   ++work_->back().dispatches;
 }
 
-void Commands::bind_vertices(const VertexList& list) {
+void Commands::bind_vertices(const VertexList& list, std::uint32_t binding) {
   const VkBuffer buffer = list.buffer->get();
-  vkCmdBindVertexBuffers(commands_, 0, 1, &buffer, &list.offset);
+  vkCmdBindVertexBuffers(commands_, binding, 1, &buffer, &list.offset);
   note(5);
 }
 

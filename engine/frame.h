@@ -97,7 +97,7 @@ class Commands {
     push_bytes(&constants, sizeof(T));
   }
   void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z);
-  void bind_vertices(const VertexList& list);
+  void bind_vertices(const VertexList& list, std::uint32_t binding = 0);
   void bind_indices(const Buffer& buffer, VkIndexType type);
   void draw(std::uint32_t vertices, std::uint32_t instances = 1);
   // `nothing`: so many of the triangles are not there (shaders/shared/patch_instance.h), and are not counted.

@@ -132,6 +132,8 @@ Owned<VkSampler> make_sampler(Device& device, std::string_view name, const Sampl
   info.mipmapMode = spec.linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
   info.addressModeU = info.addressModeV = info.addressModeW =
       spec.repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeU = spec.across.value_or(info.addressModeU);
+  info.addressModeV = spec.up.value_or(info.addressModeV);
   info.maxLod = VK_LOD_CLAMP_NONE;
   const float anisotropy = std::min(spec.anisotropy, device.facts().max_anisotropy);
   info.anisotropyEnable = anisotropy > 1.0f;

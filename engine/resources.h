@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -105,8 +106,9 @@ class Image {
 
 struct SamplerSpec {
   bool linear = true;
-  bool repeat = true;
-  float anisotropy = 1.0f;  // clamped to what the device has
+  bool repeat = true;                              // false: it holds its edge
+  float anisotropy = 1.0f;                         // clamped to what the device has
+  std::optional<VkSamplerAddressMode> across, up;  // instead of `repeat`
 };
 Owned<VkSampler> make_sampler(Device& device, std::string_view name, const SamplerSpec& spec);
 

@@ -16,6 +16,7 @@ layout(binding = slot_point_depths) uniform sampler2DArray depths;
 
 layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
 layout(constant_id = value_debug) const bool debug = false;
+layout(constant_id = value_models) const bool models = false;  // some points are solid things, lit already
 
 layout(constant_id = value_hidden) const bool may_be_hidden = false;
 
@@ -36,6 +37,11 @@ void main() {
     lit = sky_light(normalize(pixel_ray), view.eye.w);
   } else {
     const uvec4 kept = texelFetch(points, at, 0);
+    if (models && kept.w == kept_solid) {
+      colour = vec4(vec3(unpackHalf2x16(kept.x), unpackHalf2x16(kept.y).x), 1.0);
+      if (tile_shape) colour.rgb = tone_map(colour.rgb);
+      return;
+    }
     SurfacePoint p;
     // Reversed depth without a far plane: near over the distance along the line of sight's axis, which is the ray's own
     // measure.

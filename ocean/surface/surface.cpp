@@ -101,6 +101,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   once.fragment = "surface_light.frag";
   once.values = spec.values;
   once.values.push_back({std::uint32_t(gpu::value_hidden), look.hidden});
+  once.values.push_back({std::uint32_t(gpu::value_models), look.solids});
   once.depth_test = once.depth_write = false;
   light_pipeline_ = make_graphics_pipeline(device, shaders, picture, once);
   points_sampler_ = make_sampler(device, "surface points", {false, false, 1.0f});

@@ -14,6 +14,7 @@ struct SurfaceLook {
   bool wireframe = false;
   bool probe = false;     // write vertex positions (tests)
   bool hidden = false;    // some pixels may be hidden: what draws them does so before, as near as can be
+  bool solids = false;    // solid things are drawn among its points, where it is deferred
   bool deferred = false;  // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };

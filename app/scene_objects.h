@@ -1,0 +1,29 @@
+// The things that a scene file puts somewhere: models with a place, one by one or scattered.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/faults.h"
+#include "app/located_json.h"
+#include "app/solids/solid_instances.h"
+
+namespace seascape {
+
+struct SceneObjects {
+  std::vector<PlacedModel> models;  // each file once
+  std::vector<SolidThing> things;
+  std::vector<std::string> names;  // of the things; those that are scattered have a number behind theirs
+  bool empty() const { return things.empty(); }
+};
+
+inline constexpr std::size_t most_objects = 4096;   // in a file
+inline constexpr std::size_t most_things = 100000;  // with all that are scattered
+
+// Reads the list of a scene's key "objects". A model is a .glb or .gltf file beside the scene, or the name of one in
+// content/models. `effects` are those that the scene names: objects need `models`. Faults name file and line, key,
+// value, range and remedy.
+SceneObjects read_objects(const LocatedJson& list, const std::vector<std::string>& effects, const std::string& where,
+                          Faults& faults);
+
+}  // namespace seascape

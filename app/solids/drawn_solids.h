@@ -1,0 +1,84 @@
+// Solid things on the GPU: their models, the surroundings that they mirror, and the draws of a frame.
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "app/solids/solid_instances.h"
+#include "app/solids/solid_pictures.h"
+#include "engine/frame.h"
+#include "engine/pipeline.h"
+#include "ocean/surface/surface.h"
+
+namespace seascape {
+
+struct SolidLook {
+  bool tile_shape = false;               // tone mapping in the fragment shader
+  const RenderTarget* points = nullptr;  // where the sea is lit later: what its points are drawn into; null: nowhere
+  const Image* depths = nullptr;         // of these points
+  float anisotropy = 1.0f;               // of the points (SurfaceLook) and of textures
+  int most_texels = 4096;                // of a texture's larger side
+};
+
+class DrawnSolids {
+ public:
+  // `picture`: what the sea is lit into. The models outlive it.
+  DrawnSolids(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const SurfaceLight& light,
+              std::span<const PlacedModel> models, const SolidLook& look);
+
+  // Other images of the points' depth.
+  void resize(const Image* depths);
+
+  // Outside of passes: the surroundings, where sky or water have changed; what is seen of the things now.
+  void update(Frame& frame, const Image& sky_map, const glm::vec4& water_reflectance, bool sky_is_new,
+              std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s);
+  void add_uses(Uses& uses) const;
+  // Inside the pass that draws the sea (into look.points, where there are any): what hides all that lies behind it.
+  void draw(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, false); }
+  // After sea and sky, inside the pass into the picture: what lets light through, far things first.
+  void draw_blended(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, true); }
+
+  const SolidSelection& selection() const { return selection_; }
+
+ private:
+  struct Mesh {  // a primitive
+    Buffer vertices, indices;
+    std::uint32_t count = 0;
+    std::size_t material = 0;
+  };
+  struct Material {
+    std::array<const Image*, gpu::solid_textures> textures;
+    std::array<VkSampler, gpu::solid_textures> samplers;
+    bool blends = false, double_sided = false;
+    Bindings bindings, blended;
+  };
+  struct Drawn {
+    std::vector<Image> textures;
+    std::vector<Material> materials;
+    std::vector<std::vector<Mesh>> meshes;  // of each mesh its primitives
+    Buffer material_data;
+  };
+  void make_model(const SolidModel& model);
+  void make_pipelines(const RenderTarget& picture);
+  void bind(Drawn& drawn);
+  VkSampler sampler(const SolidTexture& texture);
+  void draw(Commands& commands, std::uint32_t frame_uniform, bool blended) const;
+
+  Device& device_;
+  ShaderLibrary& shaders_;
+  std::span<const PlacedModel> models_;
+  SurfaceLight light_;
+  SolidLook look_;
+  Image sky_, albedo_, white_, flat_;
+  Owned<VkSampler> sky_sampler_, depth_sampler_;
+  std::vector<std::pair<int, Owned<VkSampler>>> samplers_;  // by how they wrap and filter
+  Pipeline sky_pipeline_, albedo_pipeline_, pipeline_, blended_pipeline_;
+  Bindings sky_bindings_, albedo_bindings_;
+  std::vector<Drawn> drawn_;
+  bool lit_ = false;
+  glm::vec4 lit_by_{0.0f};
+  SolidSelection selection_;
+  VertexList instances_{};
+};
+
+}  // namespace seascape

@@ -1,0 +1,137 @@
+#include "app/solids/solid_instances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ocean/mesh/tree_frame.h"
+
+namespace seascape {
+
+namespace {
+
+// Whether a ball may be seen by an eye, of which it lies at `at` (m).
+bool may_see(const Fov& fov, const glm::dvec3& at, double radius) {
+  const auto inside = [&](double past, double slope) { return past >= -radius * std::sqrt(1.0 + slope * slope); };
+  return -at.z >= -radius && inside(at.x + fov.left * at.z, fov.left) && inside(-at.x - fov.right * at.z, fov.right) &&
+         inside(-at.y - fov.up * at.z, fov.up) && inside(at.y + fov.down * at.z, fov.down);
+}
+
+gpu::SolidInstance instance(const glm::dmat4& world, const glm::dvec3& viewer_m) {
+  gpu::SolidInstance made;
+  glm::vec4* const rows[3] = {&made.row_x, &made.row_y, &made.row_z};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) (*rows[row])[column] = float(world[column][row]);
+    rows[row]->w = float(world[3][row] - (row == 1 ? 0.0 : viewer_m[row]));
+  }
+  return made;
+}
+
+}  // namespace
+
+PlacedModel::PlacedModel(std::shared_ptr<const SolidModel> model) : model_(std::move(model)) {
+  struct How {
+    bool drawn = false;
+    int chosen_by = -1, level = 0;
+  };
+  std::vector<How> how(model_->nodes.size());
+  for (const int root : model_->drawn) how[std::size_t(root)].drawn = true;
+  for (const int index : model_->order) {
+    const SolidNode& node = model_->nodes[std::size_t(index)];
+    How& own = how[std::size_t(index)];
+    if (node.parent >= 0 && !own.drawn) own = how[std::size_t(node.parent)];
+    if (!own.drawn) continue;
+    if (!node.coarser.empty()) {
+      own.chosen_by = index;
+      own.level = 0;
+      for (std::size_t i = 0; i < node.coarser.size(); ++i)
+        how[std::size_t(node.coarser[i])] = {true, index, int(i) + 1};
+    }
+    if (node.mesh >= 0) parts_.push_back({node.mesh, index, own.chosen_by, own.level});
+  }
+  bound();
+}
+
+void PlacedModel::bound() {
+  glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
+  const auto each = [&](const auto& take) {
+    const std::vector<glm::dmat4> nodes = nodes_at(0.0);
+    for (const SolidPart& part : parts_)
+      for (const SolidPrimitive& one : model_->meshes[std::size_t(part.mesh)].primitives)
+        for (const glm::vec3& place : one.positions)
+          take(glm::dvec3(nodes[std::size_t(part.node)] * glm::dvec4(place, 1.0)));
+  };
+  each([&](const glm::dvec3& place) {
+    least = glm::min(least, place);
+    most = glm::max(most, place);
+  });
+  if (least.x > most.x) return;
+  middle_ = 0.5 * (least + most);
+  each([&](const glm::dvec3& place) { radius_ = std::max(radius_, glm::length(place - middle_)); });
+  if (!model_->animations.empty()) radius_ *= 1.5;  // room for what moves
+}
+
+std::vector<glm::dmat4> PlacedModel::nodes_at(double time_s) const {
+  return placed_nodes(*model_, model_->animations.empty() ? nullptr : &model_->animations.front(), time_s);
+}
+
+int PlacedModel::level(int node, double share) const {
+  const SolidNode& chooses = model_->nodes[std::size_t(node)];
+  const std::size_t levels = chooses.coarser.size() + 1;
+  for (std::size_t i = 0; i < levels; ++i) {
+    // Where a file is silent each level holds from a quarter of the size of the one before.
+    const double usual = i + 1 == levels ? 0.0 : 0.25 * std::pow(0.25, double(i));
+    const double least = i < chooses.coverage.size() ? double(chooses.coverage[i]) : usual;
+    if (share >= least) return int(i);
+  }
+  return int(levels);
+}
+
+void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                   double time_s, SolidSelection& selection) {
+  selection.draws.clear();
+  selection.instances.clear();
+  struct Seen {
+    const SolidThing* thing;
+    double share;
+    glm::dmat4 world;
+  };
+  std::vector<Seen> seen;
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  double tall = 2.0;
+  for (const View& eye : viewpoint.eyes) tall = std::min(tall, eye.fov.up - eye.fov.down);
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const PlacedModel& model = models[m];
+    seen.clear();
+    for (const SolidThing& thing : things) {
+      if (thing.model != m) continue;
+      const double radius = model.radius() * thing.scale;
+      glm::dvec3 middle = thing.pose.position_m + thing.pose.orientation * (thing.scale * model.middle());
+      const glm::dvec3 away = middle - viewer;
+      middle.y -= curvature_drop(away.x * away.x + away.z * away.z);
+      const bool in_sight = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
+        return may_see(eye.fov, glm::conjugate(eye.pose.orientation) * (middle - eye.pose.position_m), radius);
+      });
+      if (!in_sight) continue;
+      const double range = std::max(glm::length(middle - viewer), 1e-3);
+      if (viewpoint.pixels_per_radian > 0.0 && 2.0 * radius / range * viewpoint.pixels_per_radian < 0.7) continue;
+      glm::dmat4 world = glm::mat4_cast(thing.pose.orientation);
+      for (int c = 0; c < 3; ++c) world[c] *= thing.scale;
+      world[3] = glm::dvec4(thing.pose.position_m, 1.0);
+      seen.push_back({&thing, 2.0 * radius / (range * tall), world});
+    }
+    if (seen.empty()) continue;
+    const std::vector<glm::dmat4> nodes = model.nodes_at(time_s);
+    for (std::size_t p = 0; p < model.parts().size(); ++p) {
+      const SolidPart& part = model.parts()[p];
+      SolidDraw draw{m, p, selection.instances.size(), 0};
+      for (const Seen& one : seen)
+        if (part.chosen_by < 0 || model.level(part.chosen_by, one.share) == part.level)
+          selection.instances.push_back(instance(one.world * nodes[std::size_t(part.node)], viewer));
+      draw.count = selection.instances.size() - draw.first;
+      if (draw.count > 0) selection.draws.push_back(draw);
+    }
+  }
+}
+
+}  // namespace seascape

@@ -1,0 +1,99 @@
+// The light of a solid thing: sun, sky and sea on glTF's metallic-roughness material. Included after the uniform block
+// `frame` has been declared.
+#ifndef SEASCAPE_SOLID_LIGHT_GLSL
+#define SEASCAPE_SOLID_LIGHT_GLSL
+#include "shared/solid_data.h"
+#include "lib/ggx.glsl"
+#include "lib/octahedron.glsl"
+#include "lib/sky_light.glsl"
+#include "lib/tone.glsl"
+
+layout(binding = slot_solid_material) uniform Material { SolidMaterialData material; };
+layout(binding = slot_solid_sky) uniform sampler2DArray solid_sky;
+layout(binding = slot_solid_albedo) uniform sampler2D solid_albedo;
+layout(binding = slot_solid_base_colour) uniform sampler2D base_colour_texture;
+layout(binding = slot_solid_metallic_roughness) uniform sampler2D metallic_roughness_texture;
+layout(binding = slot_solid_normal) uniform sampler2D normal_texture;
+layout(binding = slot_solid_occlusion) uniform sampler2D occlusion_texture;
+layout(binding = slot_solid_emissive) uniform sampler2D emissive_texture;
+
+layout(location = 0) in vec3 relative;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 uv;
+layout(location = 3) in vec4 tint;
+
+vec2 place_in(int texture_number) {
+  const vec2 from = material.uv_offset[texture_number].z > 0.5 ? uv.zw : uv.xy;
+  const vec4 axes = material.uv_axes[texture_number];
+  return axes.xy * from.x + axes.zw * from.y + material.uv_offset[texture_number].xy;
+}
+
+// The normal map's normal, with tangents from derivatives (Schüler 2013, "Normal mapping without precomputed
+// tangents"). Green is up in the picture, against v.
+vec3 mapped_normal(vec3 n, vec2 at) {
+  const vec3 along = dFdx(relative), across = dFdy(relative);
+  const vec2 uv_along = dFdx(at), uv_across = dFdy(at);
+  const vec3 q = cross(across, n), p = cross(n, along);
+  const vec3 t = q * uv_along.x + p * uv_across.x, b = q * uv_along.y + p * uv_across.y;
+  const float longest = max(dot(t, t), dot(b, b));
+  if (longest <= 0.0) return n;
+  vec3 map = 2.0 * texture(normal_texture, at).xyz - 1.0;
+  map.xy *= material.surface.z;
+  return normalize((t * map.x - b * map.y) * inversesqrt(longest) + n * max(map.z, 1e-3));
+}
+
+// What comes from all around, of one roughness.
+vec3 surroundings(vec3 d, float rough) {
+  const float level = (rough - solid_least_rough) / (1.0 - solid_least_rough) * float(solid_sky_layers - 2);
+  const vec2 at = octahedron_place(d);
+  const float below = clamp(floor(level), 0.0, float(solid_sky_layers - 2)), share = clamp(level - below, 0.0, 1.0);
+  const vec3 smoother = textureLod(solid_sky, vec3(at, below), 0.0).rgb;
+  const vec3 rougher = textureLod(solid_sky, vec3(at, min(below + 1.0, float(solid_sky_layers - 2))), 0.0).rgb;
+  return mix(smoother, rougher, share);
+}
+
+// Radiance towards the eye, haze included, exposed, and how much of what lies behind it hides. Discards what its
+// material's mask takes away.
+vec4 solid_light(bool front) {
+  const ViewData view = frame.view[eye_index()];
+  const vec4 base = material.base_colour * tint * texture(base_colour_texture, place_in(solid_base_colour));
+  const vec3 surface_map = texture(metallic_roughness_texture, place_in(solid_metallic_roughness)).rgb;
+  const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
+  const vec3 emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
+  vec3 n = normalize(normal) * (front ? 1.0 : -1.0);
+  if (material.kind.y != 0) n = mapped_normal(n, place_in(solid_normal));
+  if (base.a < material.emissive_cutoff.w) discard;
+  const vec3 to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
+  const float range = length(to_eye);
+  const vec3 v = to_eye / range;
+  const float metallic = material.surface.x * surface_map.b;
+  const float rough = max(material.surface.y * surface_map.g, 0.045), a = rough * rough;
+  const float occlusion = 1.0 + material.surface.w * (occlusion_map - 1.0);
+  const float nv = max(abs(dot(n, v)), 1e-3);
+
+  // What is mirrored of white surroundings, once and after further bounces between facets (Fdez-Aguera 2019).
+  const vec3 f0 = mix(vec3(0.04), base.rgb, metallic), albedo = base.rgb * (1.0 - metallic);
+  const vec2 in_table = (vec2(nv, rough) * float(solid_albedo_side - 1) + 0.5) / float(solid_albedo_side);
+  const vec2 table = textureLod(solid_albedo, in_table, 0.0).xy;
+  const float once = table.x + table.y;
+  const vec3 mirrored = f0 * table.x + table.y, mean = f0 + (1.0 - f0) / 21.0;
+  const vec3 again = mirrored * mean / (1.0 - mean * (1.0 - once)) * (1.0 - once);
+  const vec3 spread = albedo * (1.0 - mirrored - again);
+
+  const vec3 wall = textureLod(solid_sky, vec3(octahedron_place(n), float(solid_sky_layers - 1)), 0.0).rgb;
+  vec3 lit = occlusion * (mirrored * surroundings(reflect(-v, n), rough) + (again + spread) * wall);
+
+  const float nl = dot(n, l);
+  if (nl > 0.0) {
+    const vec3 h = normalize(v + l);
+    const float nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
+    const vec3 f = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
+    const vec3 by_facets = f * (ggx_facets(nh, a) * ggx_seen(nl, nv, a));
+    lit += light.sun_irradiance.rgb * nl * (by_facets + (again + spread) / 3.14159265);
+  }
+  lit += emissive / light.exposure.x;
+  if (material.kind.x != 0) lit = base.rgb / light.exposure.x;
+  lit = through_air(lit, v, range);
+  return vec4(lit * (light.exposure.x * exp2(frame.air.y)), base.a);
+}
+#endif
