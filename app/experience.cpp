@@ -172,7 +172,7 @@ void Experience::build() {
   solids_.reset();
   if (look.solids)
     solids_ = std::make_unique<DrawnSolids>(
-        device_, shaders_, drawn, light, scene_.objects.models,
+        device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
         SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(), look.anisotropy});
   spray_.reset();
   if (ocean_->spray())

@@ -49,7 +49,8 @@ std::string json_summary(const std::string& text, const std::string& where, Faul
   const Scene scene = parse_scene(text, where, "auto", faults);
   if (faults.list().empty()) remarks = remarks_of(scene);  // which takes a scene without faults
   return "a scene with " + counted(scene.effects.size(), "effect") +
-         (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input"));
+         (scene.inputs.empty() ? "" : " and " + counted(scene.inputs.size(), "input")) +
+         (scene.objects.empty() ? "" : ", with " + counted(scene.objects.things.size(), "object"));
 }
 
 std::string model_summary(const std::filesystem::path& file) {

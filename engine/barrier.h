@@ -25,7 +25,7 @@ enum class Access {
 };
 
 // Of each kind in a batch.
-inline constexpr std::size_t most_barriers = 32;
+inline constexpr std::size_t most_barriers = 40;
 
 // Collects barriers and records them in one command; what needs none adds none.
 class BarrierBatch {

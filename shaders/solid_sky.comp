@@ -1,6 +1,6 @@
 #version 460
-// Sky and sea as surfaces of a layer's roughness mirror them, seen from above their mirror (Karis 2013), and in the last
-// layer as a white wall shows them. The sun's disc is left out: it shines by itself.
+// Sky and sea as surfaces of a layer's roughness mirror them, seen from above their mirror (Karis 2013), and in the
+// last layer as a white wall shows them. The sun's disc is left out: it shines by itself.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 #include "shared/fresnel.h"
@@ -22,7 +22,8 @@ vec3 surroundings(vec3 d) {
   const vec3 sky = textureLod(sky_map, sky_coordinate(vec3(d.x, abs(d.y), d.z)), 0.0).rgb;
   if (d.y >= 0.0) return sky;
   const float f = fresnel(-d.y);
-  const vec3 below = push.water_reflectance.rgb * (0.93 * light.sky_irradiance.rgb + push.water_reflectance.w * light.sun_irradiance.rgb);
+  const vec3 below = push.water_reflectance.rgb *
+                     (0.93 * light.sky_irradiance.rgb + push.water_reflectance.w * light.sun_irradiance.rgb);
   return f * sky + (1.0 - f) * below;
 }
 
@@ -38,7 +39,8 @@ void main() {
     vec3 l;
     float w = 1.0;
     if (wall) {  // by the cosine
-      const float u = (float(i) + 0.5) / float(samples), turn = 6.2831853 * float(bitfieldReverse(i)) * 2.3283064365386963e-10;
+      const float u = (float(i) + 0.5) / float(samples),
+                  turn = 6.2831853 * float(bitfieldReverse(i)) * 2.3283064365386963e-10;
       l = vec3(cos(turn) * sqrt(u), sin(turn) * sqrt(u), sqrt(1.0 - u));
     } else {
       const vec3 h = ggx_facet(i, samples, rough * rough);

@@ -47,7 +47,7 @@ Image one_texel(Device& device, std::string_view name, std::array<std::uint8_t, 
 }  // namespace
 
 DrawnSolids::DrawnSolids(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const SurfaceLight& light,
-                         std::span<const PlacedModel> models, const SolidLook& look)
+                         std::span<const PlacedModel> models, std::span<const SolidThing> things, const SolidLook& look)
     : device_(device), shaders_(shaders), models_(models), light_(light), look_(look) {
   const EffectScope scope(device, "models");
   white_ = one_texel(device, "white", {255, 255, 255, 255});
@@ -76,6 +76,20 @@ DrawnSolids::DrawnSolids(Device& device, ShaderLibrary& shaders, const RenderTar
   albedo_bindings_ = Bindings(device, albedo_pipeline_, {{.binding = 0, .view = albedo_.view()}}, "solid albedo");
   make_pipelines(picture);
   for (const PlacedModel& model : models) make_model(model.model());
+  make_room(things);
+}
+
+void DrawnSolids::make_room(std::span<const SolidThing> things) {
+  std::size_t most = 0, parts = 0;
+  for (const SolidThing& thing : things) most += models_[thing.model].most_parts();
+  for (const PlacedModel& model : models_) parts += model.parts().size();
+  selection_.seen.reserve(things.size());
+  selection_.instances.reserve(most);
+  selection_.draws.reserve(parts);
+  selection_.far_first.reserve(parts);
+  for (Buffer& buffer : instances_)
+    buffer = Buffer(device_, "solid instances", std::max(most, std::size_t{1}) * sizeof(gpu::SolidInstance),
+                    VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
 }
 
 void DrawnSolids::make_pipelines(const RenderTarget& picture) {
@@ -220,10 +234,11 @@ void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& wa
   lit_ = true;
   lit_by_ = water_reflectance;
   select_solids(models_, things, viewpoint, time_s, selection_);
+  slot_ = frame.slot();
   if (selection_.instances.empty()) return;
-  const std::size_t bytes = selection_.instances.size() * sizeof(gpu::SolidInstance);
-  instances_ = frame.vertices(bytes);
-  std::memcpy(instances_.host, selection_.instances.data(), bytes);
+  const Buffer& room = instances_[std::size_t(slot_)];
+  std::memcpy(room.mapped<gpu::SolidInstance>(), selection_.instances.data(),
+              selection_.instances.size() * sizeof(gpu::SolidInstance));
 }
 
 void DrawnSolids::add_uses(Uses& uses) const {
@@ -233,18 +248,19 @@ void DrawnSolids::add_uses(Uses& uses) const {
 
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, bool blended) const {
   const Pipeline& pipeline = blended ? blended_pipeline_ : pipeline_;
-  for (const SolidDraw& draw : selection_.draws) {
+  for (std::size_t i = 0; i < selection_.draws.size(); ++i) {
+    const SolidDraw& draw = selection_.draws[blended ? selection_.far_first[i] : i];
     const Drawn& drawn = drawn_[draw.model];
     const SolidPart& part = models_[draw.model].parts()[draw.part];
     for (const Mesh& primitive : drawn.meshes[std::size_t(part.mesh)]) {
       const Material& material = drawn.materials[primitive.material];
       if (primitive.count == 0 || material.blends != blended) continue;
       commands.bind(pipeline, blended ? material.blended : material.bindings,
-                    {frame_uniform, 0u, std::uint32_t(primitive.material * material_stride)}, !material.double_sided);
+                    {frame_uniform, 0u, std::uint32_t(primitive.material * material_stride)},
+                    !material.double_sided && !part.mirrored);
       commands.push(gpu::DrawPush{commands.eye()});
       commands.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
-      commands.bind_vertices({instances_.buffer, instances_.offset + draw.first * sizeof(gpu::SolidInstance), nullptr},
-                             1);
+      commands.bind_vertices({&instances_[std::size_t(slot_)], draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);
       commands.bind_indices(primitive.indices, VK_INDEX_TYPE_UINT32);
       commands.draw_indexed(primitive.count, std::uint32_t(draw.count));
     }

@@ -22,9 +22,9 @@ struct SolidLook {
 
 class DrawnSolids {
  public:
-  // `picture`: what the sea is lit into. The models outlive it.
+  // `picture`: what the sea is lit into. The models outlive it; `things`: all that update() may be told of.
   DrawnSolids(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const SurfaceLight& light,
-              std::span<const PlacedModel> models, const SolidLook& look);
+              std::span<const PlacedModel> models, std::span<const SolidThing> things, const SolidLook& look);
 
   // Other images of the points' depth.
   void resize(const Image* depths);
@@ -58,6 +58,7 @@ class DrawnSolids {
     std::vector<std::vector<Mesh>> meshes;  // of each mesh its primitives
     Buffer material_data;
   };
+  void make_room(std::span<const SolidThing> things);
   void make_model(const SolidModel& model);
   void make_pipelines(const RenderTarget& picture);
   void bind(Drawn& drawn);
@@ -78,7 +79,8 @@ class DrawnSolids {
   bool lit_ = false;
   glm::vec4 lit_by_{0.0f};
   SolidSelection selection_;
-  VertexList instances_{};
+  std::array<Buffer, Frame::slots> instances_;  // room for all things at once
+  int slot_ = 0;
 };
 
 }  // namespace seascape

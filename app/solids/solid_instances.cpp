@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "ocean/mesh/tree_frame.h"
 
@@ -49,30 +50,69 @@ PlacedModel::PlacedModel(std::shared_ptr<const SolidModel> model) : model_(std::
     }
     if (node.mesh >= 0) parts_.push_back({node.mesh, index, own.chosen_by, own.level});
   }
+  still_ = placed_nodes(*model_);
+  for (SolidPart& part : parts_) part.mirrored = glm::determinant(glm::dmat3(still_[std::size_t(part.node)])) < 0.0;
   bound();
+  count();
+}
+
+void PlacedModel::count() {
+  std::vector<std::vector<std::size_t>> levels(model_->nodes.size());  // of each node that chooses: parts a level
+  for (const SolidPart& part : parts_) {
+    if (part.chosen_by < 0) {
+      ++most_parts_;
+      continue;
+    }
+    std::vector<std::size_t>& own = levels[std::size_t(part.chosen_by)];
+    own.resize(std::max(own.size(), std::size_t(part.level) + 1));
+    ++own[std::size_t(part.level)];
+  }
+  for (const std::vector<std::size_t>& own : levels)
+    if (!own.empty()) most_parts_ += *std::max_element(own.begin(), own.end());
 }
 
 void PlacedModel::bound() {
-  glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
-  const auto each = [&](const auto& take) {
-    const std::vector<glm::dmat4> nodes = nodes_at(0.0);
-    for (const SolidPart& part : parts_)
-      for (const SolidPrimitive& one : model_->meshes[std::size_t(part.mesh)].primitives)
-        for (const glm::vec3& place : one.positions)
-          take(glm::dvec3(nodes[std::size_t(part.node)] * glm::dvec4(place, 1.0)));
+  // Where a part may be: as the file leaves it, and at moments of what moves it.
+  std::vector<std::vector<glm::dmat4>> moments{still_};
+  if (!model_->animations.empty())
+    for (int i = 0; i < 32; ++i)
+      moments.push_back(
+          placed_nodes(*model_, &model_->animations.front(), model_->animations.front().duration_s * i / 32.0));
+  const auto ball_of = [](const auto& each) {
+    glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
+    each([&](const glm::dvec3& place) {
+      least = glm::min(least, place);
+      most = glm::max(most, place);
+    });
+    if (least.x > most.x) return glm::dvec4(0.0);
+    const glm::dvec3 middle = 0.5 * (least + most);
+    double radius = 0.0;
+    each([&](const glm::dvec3& place) { radius = std::max(radius, glm::length(place - middle)); });
+    return glm::dvec4(middle, radius);
   };
-  each([&](const glm::dvec3& place) {
-    least = glm::min(least, place);
-    most = glm::max(most, place);
+  const auto corners = [&](const SolidPart& part, const auto& take) {
+    for (const SolidPrimitive& one : model_->meshes[std::size_t(part.mesh)].primitives)
+      for (const glm::vec3& place : one.positions) take(glm::dvec3(place));
+  };
+  balls_.assign(model_->nodes.size(), glm::dvec4(0.0));
+  for (const SolidPart& part : parts_)
+    balls_[std::size_t(part.node)] = ball_of([&](const auto& take) { corners(part, take); });
+  const glm::dvec4 all = ball_of([&](const auto& take) {
+    for (const SolidPart& part : parts_)
+      for (const std::vector<glm::dmat4>& nodes : moments)
+        corners(part, [&](const glm::dvec3& place) {
+          take(glm::dvec3(nodes[std::size_t(part.node)] * glm::dvec4(place, 1.0)));
+        });
   });
-  if (least.x > most.x) return;
-  middle_ = 0.5 * (least + most);
-  each([&](const glm::dvec3& place) { radius_ = std::max(radius_, glm::length(place - middle_)); });
-  if (!model_->animations.empty()) radius_ *= 1.5;  // room for what moves
+  middle_ = glm::dvec3(all);
+  radius_ = all.w;
+  if (!model_->animations.empty()) radius_ *= 1.1;  // between those moments
 }
 
-std::vector<glm::dmat4> PlacedModel::nodes_at(double time_s) const {
-  return placed_nodes(*model_, model_->animations.empty() ? nullptr : &model_->animations.front(), time_s);
+const std::vector<glm::dmat4>& PlacedModel::nodes_at(double time_s, std::vector<glm::dmat4>& moved) const {
+  if (model_->animations.empty()) return still_;
+  moved = placed_nodes(*model_, &model_->animations.front(), time_s);
+  return moved;
 }
 
 int PlacedModel::level(int node, double share) const {
@@ -91,12 +131,7 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
                    double time_s, SolidSelection& selection) {
   selection.draws.clear();
   selection.instances.clear();
-  struct Seen {
-    const SolidThing* thing;
-    double share;
-    glm::dmat4 world;
-  };
-  std::vector<Seen> seen;
+  std::vector<SolidSelection::Seen>& seen = selection.seen;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   double tall = 2.0;
   for (const View& eye : viewpoint.eyes) tall = std::min(tall, eye.fov.up - eye.fov.down);
@@ -118,20 +153,38 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
       glm::dmat4 world = glm::mat4_cast(thing.pose.orientation);
       for (int c = 0; c < 3; ++c) world[c] *= thing.scale;
       world[3] = glm::dvec4(thing.pose.position_m, 1.0);
-      seen.push_back({&thing, 2.0 * radius / (range * tall), world});
+      seen.push_back({&thing, range, world});
     }
     if (seen.empty()) continue;
-    const std::vector<glm::dmat4> nodes = model.nodes_at(time_s);
+    std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
+      return a.range_m != b.range_m ? a.range_m > b.range_m : a.thing < b.thing;
+    });
+    const std::vector<glm::dmat4>& nodes = model.nodes_at(time_s, selection.moved);
+    const auto shown_level = [&](int node, const SolidSelection::Seen& one) {
+      const glm::dvec4& ball = model.ball(node);
+      const glm::dmat4 world = one.world * nodes[std::size_t(node)];
+      const double size = std::cbrt(std::abs(glm::determinant(glm::dmat3(world))));
+      const double range = glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)) - viewer);
+      return model.level(node, 2.0 * ball.w * size / (std::max(range, 1e-3) * tall));
+    };
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
-      SolidDraw draw{m, p, selection.instances.size(), 0};
-      for (const Seen& one : seen)
-        if (part.chosen_by < 0 || model.level(part.chosen_by, one.share) == part.level)
-          selection.instances.push_back(instance(one.world * nodes[std::size_t(part.node)], viewer));
+      SolidDraw draw{m, p, selection.instances.size(), 0, 0.0};
+      for (const SolidSelection::Seen& one : seen) {
+        if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
+        if (draw.range_m == 0.0) draw.range_m = one.range_m;
+        selection.instances.push_back(instance(one.world * nodes[std::size_t(part.node)], viewer));
+      }
       draw.count = selection.instances.size() - draw.first;
       if (draw.count > 0) selection.draws.push_back(draw);
     }
   }
+  selection.far_first.resize(selection.draws.size());
+  std::iota(selection.far_first.begin(), selection.far_first.end(), std::size_t{0});
+  std::sort(selection.far_first.begin(), selection.far_first.end(), [&](std::size_t a, std::size_t b) {
+    const double of_a = selection.draws[a].range_m, of_b = selection.draws[b].range_m;
+    return of_a != of_b ? of_a > of_b : a < b;
+  });
 }
 
 }  // namespace seascape

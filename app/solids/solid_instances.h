@@ -20,8 +20,9 @@ struct SolidThing {
 // A mesh of a model, where it hangs on a node, and at which level of detail of which node it is drawn.
 struct SolidPart {
   int mesh = 0, node = 0;
-  int chosen_by = -1;  // a node with coarser ones; -1: it is drawn at any distance
-  int level = 0;       // 0: the node itself
+  int chosen_by = -1;     // a node with coarser ones; -1: it is drawn at any distance
+  int level = 0;          // 0: the node itself
+  bool mirrored = false;  // its transform turns front to back, where the file leaves it
 };
 
 // A model ready to be placed.
@@ -33,16 +34,24 @@ class PlacedModel {
   // The ball that holds all that is drawn, in its own axes.
   const glm::dvec3& middle() const { return middle_; }
   double radius() const { return radius_; }
-  // Where its nodes are at a time of its first animation, if it has one.
-  std::vector<glm::dmat4> nodes_at(double time_s) const;
-  // The level that a node shows where the model's ball covers `share` of the picture's height; past its last: nothing
-  // is drawn.
+  // Most parts that one thing shows at a time.
+  std::size_t most_parts() const { return most_parts_; }
+  // Where its nodes are at a time of its first animation, if it has one. The list is `moved` or one of its own.
+  const std::vector<glm::dmat4>& nodes_at(double time_s, std::vector<glm::dmat4>& moved) const;
+  // The level that a node shows where the ball around its own mesh covers `share` of the picture's height; past its
+  // last: nothing is drawn.
   int level(int node, double share) const;
+  // The ball around a node's mesh, in that node's axes: xyz and radius.
+  const glm::dvec4& ball(int node) const { return balls_[std::size_t(node)]; }
 
  private:
   void bound();
+  void count();
   std::shared_ptr<const SolidModel> model_;
   std::vector<SolidPart> parts_;
+  std::vector<glm::dmat4> still_;  // its nodes as the file has them
+  std::vector<glm::dvec4> balls_;
+  std::size_t most_parts_ = 0;
   glm::dvec3 middle_{0.0};
   double radius_ = 0.0;
 };
@@ -51,14 +60,25 @@ class PlacedModel {
 struct SolidDraw {
   std::size_t model = 0, part = 0;
   std::size_t first = 0, count = 0;  // of the instances
+  double range_m = 0.0;              // of the farthest
 };
 
 struct SolidSelection {
   std::vector<SolidDraw> draws;
-  std::vector<gpu::SolidInstance> instances;  // relative to the viewer
+  std::vector<gpu::SolidInstance> instances;  // relative to the viewer; far things first
+  std::vector<std::size_t> far_first;         // the draws by their farthest thing
+
+  // Kept from call to call.
+  struct Seen {
+    const SolidThing* thing;
+    double range_m;
+    glm::dmat4 world;
+  };
+  std::vector<Seen> seen;
+  std::vector<glm::dmat4> moved;
 };
 
-// For all eyes together. `pixels`: of a picture's height.
+// For all eyes together, chosen by the viewer's head.
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                    double time_s, SolidSelection& selection);
 

@@ -81,7 +81,9 @@ vec4 solid_light(bool front) {
   const vec3 spread = albedo * (1.0 - mirrored - again);
 
   const vec3 wall = textureLod(solid_sky, vec3(octahedron_place(n), float(solid_sky_layers - 1)), 0.0).rgb;
-  vec3 lit = occlusion * (mirrored * surroundings(reflect(-v, n), rough) + (again + spread) * wall);
+  // Rough facets mirror most of what lies nearer the normal (Lagarde and de Rousiers 2014, section 4.9.3).
+  const vec3 mirrored_from = normalize(mix(n, reflect(-v, n), (1.0 - a) * (sqrt(1.0 - a) + a)));
+  vec3 lit = occlusion * (mirrored * surroundings(mirrored_from, rough) + (again + spread) * wall);
 
   const float nl = dot(n, l);
   if (nl > 0.0) {

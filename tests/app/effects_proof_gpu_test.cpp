@@ -66,7 +66,8 @@ class EffectProof : public test::GpuTest {
                                      {"lod.patch_quads", "16"},
                                      {"msaa", "1"}},
                              .effects = effects,
-                             .inputs = effect.inputs};
+                             .inputs = effect.inputs,
+                             .objects = effect.things};
     for (const auto& pair : effect.set) result.set.push_back(pair);
     return result;
   }
@@ -74,7 +75,7 @@ class EffectProof : public test::GpuTest {
   static std::string part_of(const PipelineWork& work) {
     for (const ObjectRecord& object : test::device().objects())
       if (work.pipeline && object.type == VK_OBJECT_TYPE_PIPELINE && object.handle == std::uint64_t(work.pipeline) &&
-          object.effect == "spray")
+          (object.effect == "spray" || object.effect == "models"))
         return object.effect;
     return work.pass;
   }
@@ -310,6 +311,7 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
       continue;
     std::vector<std::string> effects;
     std::vector<InputSpec> inputs;
+    SceneObjects things;
     std::vector<std::pair<std::string, std::string>> settings{
         {"waves.where", "gpu"}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}};
     for (std::size_t i = 0; i < count; ++i)
@@ -317,6 +319,7 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
         effects.push_back(effects_under_proof[i].name);
         settings.insert(settings.end(), effects_under_proof[i].set.begin(), effects_under_proof[i].set.end());
         inputs.insert(inputs.end(), effects_under_proof[i].inputs.begin(), effects_under_proof[i].inputs.end());
+        if (!effects_under_proof[i].things.empty()) things = effects_under_proof[i].things;
       }
     SeaShot shot({.scene = "open_sea",
                   .preset = "medium",
@@ -324,7 +327,8 @@ TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
                   .height = 32,
                   .set = settings,
                   .effects = effects,
-                  .inputs = inputs});
+                  .inputs = inputs,
+                  .objects = things});
     const Plan plan = make_plan(test::device(), test::shaders(), shot.experience(), "medium");
     for (std::size_t i = 0; i < count; ++i) {
       const auto found = std::find_if(plan.effects.begin(), plan.effects.end(),

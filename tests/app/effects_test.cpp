@@ -33,10 +33,11 @@ TEST(Effects, NothingIsThereThatNobodyAskedFor) {
 }
 
 TEST(Effects, TheNamesAreThoseOfTheDesign) {
-  EXPECT_EQ(effect_names().size(), 22u);
+  EXPECT_EQ(effect_names().size(), 23u);
   EXPECT_TRUE(effect_is_built("waves"));
   EXPECT_TRUE(effect_is_built("foam"));
   EXPECT_TRUE(effect_is_built("spray"));
+  EXPECT_TRUE(effect_is_built("models"));
   EXPECT_TRUE(effect_is_built("baked"));
   EXPECT_TRUE(effect_is_built("gerstner"));
   EXPECT_TRUE(effect_is_built("wave_particles"));

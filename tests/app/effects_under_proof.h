@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ocean/inputs/input_spec.h"
+#include "tests/support/solid_maker.h"
 
 namespace seascape::test {
 
@@ -20,7 +21,8 @@ struct EffectUnderProof {
   std::string pass = name;             // that pass, in a frame that moves
   std::vector<InputSpec> inputs = {};  // of the scene, with it or without
   std::string part = name;             // where only a part of the effect is meant: its name among tests and variants
-  bool shown = false;                  // what it has aloft is drawn in every frame, whether the clock stands or not
+  bool shown = false;                  // it is drawn in every frame, whether the clock stands or not
+  SceneObjects things = {};            // of the scene, with it or without
 };
 
 inline InputSpec pool(InputTarget to, glm::vec4 value) {
@@ -60,7 +62,14 @@ inline InputSpec strand() {
   return spec;
 }
 
+inline SceneObjects a_box() {
+  SceneObjects objects;
+  stand(objects, solid_model(solid_box({0.5f, 0.5f, 0.5f}), "{}"), Pose{{3.0, 0.3, -8.0}});
+  return objects;
+}
+
 inline const EffectUnderProof effects_under_proof[] = {
+    {"models", {"waves"}, {"waves", "models"}, {}, {"", ""}, {}, false, true, "models", {}, "models", true, a_box()},
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
     {"foam",
      {"waves"},

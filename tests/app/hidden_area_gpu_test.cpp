@@ -11,6 +11,7 @@
 #include "tests/support/gpu/frame_shapes.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/solid_maker.h"
 
 namespace seascape {
 namespace {
@@ -43,6 +44,14 @@ ShotOptions options(const Shape& shape, bool hidden) {
   o.most_height = 90;
   o.per_eye = !multiview_works(test::device(), test::shaders());
   o.set = shape.set;
+  // Solid things everywhere, and a pane before them.
+  o.effects = {{"waves", "models"}};
+  test::stand(o.objects, test::solid_model(test::solid_sphere(1.5f, 12), "{}"),
+              Pose{head.position_m + head.orientation * glm::dvec3(0.0, 0.5, -4.0)});
+  const char* const glass = R"({"alphaMode":"BLEND","doubleSided":true,)"
+                            R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.5]}})";
+  test::stand(o.objects, test::solid_model(test::solid_box({2.0f, 1.2f, 0.01f}), glass),
+              Pose{head.position_m + head.orientation * glm::dvec3(0.3, 0.0, -2.0), head.orientation});
   for (const auto& [key, value] : {std::pair("waves.resolution", "32"), {"waves.cascades", "2"}})
     o.set.emplace_back(key, value);
   return o;

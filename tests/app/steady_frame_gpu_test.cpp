@@ -5,6 +5,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/solid_maker.h"
 
 namespace seascape {
 
@@ -29,6 +30,10 @@ TEST(AllocationCounter, SeesWhatThisProgramAllocates) {
 // draw_frame, or in WaveUpload::update, fails.
 TEST(SteadyFrame, AllocatesNothing) {
   Device device{DeviceOptions{}};
+  SceneObjects things;
+  for (int i = 0; i < 40; ++i)
+    test::stand(things, test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), "{}"),
+                Pose{{5.0 * i - 20.0, 1.0, -4.0 * i}});
   for (const char* place : {"gpu", "cpu"}) {
     for (const char* preset : {"medium", "high"}) {
       test::SeaShot shot(device,
@@ -38,7 +43,8 @@ TEST(SteadyFrame, AllocatesNothing) {
                           .height = 48,
                           .views = 2,
                           .set = {{"waves.where", place}, {"waves.resolution", "32"}, {"lod.patch_quads", "16"}},
-                          .effects = {{"waves", "foam", "spray", "wave_particles"}}});
+                          .effects = {{"waves", "foam", "spray", "wave_particles", "models"}},
+                          .objects = things});
       Frame& frame = shot.experience().frame();
       std::uint64_t ours = 0, planted = 0;
       for (int i = 0; i <= 25; ++i) {

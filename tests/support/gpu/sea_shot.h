@@ -22,6 +22,7 @@ struct ShotOptions {
   std::vector<std::pair<std::string, std::string>> set;  // as by --set
   std::optional<std::vector<std::string>> effects = {};  // instead of the scene's
   std::vector<InputSpec> inputs = {};                    // instead of the scene's, where there are any
+  SceneObjects objects = {};                             // likewise
   ClipRoom clip_room = {};
   bool actors_foam = false;
 };

@@ -1,0 +1,140 @@
+// Which solid things are drawn from where, and how finely.
+#include "app/solids/solid_instances.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "app/camera_path.h"
+#include "tests/support/solid_maker.h"
+
+namespace seascape {
+namespace {
+
+const char* const plain = R"({"pbrMetallicRoughness":{"metallicFactor":0}})";
+constexpr int height = 600;
+
+Viewpoint looking(const Pose& head) {
+  Viewpoint viewpoint{head, stereo_views(head, symmetric_fov(60.0, 1.5), 0.063), 0.0};
+  viewpoint.pixels_per_radian = pixels_per_radian(viewpoint.eyes, height);
+  return viewpoint;
+}
+
+std::size_t drawn(const std::vector<PlacedModel>& models, const std::vector<SolidThing>& things, const Pose& head,
+                  double time_s = 0.0) {
+  SolidSelection selection;
+  select_solids(models, things, looking(head), time_s, selection);
+  return selection.instances.size();
+}
+
+// Controls: may_see() that is always true; the size in pixels not asked for.
+TEST(SolidInstances, WhatIsBehindBesideOrTooSmallIsNotDrawn) {
+  const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
+  const auto at = [&](const glm::dvec3& place) { return drawn(models, {{0, Pose{place}, 1.0}}, Pose{}); };
+  EXPECT_EQ(at({0.0, 0.0, -10.0}), 1u);
+  EXPECT_EQ(at({0.0, 0.0, 10.0}), 0u) << "behind";
+  EXPECT_EQ(at({30.0, 0.0, -10.0}), 0u) << "beside";
+  EXPECT_EQ(at({0.0, 20.0, -10.0}), 0u) << "above";
+  EXPECT_EQ(at({0.0, 0.0, -1000.0}), 1u);
+  EXPECT_EQ(at({0.0, 0.0, -3000.0}), 0u) << "smaller than a pixel";
+}
+
+// Of any pose and place: a thing of which a corner lies in an eye's picture is drawn. Control: half the radius.
+TEST(SolidInstances, NothingThatIsSeenIsLeftOut) {
+  const std::vector<PlacedModel> models{test::solid_model(test::solid_box({1.0f, 0.2f, 3.0f}), plain)};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int seen = 0, unseen = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Pose head{{0.0, 2.0, 0.0}, orientation_from_angles({180.0 * any(random), 80.0 * any(random), 0.0})};
+    const SolidThing thing{0,
+                           Pose{glm::dvec3(any(random), 0.3 * any(random), any(random)) * 15.0,
+                                orientation_from_angles({180.0 * any(random), 90.0 * any(random), 90.0 * any(random)})},
+                           1.5};
+    const Viewpoint viewpoint = looking(head);
+    bool in_picture = false;
+    for (const View& eye : viewpoint.eyes)
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 own(corner & 1 ? 1.0 : -1.0, corner & 2 ? 0.2 : -0.2, corner & 4 ? 3.0 : -3.0);
+        const glm::dvec3 at =
+            glm::conjugate(eye.pose.orientation) *
+            (thing.pose.position_m + thing.pose.orientation * (thing.scale * own) - eye.pose.position_m);
+        const double x = at.x / -at.z, y = at.y / -at.z;
+        in_picture |= at.z < 0.0 && x > eye.fov.left && x < eye.fov.right && y < eye.fov.up && y > eye.fov.down;
+      }
+    const bool is_drawn = drawn(models, {thing}, head) == 1;
+    EXPECT_TRUE(is_drawn || !in_picture) << i;
+    (in_picture ? seen : unseen) += 1;
+  }
+  EXPECT_GT(seen, 300);
+  EXPECT_GT(unseen, 300);
+}
+
+// Level by the share of the picture's height that its own mesh's ball covers. Controls: 1.1 times that share; the ball
+// of the model, in which a far mast stands too.
+TEST(SolidInstances, LevelsOfDetailSwitchWhereTheFileSays) {
+  const char* const nodes =
+      R"({"children":[1,4]},{"mesh":0,"extensions":{"MSFT_lod":{"ids":[2,3]}},)"
+      R"("extras":{"MSFT_screencoverage":[0.2,0.05,0.01]}},{"mesh":0},{"mesh":0},{"mesh":0,"translation":[0,0,-20]})";
+  const PlacedModel model =
+      test::solid_model(test::solid_box({1.0f, 1.0f, 1.0f}), plain, nodes, R"(,"extensionsUsed":["MSFT_lod"])");
+  ASSERT_EQ(model.parts().size(), 4u);
+  EXPECT_EQ(model.most_parts(), 2u);
+  const double tall = looking(Pose{}).eyes[0].fov.up - looking(Pose{}).eyes[0].fov.down;
+  const double ball = 2.0 * std::sqrt(3.0);
+  const auto level = [&](double share) {
+    const std::vector<PlacedModel> models{model};
+    SolidSelection selection;
+    select_solids(models, std::vector<SolidThing>{{0, Pose{{0.0, 0.0, -ball / (share * tall)}}, 1.0}}, looking(Pose{}),
+                  0.0, selection);
+    int found = -1;
+    for (const SolidDraw& draw : selection.draws)
+      if (model.parts()[draw.part].chosen_by >= 0) found = model.parts()[draw.part].level;
+    return found;
+  };
+  EXPECT_EQ(level(0.205), 0);
+  EXPECT_EQ(level(0.195), 1);
+  EXPECT_EQ(level(0.051), 1);
+  EXPECT_EQ(level(0.049), 2);
+  EXPECT_EQ(level(0.0102), 2);
+  EXPECT_EQ(level(0.0098), -1);
+}
+
+// Control: time left out of nodes_at().
+TEST(SolidInstances, WhatTheFileMovesMoves) {
+  const PlacedModel still = test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain);
+  auto moving = std::make_shared<SolidModel>(still.model());
+  SolidChannel channel;
+  channel.times_s = {0.0f, 2.0f};
+  channel.values = {glm::vec4(0.0f), glm::vec4(4.0f, 0.0f, 0.0f, 0.0f)};
+  moving->animations.push_back({"over", {channel}, 2.0});
+  const std::vector<PlacedModel> models{PlacedModel(moving)};
+  const std::vector<SolidThing> things{{0, Pose{{0.0, 0.0, -30.0}}, 1.0}};
+  SolidSelection selection;
+  for (const double time_s : {0.0, 0.5, 1.5, 2.5}) {
+    select_solids(models, things, looking(Pose{}), time_s, selection);
+    ASSERT_EQ(selection.instances.size(), 1u);
+    EXPECT_NEAR(selection.instances[0].row_x.w, 2.0 * std::fmod(time_s, 2.0), 1e-5) << time_s;
+  }
+}
+
+// For what lets light through. Controls: near things first; draws in the order of models.
+TEST(SolidInstances, FarThingsComeFirst) {
+  const PlacedModel box = test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain);
+  const std::vector<PlacedModel> models{box, box};
+  const std::vector<SolidThing> things{{0, Pose{{0.0, 0.0, -5.0}}, 1.0},
+                                       {1, Pose{{0.0, 0.0, -20.0}}, 1.0},
+                                       {0, Pose{{0.0, 0.0, -9.0}}, 1.0},
+                                       {0, Pose{{0.0, 0.0, -7.0}}, 1.0}};
+  SolidSelection selection;
+  select_solids(models, things, looking(Pose{}), 0.0, selection);
+  ASSERT_EQ(selection.far_first.size(), 2u);
+  EXPECT_EQ(selection.draws[selection.far_first[0]].model, 1u);
+  std::vector<float> z;
+  for (const gpu::SolidInstance& one : selection.instances) z.push_back(one.row_z.w);
+  EXPECT_EQ(z, (std::vector<float>{-9.0f, -7.0f, -5.0f, -20.0f}));
+}
+
+}  // namespace
+}  // namespace seascape
