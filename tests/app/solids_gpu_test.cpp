@@ -62,7 +62,7 @@ double to_box(const glm::dvec3& from, const glm::dvec3& d, double half) {
 }
 
 // A pile and a square post stand still in a swell; in each column of the picture their lowest pixel is where `query`
-// has the water, within a pixel, as seen from the side and from above. Controls: things drawn 0.1 m too high; depth
+// has the water, within a pixel, as seen from the side and from above. Controls: things drawn 0.1 m beside; depth
 // compared the other way round in solid_points.frag's pass, or not written by the sea.
 TEST_F(Solids, TheWaterlineIsWhereQueriesSayItIs) {
   int columns = 0;

@@ -73,7 +73,7 @@ TEST_F(SolidStereo, EachEyeSeesItsOwnHighlights) {
     ShotOptions options{.scene = "calm", .preset = "medium", .width = 128, .height = 96, .views = 2};
     options.per_eye = !multiview_works(test::device(), test::shaders());
     options.set = {{"waves.resolution", "32"},     {"waves.wind_speed_mps", "0"},
-                   {"waves.swell_height_m", "0"},  {"sky.visibility_m", "60"},
+                   {"waves.swell_height_m", "0"},  {"sky.visibility_m", "100"},
                    {"msaa", deferred ? "1" : "4"}, {"frame.lighting", deferred ? "deferred" : "forward"}};
     options.effects = {{"waves", "models"}};
     options.objects = things();
