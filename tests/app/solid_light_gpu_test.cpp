@@ -67,8 +67,8 @@ void each_mirrored(const glm::dvec3& n, const glm::dvec3& v, double a, int count
 }
 
 // Every place of the table. With it the sum of what is mirrored and spread is one for white surfaces by itself, so its
-// error is that of a white furnace for a metal. Controls: Smith's masking by Schlick's formula for direct light
-// (k = a / 2), a for its square root.
+// error is that of a white furnace for a metal. Control seen: glTF's roughness
+// for its square.
 TEST_F(SolidLight, WhatRoughSurfacesMirrorOfWhiteSurroundings) {
   Device& device = test::device();
   ImageSpec spec;
@@ -209,8 +209,7 @@ glm::dvec3 lit(const Surroundings& around, const Ball& ball, const glm::dvec3& b
 }
 
 // Balls of several materials, in both ways of lighting, at noon and in low sun. Mean difference of all places in each:
-// 3 %. Controls: the sun from the other side (l = -frame.sun.xyz); without occlusion's place taken by `wall` (no sky
-// beside the sun); roughness for its square.
+// 3 %. Control seen: the sun from the other side (l = -frame.sun.xyz).
 TEST_F(SolidLight, ASphereUnderOurSunAndSky) {
   constexpr std::uint32_t side = 96;
   const glm::dvec3 base(0.8, 0.5, 0.2);

@@ -62,8 +62,8 @@ double to_box(const glm::dvec3& from, const glm::dvec3& d, double half) {
 }
 
 // A pile and a square post stand still in a swell; in each column of the picture their lowest pixel is where `query`
-// has the water, within a pixel, as seen from the side and from above. Controls: things drawn 0.1 m beside; depth
-// compared the other way round in solid_points.frag's pass, or not written by the sea.
+// has the water, within a pixel, as seen from the side and from above. Controls seen: things drawn 0.1 m beside;
+// their depth 3 % too near.
 TEST_F(Solids, TheWaterlineIsWhereQueriesSayItIs) {
   int columns = 0;
   double worst = 0.0;
@@ -124,7 +124,7 @@ TEST_F(Solids, TheWaterlineIsWhereQueriesSayItIs) {
 }
 
 // A thousand crates of one primitive are one draw, of those that are in sight, and no object is made after the first
-// frame. Controls: a draw a thing; make_room() in update().
+// frame. Controls to plant: a draw a thing; make_room() in update().
 TEST_F(Solids, AThousandCratesAreOneDraw) {
   for (const test::FrameLook& look : test::frame_looks) {
     SceneObjects objects;
@@ -162,7 +162,7 @@ SceneObjects plate(const std::string& material, const glm::vec4& left, const glm
 const Pose before_plate = pose({0.0, 6.0, 0.0}, 0.0, 0.0);
 const std::string unlit = R"("extensions":{"KHR_materials_unlit":{}})";
 
-// Controls: COLOR_0 left out in make_model(); the cutoff's test taken away; blend drawn as opaque (`blends` false).
+// Control seen: the cutoff's test taken away. To plant: COLOR_0 left out in make_model(); `blends` false.
 TEST_F(Solids, ColoursMasksAndGlassAreThere) {
   const std::size_t y = height / 2, left = width / 2 - 40, right = width / 2 + 40;
   for (const test::FrameLook& look : test::frame_looks) {
@@ -188,8 +188,8 @@ TEST_F(Solids, ColoursMasksAndGlassAreThere) {
   }
 }
 
-// What lets light through, under the sea, is hidden by it, and before it is not. Control: depth_sampled false in
-// solid.frag, seen deferred.
+// What lets light through, under the sea, is hidden by it, and before it is not. Control seen: depth_sampled taken
+// for false in solid.frag.
 TEST_F(Solids, GlassUnderTheSeaIsHidden) {
   const std::string glass = R"({"alphaMode":"BLEND","doubleSided":true,)" + unlit + "}";
   for (const test::FrameLook& look : test::frame_looks) {

@@ -30,8 +30,7 @@ SceneObjects things() {
   return objects;
 }
 
-// Controls: the first eye's matrix for both in solid.vert; light to the head instead of the eye (to_eye without
-// view.eye) differs from mono with a head elsewhere, below.
+// Control seen: the first eye's matrix for both in solid.vert.
 TEST_F(SolidStereo, OnePassEqualsEachEyeAndMono) {
   std::vector<test::FrameLook> looks(std::begin(test::frame_looks), std::end(test::frame_looks));
   looks.push_back({"tile_1", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}}});
@@ -67,7 +66,8 @@ TEST_F(SolidStereo, OnePassEqualsEachEyeAndMono) {
   }
 }
 
-// Eyes far apart, each against a mono picture whose head stands there: highlights and haze are the eye's own.
+// Eyes far apart, each against a mono picture whose head stands there: highlights and haze are the eye's own. Control
+// seen: light to the head instead of the eye (to_eye without view.eye).
 TEST_F(SolidStereo, EachEyeSeesItsOwnHighlights) {
   for (const bool deferred : {false, true}) {
     ShotOptions options{.scene = "calm", .preset = "medium", .width = 128, .height = 96, .views = 2};
