@@ -1,5 +1,7 @@
 #include "app/solids/drawn_solids.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -41,7 +43,8 @@ gpu::SolidMaterialData data_of(const SolidMaterial& material) {
 }
 
 Image one_texel(Device& device, std::string_view name, std::array<std::uint8_t, 4> texel) {
-  return make_texture(device, name, Image8{1, 1, 4, {texel.begin(), texel.end()}}, TexelKind::linear, 1);
+  const std::array<Image8, 1> level{Image8{1, 1, 4, {texel.begin(), texel.end()}}};
+  return make_texture(device, name, level, TexelKind::linear, 1);
 }
 
 }  // namespace
@@ -130,13 +133,41 @@ VkSampler DrawnSolids::sampler(const SolidTexture& texture) {
   return samplers_.emplace_back(key, make_sampler(device_, "solid texture", spec)).second.get();
 }
 
+// A picture is a texture for each kind of numbers that it is read as.
+std::vector<std::array<const Image*, 3>> DrawnSolids::make_textures(const SolidModel& model, Drawn& drawn) {
+  struct Wanted {
+    std::size_t image;
+    TexelKind kind;
+    std::vector<Image8> levels;
+  };
+  std::vector<Wanted> wanted;
+  for (const SolidMaterial& material : model.materials) {
+    const auto textures = textures_of(material);
+    for (std::size_t t = 0; t < textures.size(); ++t) {
+      const TexelKind kind = kind_of(int(t));
+      const std::size_t image = std::size_t(textures[t]->image);
+      if (textures[t]->image >= 0 && std::none_of(wanted.begin(), wanted.end(), [&](const Wanted& have) {
+            return have.image == image && have.kind == kind;
+          }))
+        wanted.push_back({image, kind, {}});
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+    wanted[i].levels = picture_levels(model.images[wanted[i].image], wanted[i].kind);
+  });
+  std::vector<std::array<const Image*, 3>> made(model.images.size(), {nullptr, nullptr, nullptr});
+  drawn.textures.reserve(wanted.size());
+  for (const Wanted& one : wanted)
+    made[one.image][std::size_t(one.kind)] =
+        &drawn.textures.emplace_back(make_texture(device_, model.name, one.levels, one.kind, look_.most_texels));
+  return made;
+}
+
 void DrawnSolids::make_model(const SolidModel& model) {
   Drawn& drawn = drawn_.emplace_back();
   std::vector<SolidMaterial> materials = model.materials;
   materials.emplace_back();  // what has no material has glTF's default
-  // A picture is a texture for each kind of numbers that it is read as.
-  drawn.textures.reserve(model.images.size() * 3);
-  std::vector<std::array<const Image*, 3>> made(model.images.size(), {nullptr, nullptr, nullptr});
+  const std::vector<std::array<const Image*, 3>> made = make_textures(model, drawn);
   std::vector<std::byte> data(material_stride * materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const gpu::SolidMaterialData one = data_of(materials[m]);
@@ -149,13 +180,7 @@ void DrawnSolids::make_model(const SolidModel& model) {
       material.samplers[t] = sampler(*textures[t]);
       material.textures[t] = int(t) == gpu::solid_normal ? &flat_ : &white_;
       if (textures[t]->image < 0) continue;
-      const TexelKind kind = kind_of(int(t));
-      const std::size_t image = std::size_t(textures[t]->image);
-      const Image*& texture = made[image][std::size_t(kind)];
-      if (texture == nullptr)
-        texture = &drawn.textures.emplace_back(
-            make_texture(device_, model.name, model.images[image], kind, look_.most_texels));
-      material.textures[t] = texture;
+      material.textures[t] = made[std::size_t(textures[t]->image)][std::size_t(kind_of(int(t)))];
     }
   }
   drawn.material_data =

@@ -60,6 +60,8 @@ class DrawnSolids {
   };
   void make_room(std::span<const SolidThing> things);
   void make_model(const SolidModel& model);
+  // By picture and TexelKind; null: not read so.
+  std::vector<std::array<const Image*, 3>> make_textures(const SolidModel& model, Drawn& drawn);
   void make_pipelines(const RenderTarget& picture);
   void bind(Drawn& drawn);
   VkSampler sampler(const SolidTexture& texture);

@@ -1,18 +1,16 @@
-// A model's pictures as textures, each with all smaller levels.
+// A model's pictures as textures.
 #pragma once
-#include <vector>
+#include <span>
+#include <string_view>
 
-#include "engine/image_file.h"
+#include "app/solids/picture_levels.h"
 #include "engine/resources.h"
 
 namespace seascape {
 
-enum class TexelKind { colour, linear, normal };  // sRGB; data; directions, which stay of unit length
-
-// All levels down to one texel, the first is the picture itself. Means are of light, not of sRGB's numbers.
-std::vector<Image8> picture_levels(const Image8& picture, TexelKind kind);
-
-// The larger side of the first level is at most `most_side`. Set-up work.
-Image make_texture(Device& device, std::string_view name, const Image8& picture, TexelKind kind, int most_side);
+// All levels of a picture (picture_levels) as a texture. Its larger side is at most `most_side`: levels above are left
+// out. Set-up work.
+Image make_texture(Device& device, std::string_view name, std::span<const Image8> levels, TexelKind kind,
+                   int most_side);
 
 }  // namespace seascape

@@ -29,11 +29,11 @@ vec2 place_in(int texture_number) {
 }
 
 // The normal map's normal, with tangents from derivatives (Schüler 2013, "Normal mapping without precomputed
-// tangents"). Green is up in the picture, against v.
+// tangents"; its y goes up the picture, ours down). Green is up in the texture, against v.
 vec3 mapped_normal(vec3 n, vec2 at) {
   const vec3 along = dFdx(relative), across = dFdy(relative);
   const vec2 uv_along = dFdx(at), uv_across = dFdy(at);
-  const vec3 q = cross(across, n), p = cross(n, along);
+  const vec3 q = cross(n, across), p = cross(along, n);
   const vec3 t = q * uv_along.x + p * uv_across.x, b = q * uv_along.y + p * uv_across.y;
   const float longest = max(dot(t, t), dot(b, b));
   if (longest <= 0.0) return n;
