@@ -55,7 +55,9 @@ SolidTexture GltfReader::texture(int index, int uv_set, const tinygltf::Value* t
   if (static_cast<std::size_t>(index) >= document_.textures.size())
     fail(fmt::format("material {} names texture {}, which does not exist", material, index));
   const tinygltf::Texture& source = document_.textures[static_cast<std::size_t>(index)];
-  if (source.source < 0 || static_cast<std::size_t>(source.source) >= pictures_)
+  if (source.source < 0)  // of an extension alone
+    fail(fmt::format("texture {} has no picture that is a PNG or JPEG", index));
+  if (static_cast<std::size_t>(source.source) >= pictures_)
     fail(fmt::format("texture {} names picture {}, which does not exist", index, source.source));
   made.image = source.source;
   if (source.sampler >= 0) {

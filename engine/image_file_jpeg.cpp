@@ -26,7 +26,8 @@ Image8 read_jpeg(std::span<const std::uint8_t> bytes, const std::string& where) 
   const auto length = static_cast<unsigned long>(bytes.size());
   if (tjDecompressHeader3(reader.get(), bytes.data(), length, &width, &height, &subsampling, &colours) != 0)
     broken(where, tjGetErrorStr2(reader.get()));
-  if (width < 1 || height < 1 || width > largest_image_side || height > largest_image_side)
+  if (width < 1 || height < 1) broken(where, "its header is cut off");
+  if (width > largest_image_side || height > largest_image_side)
     throw Error(where, fmt::format("is {} x {} pixels, over {} a side", width, height, largest_image_side),
                 "scale it down");
   if (std::uint64_t(width) * std::uint64_t(height) > most_pixels_a_byte * bytes.size())

@@ -15,12 +15,13 @@ double light_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow(
 // A power for each texel took most of a scene's loading, so both ways are tables.
 struct SrgbTables {
   static constexpr int cells = 4096;
-  std::array<float, 256> light{};
+  std::array<float, 256> light{}, data{};   // of a byte
   std::array<float, 257> least{};           // light from which on a byte is the nearest; no byte follows the last
   std::array<std::uint8_t, cells> first{};  // the byte of a cell's least light; a cell holds two bytes at most
   SrgbTables() {
     for (int i = 0; i < 256; ++i) {
       light[std::size_t(i)] = float(light_of(i / 255.0));
+      data[std::size_t(i)] = float(i) / 255.0f;
       least[std::size_t(i)] = i == 0 ? 0.0f : float(light_of((i - 0.5) / 255.0));
     }
     least[256] = 2.0f;
@@ -50,30 +51,31 @@ Image8 halved(const Image8& from, TexelKind kind) {
   Image8 made{std::max(1, from.width / 2), std::max(1, from.height / 2), 4, {}};
   made.pixels.resize(std::size_t(made.width) * std::size_t(made.height) * 4);
   const SrgbTables& table = tables();
-  for (int y = 0; y < made.height; ++y)
-    for (int x = 0; x < made.width; ++x) {
-      std::array<float, 4> sum{};
-      float count = 0.0f;
-      // A side that is odd gives its last texel to the one before.
-      const int last_x = x + 1 == made.width ? from.width : 2 * x + 2,
-                last_y = y + 1 == made.height ? from.height : 2 * y + 2;
-      for (int v = 2 * y; v < last_y; ++v)
-        for (int u = 2 * x; u < last_x; ++u, count += 1.0f) {
-          const std::uint8_t* at = &from.pixels[4 * (std::size_t(v) * std::size_t(from.width) + std::size_t(u))];
-          for (std::size_t c = 0; c < 4; ++c)
-            sum[c] += kind == TexelKind::colour && c < 3 ? table.light[at[c]] : float(at[c]) / 255.0f;
+  const float* const value = (kind == TexelKind::colour ? table.light : table.data).data();
+  const std::size_t row = 4 * std::size_t(from.width);
+  std::uint8_t* to = made.pixels.data();
+  for (int y = 0; y < made.height; ++y) {
+    // A side that is odd gives its last texel to the one before.
+    const int rows = y + 1 == made.height ? from.height - 2 * y : 2;
+    for (int x = 0; x < made.width; ++x, to += 4) {
+      const int columns = x + 1 == made.width ? from.width - 2 * x : 2;
+      glm::vec4 sum(0.0f);
+      const std::uint8_t* line = &from.pixels[2 * std::size_t(y) * row + 8 * std::size_t(x)];
+      for (int v = 0; v < rows; ++v, line += row)
+        for (int u = 0; u < columns; ++u) {
+          const std::uint8_t* at = line + 4 * u;
+          sum += glm::vec4(value[at[0]], value[at[1]], value[at[2]], table.data[at[3]]);
         }
-      for (float& one : sum) one /= count;
+      sum *= 1.0f / float(rows * columns);
       if (kind == TexelKind::normal) {
-        const glm::vec3 n = 2.0f * glm::vec3(sum[0], sum[1], sum[2]) - 1.0f;
+        const glm::vec3 n = 2.0f * glm::vec3(sum) - 1.0f;
         const float length = glm::length(n);
-        for (std::size_t c = 0; c < 3; ++c)
-          sum[c] = length > 1e-3f ? 0.5f + 0.5f * n[int(c)] / length : c == 2 ? 1.0f : 0.5f;
+        sum = glm::vec4(length > 1e-3f ? 0.5f + 0.5f / length * n : glm::vec3(0.5f, 0.5f, 1.0f), sum.w);
       }
-      std::uint8_t* to = &made.pixels[4 * (std::size_t(y) * std::size_t(made.width) + std::size_t(x))];
-      for (std::size_t c = 0; c < 4; ++c)
-        to[c] = kind == TexelKind::colour && c < 3 ? srgb_of(table, sum[c]) : byte_of(sum[c]);
+      for (int c = 0; c < 3; ++c) to[c] = kind == TexelKind::colour ? srgb_of(table, sum[c]) : byte_of(sum[c]);
+      to[3] = byte_of(sum[3]);
     }
+  }
   return made;
 }
 

@@ -29,8 +29,9 @@ vec2 place_in(int texture_number) {
 }
 
 // The normal map's normal, with tangents from derivatives (Schüler 2013, "Normal mapping without precomputed
-// tangents"; its y goes up the picture, ours down). Green is up in the texture, against v.
-vec3 mapped_normal(vec3 n, vec2 at) {
+// tangents"; its y goes up the picture, ours down). Green is up in the texture, against v. From behind a bump is a dent:
+// normals are reversed there (glTF 2.0, section 3.9).
+vec3 mapped_normal(vec3 n, vec2 at, bool front) {
   const vec3 along = dFdx(relative), across = dFdy(relative);
   const vec2 uv_along = dFdx(at), uv_across = dFdy(at);
   const vec3 q = cross(n, across), p = cross(along, n);
@@ -38,7 +39,7 @@ vec3 mapped_normal(vec3 n, vec2 at) {
   const float longest = max(dot(t, t), dot(b, b));
   if (longest <= 0.0) return n;
   vec3 map = 2.0 * texture(normal_texture, at).xyz - 1.0;
-  map.xy *= material.surface.z;
+  map.xy *= front ? material.surface.z : -material.surface.z;
   return normalize((t * map.x - b * map.y) * inversesqrt(longest) + n * max(map.z, 1e-3));
 }
 
@@ -61,7 +62,7 @@ vec4 solid_light(bool front) {
   const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
   const vec3 emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
   vec3 n = normalize(normal) * (front ? 1.0 : -1.0);
-  if (material.kind.y != 0) n = mapped_normal(n, place_in(solid_normal));
+  if (material.kind.y != 0) n = mapped_normal(n, place_in(solid_normal), front);
   if (base.a < material.emissive_cutoff.w) discard;
   const vec3 to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
   const float range = length(to_eye);
