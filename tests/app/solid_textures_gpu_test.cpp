@@ -86,7 +86,7 @@ std::string letters(const Image8& picture) {
 }
 
 // Red, green above blue, yellow, without light: where each texel lies, by the wrapping, the set of places and
-// KHR_texture_transform that a file names. Controls seen: v the other way round in solid.vert; the second set read from
+// KHR_texture_transform that a file names. Controls seen: v the other way round in place_in(); the second set read from
 // the first.
 TEST_F(SolidTextures, TexelsLieWhereTheFileSays) {
   Square plain;

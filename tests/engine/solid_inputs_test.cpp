@@ -210,8 +210,9 @@ std::vector<Input> contents() {
       {"animation before its beginning", with_animation({-1, 1}), "animation 0 has times that do not rise"}};
 }
 
-// Controls: the look at indices past vertices, at nodes met twice, at the size of a PNG's side and at times that fall,
-// each taken away in turn; every other answer is another line of the same code.
+// Controls seen, each taken away in turn: the look at indices past vertices, at the side of a PNG, at times that fall;
+// and at nodes met twice, without which the walk along a cycle never ends. (Files outside of the folder that could be
+// read: GltfFaults.)
 class SolidInputs : public testing::Test {
  protected:
   void expect(const std::vector<Input>& inputs) {
