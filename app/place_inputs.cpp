@@ -1,7 +1,9 @@
 #include "app/place_inputs.h"
 
 #include <algorithm>
+#include <span>
 
+#include "app/scene_hulls.h"
 #include "app/tile_sources.h"
 #include "ocean/effects.h"
 #include "ocean/places/shore_lines.h"
@@ -15,6 +17,18 @@ PlaceSettings place_settings(const Settings& settings) {
   PlaceSettings result = settings.place;
   result.flow_period_s = period_in_loop(result.flow_period_s, settings.sea.loop_s);
   return result;
+}
+
+// Inputs clip where the scene names the effect; hulls of its things do so by themselves.
+std::shared_ptr<const ClipVolumes> clip_volumes(const Scene& scene) {
+  if (!calls_for(scene, "clip")) return nullptr;
+  const bool named = calls_for(scene.effects, "clip");
+  const ClipRoom room = hulls_of(scene);
+  const std::span<const InputSpec> inputs =
+      named ? std::span<const InputSpec>(scene.inputs) : std::span<const InputSpec>();
+  if (room.most_bodies == 0 && room.still.empty() && std::none_of(inputs.begin(), inputs.end(), is_volume))
+    return nullptr;
+  return std::make_shared<const ClipVolumes>(inputs, room);
 }
 }  // namespace
 
@@ -40,12 +54,10 @@ PlaceInputs place_inputs(const Scene& scene, const MadeBefore* before) {
     if (bed || !inputs->empty() || place_outside(result.settings, kind) != glm::vec4(0.0f))
       result.kinds.push_back(std::move(inputs));
   }
-  const bool bodies = scene.clip_room.most_bodies > 0;
   if (before != nullptr)
     result.volumes = before->sea.place.volumes;
-  else if (calls_for(scene.effects, "clip") &&
-           (bodies || std::any_of(scene.inputs.begin(), scene.inputs.end(), is_volume)))
-    result.volumes = std::make_shared<const ClipVolumes>(scene.inputs, scene.clip_room);
+  else
+    result.volumes = clip_volumes(scene);
   if (const std::shared_ptr<const Gerstner> tile = shore_gerstner(scene, before)) {
     const auto same = before != nullptr ? before->sea.place.shore : nullptr;
     result.shore = same != nullptr && same->period_m() == tile->side_m()

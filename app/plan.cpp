@@ -13,6 +13,7 @@
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/quality.h"
+#include "app/scene_hulls.h"
 #include "app/sea_remarks.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
@@ -189,7 +190,7 @@ Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, c
   plan.views = experience.options().views;
   plan.msaa = scene.settings.render.msaa;
   plan.remarks = remarks_of(scene);
-  for (const EffectEntry& entry : closure(scene.effects)) effect_named(plan, entry.name).because = entry.because;
+  for (const EffectEntry& entry : called_for(scene)) effect_named(plan, entry.name).because = entry.because;
   for (const Part& part : parts) effect_named(plan, part.name).because = part.because;
 
   HeadlessOptions options;

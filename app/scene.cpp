@@ -6,6 +6,7 @@
 #include "app/located_json.h"
 #include "app/loop_file.h"
 #include "app/quality.h"
+#include "app/scene_hulls.h"
 #include "app/scene_inputs.h"
 #include "engine/files.h"
 #include "engine/text.h"
@@ -129,6 +130,7 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
   }
   if (const LocatedJson* objects = file.optional("objects"))
     scene.objects = read_objects(*objects, scene.effects, where, faults);
+  faults.attempt([&] { validate_hulls(scene, where); });
   file.finish();
 }
 

@@ -9,6 +9,7 @@
 #include "app/scene.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
+#include "ocean/inputs/hull_map.h"
 
 namespace seascape {
 
@@ -79,7 +80,12 @@ class Reader {
     const auto [found, is_new] = known_.emplace(file.string(), objects.models.size());
     if (!is_new) return found->second;
     try {
-      objects.models.emplace_back(std::make_shared<const SolidModel>(load_solid_model(file)));
+      PlacedModel placed(std::make_shared<const SolidModel>(load_solid_model(file)));
+      for (const auto& hull : placed.insides())
+        if (const std::string fault = hull_fault(*hull); !fault.empty())
+          throw Error(file.string(), in_quotes(hull->name) + ", which is to hold no water, " + fault,
+                      "close it, or give its node a name that does not begin with inside_");
+      objects.models.push_back(std::move(placed));
     } catch (const Error& fault) {
       known_.erase(found);
       throw Error(reader.place(json), key + ": " + fault.where() + ": " + fault.fault(), fault.remedy());

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/place_inputs.h"
+#include "app/scene_hulls.h"
 #include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/effects.h"
@@ -48,7 +49,8 @@ SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
 std::string sea_key(const Scene& scene) {
   std::string key;
   for (const std::string_view effect : effects)
-    if (calls_for(scene.effects, effect)) key.append(effect).append(" ");
+    if (calls_for(scene, effect)) key.append(effect).append(" ");
+  if (!hulls_of(scene).still.empty()) key.append("hulls ");
   for (const Setting& row : settings_table()) {
     const std::string_view name = row.key;
     const auto begins = [&](std::string_view section) { return name.starts_with(section); };

@@ -49,7 +49,7 @@ void main() {
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
-  if (deferred && water_clip && !sea_bed && (water_clip_kinds & 6) != 0) height_shear = vec3(d.y, 0.0, 0.0);
+  if (deferred && water_clip && (water_clip_kinds & (sea_bed ? 8 : 6)) != 0) height_shear = vec3(d.y, 0.0, 0.0);
   float land = 0.0;
   if (sea_bed) land = d.y <= here.bed.here.x ? 1.0 : 0.0;
   if (deferred)

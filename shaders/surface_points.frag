@@ -23,7 +23,9 @@ void main() {
   if (water_clip)
     dry =
         water_clipped(rest + shift_shear.xy, vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
-  if (sea_bed && water_clip) dry = false;
+  if (sea_bed && water_clip)
+    dry = water_clip_cuts(rest + shift_shear.xy,
+                          vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
   const vec2 along = dFdx(rest), across = dFdy(rest);
   if (dry) discard;
   float longest = min(sqrt(max(dot(along, along), dot(across, across))), 6e4);

@@ -51,6 +51,7 @@ PlacedModel::PlacedModel(std::shared_ptr<const SolidModel> model) : model_(std::
     if (node.mesh >= 0) parts_.push_back({node.mesh, index, own.chosen_by, own.level});
   }
   still_ = placed_nodes(*model_);
+  insides_ = inside_hulls(*model_);
   for (SolidPart& part : parts_) part.mirrored = glm::determinant(glm::dmat3(still_[std::size_t(part.node)])) < 0.0;
   bound();
   count();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "app/solids/inside_hulls.h"
 #include "engine/solid_model.h"
 #include "engine/view.h"
 #include "shaders/shared/solid_data.h"
@@ -31,6 +32,8 @@ class PlacedModel {
   explicit PlacedModel(std::shared_ptr<const SolidModel> model);
   const SolidModel& model() const { return *model_; }
   const std::vector<SolidPart>& parts() const { return parts_; }
+  // What holds no water, in its own axes (app/solids/inside_hulls.h).
+  const std::vector<std::shared_ptr<const Model>>& insides() const { return insides_; }
   // The ball that holds all that is drawn, in its own axes.
   const glm::dvec3& middle() const { return middle_; }
   double radius() const { return radius_; }
@@ -49,6 +52,7 @@ class PlacedModel {
   void count();
   std::shared_ptr<const SolidModel> model_;
   std::vector<SolidPart> parts_;
+  std::vector<std::shared_ptr<const Model>> insides_;
   std::vector<glm::dmat4> still_;  // its nodes as the file has them
   std::vector<glm::dvec4> balls_;
   std::size_t most_parts_ = 0;

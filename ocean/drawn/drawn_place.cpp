@@ -295,10 +295,10 @@ void DrawnPlace::declare(SurfaceSlots& slots, std::size_t) const {
     slots.bind(gpu::slot_shore_ways, shore_->ways());
   }
   const bool flat = drawn(InputTarget::clip) != nullptr, volumes = clip_ != nullptr,
-             hulls = volumes && clip_->hulls() != nullptr;
+             hulls = volumes && clip_->hulls() != nullptr, floors = volumes && clip_->volumes().may_have_floors();
   if (!flat && !volumes) return;
   slots.set("clip", gpu::value_clip, 1);
-  slots.set(gpu::value_clip_kinds, (flat ? 1u : 0u) | (volumes ? 2u : 0u) | (hulls ? 4u : 0u));
+  slots.set(gpu::value_clip_kinds, (flat ? 1u : 0u) | (volumes ? 2u : 0u) | (hulls ? 4u : 0u) | (floors ? 8u : 0u));
   if (!volumes) return;
   slots.bind(gpu::slot_clip_nodes, clip_->node_buffer());
   slots.bind(gpu::slot_clip_volumes, clip_->volume_buffer());
@@ -309,7 +309,9 @@ void DrawnPlace::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const
   gpu::PlaceData& data = frame.sea.place;
   data.windows = lod_windows(settings_.windows, placement_, grid_origin_m);
   const glm::vec4 current = place_outside(settings_, InputTarget::flow);
-  data.outside = glm::vec4(float(settings_.level_m), settings_.clip_by_default ? 1.0f : 0.0f, current.x, current.y);
+  // Without flat inputs hulls alone clip.
+  const bool clipped = settings_.clip_by_default && drawn(InputTarget::clip) != nullptr;
+  data.outside = glm::vec4(float(settings_.level_m), clipped ? 1.0f : 0.0f, current.x, current.y);
   const FlowPhase phase = flow_phase(time_s_, settings_.flow_period_s);
   if (shallows_) {
     constexpr double noise_m = gpu::ground_pattern_m;
@@ -347,7 +349,7 @@ const PlaceField<glm::vec4>* DrawnPlace::field(InputTarget kind) const {
 
 bool DrawnPlace::clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const {
   if (!clips()) return false;
-  const bool flat = drawn(InputTarget::clip) != nullptr ? mask_.clipped(least_m, most_m) : settings_.clip_by_default;
+  const bool flat = drawn(InputTarget::clip) != nullptr && mask_.clipped(least_m, most_m);
   return clip_ ? clip_->volumes().clipped(least_m, most_m, height_m, flat) : flat;
 }
 

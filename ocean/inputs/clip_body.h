@@ -34,6 +34,7 @@ inline constexpr int most_clip_bodies = 64;
 struct ClipRoom {
   int most_bodies = 0;                              // at once, 0 to most_clip_bodies
   std::vector<std::shared_ptr<const Model>> hulls;  // closed models
+  std::vector<ClipBody> still;                      // stand where they are, beside the scene's volumes and after them
 };
 
 }  // namespace seascape

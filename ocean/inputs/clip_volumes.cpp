@@ -113,13 +113,13 @@ ClipVolumes::ClipVolumes(std::span<const InputSpec> specs, const ClipRoom& room)
     validate(*spec);
     const bool takes_away = spec->value.x > 0.5f;
     if (const ShapeInput* shape = std::get_if<ShapeInput>(&spec->shape)) {
-      add(solid(*shape, maps.of(*spec)), takes_away);
+      add(solid(*shape, maps.of(*spec)), takes_away, false);
     } else {
       const VolumeInput& body = std::get<VolumeInput>(spec->shape);
       ClipSolid form = form_of(body);
       form.axes = turned(body.turn_deg, body.pitch_deg, body.roll_deg);
       form.middle = body.at_m;
-      add(form, takes_away);
+      add(form, takes_away, false);
     }
   }
   for (std::size_t i = 0; i < room.hulls.size(); ++i) {
@@ -129,6 +129,11 @@ ClipVolumes::ClipVolumes(std::span<const InputSpec> specs, const ClipRoom& room)
     spec.shape = ShapeInput{.model = room.hulls[i], .from = ShapeInput::From::hull};
     spec.where = "hulls[" + std::to_string(i) + "] of bodies";
     hulls->of_bodies.push_back(maps.of(spec));
+  }
+  for (std::size_t i = 0; i < room.still.size(); ++i) {
+    if (!takes(room.still[i]))
+      throw Error("still[" + std::to_string(i) + "] of bodies", "a number of it is out of range", "place it elsewhere");
+    add(room.still[i]);
   }
   add_tree(0);
   fixed_volumes_ = volumes_.size();
@@ -183,12 +188,14 @@ void ClipVolumes::place(std::span<const ClipBody> bodies) {
   boxes_.resize(fixed_volumes_);
   nodes_.resize(fixed_nodes_);
   bodies_.assign(bodies.begin(), bodies.end());
-  for (const ClipBody& body : bodies) add(solid(body), true);
+  for (const ClipBody& body : bodies) add(body);
   add_tree(fixed_volumes_);
   count_nodes();
 }
 
-void ClipVolumes::add(const ClipSolid& solid, bool takes_away) {
+void ClipVolumes::add(const ClipBody& body) { add(solid(body), true, body.hull != ClipBody::no_hull); }
+
+void ClipVolumes::add(const ClipSolid& solid, bool takes_away, bool has_floor) {
   gpu::ClipVolume v{};
   for (int i = 0; i < 3; ++i) v.axis[i] = glm::vec4(glm::vec3(solid.axes[i]), solid.measures[i]);
   const glm::dvec2 whole(std::floor(solid.middle.x), std::floor(solid.middle.z));
@@ -196,6 +203,7 @@ void ClipVolumes::add(const ClipSolid& solid, bool takes_away) {
   v.offset = glm::vec4(float(solid.middle.x - whole.x), float(solid.middle.y), float(solid.middle.z - whole.y),
                        takes_away ? 1.0f : 0.0f);
   v.edge.x = float(solid.edge);
+  v.edge.y = has_floor ? 1.0f : 0.0f;
   glm::dvec3 about(1e-3);
   for (int i = 0; i < 3; ++i) about += glm::abs(solid.axes[i]) * solid.half[i];
   volumes_.push_back(v);
@@ -256,12 +264,16 @@ double ClipVolumes::distance_m(std::size_t volume, glm::dvec3 at_m) const {
   return double(gpu::clip_hull_distance(p.y, hull.read(glm::dvec2(p.x, p.z) / scale), v.axis[0].w, v.axis[1].w));
 }
 
-bool ClipVolumes::clipped(glm::dvec3 at_m, bool flat) const {
+bool ClipVolumes::clipped(glm::dvec3 at_m, bool flat) const { return decided(at_m, flat, true); }
+bool ClipVolumes::dry(glm::dvec3 at_m, bool flat) const { return decided(at_m, flat, false); }
+
+bool ClipVolumes::decided(const glm::dvec3& at_m, bool flat, bool with_floors) const {
   if (!std::isfinite(at_m.x + at_m.y + at_m.z)) return flat;
   bool result = flat;
   int last = -1;
   walk({at_m.x, at_m.z}, {at_m.x, at_m.z}, [&](std::size_t i) {
-    if (int(i) <= last || !(distance_m(i, at_m) < 0.0)) return;
+    if (int(i) <= last || (!with_floors && volumes_[i].edge.y > 0.5f)) return;
+    if (!(distance_m(i, at_m) < 0.0)) return;
     last = int(i);
     result = volumes_[i].offset.w > 0.5f;
   });

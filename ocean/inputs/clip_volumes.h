@@ -22,8 +22,9 @@ struct ClipSolid;  // clip_volumes.cpp
 // Immutable but for place(); any number of threads may ask. Copies share the hulls' maps.
 class ClipVolumes {
  public:
-  // Takes those of `specs` that are volumes, sorted by their order, and has room for bodies. Throws Error as validate()
-  // does, for more than most_input_hulls different models and for more than most_clip_bodies.
+  // Takes those of `specs` that are volumes, sorted by their order, then the room's still bodies, and has room for
+  // others. Throws Error as validate() does, for more than most_input_hulls different models, for more than
+  // most_clip_bodies and for a still body that it does not take.
   explicit ClipVolumes(std::span<const InputSpec> specs, const ClipRoom& room = {});
 
   // How many bodies there may be at once.
@@ -36,10 +37,15 @@ class ClipVolumes {
   void place(std::span<const ClipBody> bodies);
   std::span<const ClipBody> bodies() const { return bodies_; }
 
+  // Whether there are hulls of bodies, or may be.
+  bool may_have_floors() const { return !hulls_->of_bodies.empty(); }
+
   std::size_t size() const { return volumes_.size(); }  // with the bodies
   // Whether there is no water at a point (x, height above the still sea's y = 0, z, m), where flat inputs say `flat`:
   // of the volumes that hold it the last decides. No number: `flat`.
   bool clipped(glm::dvec3 at_m, bool flat) const;
+  // The same without hulls of bodies, which have a floor of their own: whether the bed lies dry there.
+  bool dry(glm::dvec3 at_m, bool flat) const;
   // How far outside a volume a point is, m, below 0 within; of a hull no more than the sign is exact.
   double distance_m(std::size_t volume, glm::dvec3 at_m) const;
   // Whether no water stands in all of a rectangle (x and z, m) however it stands between -height_m and height_m, where
@@ -63,9 +69,11 @@ class ClipVolumes {
   };
   ClipSolid solid(const ShapeInput& shape, int map) const;
   ClipSolid solid(const ClipBody& body) const;
-  void add(const ClipSolid& solid, bool takes_away);
+  void add(const ClipBody& body);
+  void add(const ClipSolid& solid, bool takes_away, bool has_floor);
   void add_tree(std::size_t first);
   void add_nodes(std::span<std::uint32_t> numbers);
+  bool decided(const glm::dvec3& at_m, bool flat, bool with_floors) const;
   template <class Visit>
   void walk(glm::dvec2 least_m, glm::dvec2 most_m, const Visit& visit) const;
 

@@ -106,7 +106,9 @@ bool PlaceSea::clipped(glm::dvec3 point, double time, const ClipRead& read) cons
 }
 
 bool PlaceSea::dry(glm::dvec2 rest, glm::dvec3 d, double time, const ClipRead& read) const {
-  return clipped({rest.x + d.x, d.y, rest.y + d.z}, flat_clipped(rest, time, read), read.volumes);
+  const bool flat = flat_clipped(rest, time, read);
+  const ClipVolumes* const volumes = read.volumes != nullptr ? read.volumes : volumes_.get();
+  return volumes == nullptr ? flat : volumes->dry({rest.x + d.x, d.y, rest.y + d.z}, flat);
 }
 
 namespace {

@@ -74,7 +74,8 @@ class PlaceSea {
                const Beside& beside) const;
   // On which side of this surface, as query() has it, a world point (m) is; see water_side.h.
   WaterSide side(const WaveField& field, const WaveTiles& tiles, const glm::dvec3& at_m, const Beside& beside) const;
-  // Whether the water of a rest position is taken away over a bed, where it stands at this displacement.
+  // Whether the water of a rest position is taken away over a bed, where it stands at this displacement, so
+  // that it lies dry.
   bool dry(glm::dvec2 rest_m, glm::dvec3 displacement_m, double time_s, const ClipRead& read) const;
   // Whether many places were asked for, and this had better begin with new memory of them (renew).
   bool worn() const { return (pages_ && pages_->worn()) || (clip_pages_ && clip_pages_->worn()); }

@@ -157,7 +157,7 @@ vec4 sea_displacement(SeaPlace place, float footprint) {
   if (dynamic_levels > 0) add_dynamic_displacement(sum, place.rest, footprint);
   if (sea_level) sum.y += place.level.x;
   if (sea_bed) sum = sea_bed_land(place, sum);
-  if (sea_bed && water_clip && water_clipped(place.rest, vec3(place.rest.x + sum.x, sum.y, place.rest.y + sum.z)))
+  if (sea_bed && water_clip && water_clip_dries(place.rest, vec3(place.rest.x + sum.x, sum.y, place.rest.y + sum.z)))
     sum = vec4(0.0, place.bed.here.x, 0.0, 0.0);  // the bed lies dry
   return sum;
 }

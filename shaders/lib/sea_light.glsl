@@ -107,8 +107,9 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   Bed sea_bed_below;
   if (sea_bed) sea_bed_below = bed_at(p, here, above, v, sea_bed_footprint);
   if (sea_bed && water_clip &&
-      water_clipped(p.rest, vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? here.level.x : p.height_shear.x,
-                                 p.place.y)))
+      water_clip_dries(
+          p.rest,
+          vec3(p.place.x, above < 0.02 - sea_bed_below.still_depth ? here.level.x : p.height_shear.x, p.place.y)))
     sea_bed_below.water = 0.0;
   float water = 1.0;  // the share of the pixel that is no land
   if (sea_bed) water = sea_bed_below.water;

@@ -61,7 +61,7 @@ void main() {
   const vec3 seen = ahead(relative), stands = standing(seen);
   const vec2 place = stands.xz;
   const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
-  // Over a bed what is clipped lies dry, as land.
+  // Over a bed what is clipped lies dry, as land, but for hulls with a floor of their own.
 #ifdef CLIP_EACH_SAMPLE
   int wet = -1;
   if (water_clip && !sea_bed)
@@ -74,7 +74,7 @@ void main() {
 #else
   bool dry = false;
   if (water_clip) dry = water_clipped(place, stands);
-  if (sea_bed && water_clip) dry = false;
+  if (sea_bed && water_clip) dry = water_clip_cuts(place, stands);
   if (dry) discard;
 #endif
   vec3 normal;

@@ -23,7 +23,7 @@ struct ClipVolume {
                 // it
   vec4 axis[3];  // xyz: its own axes in the world; w: of a box half a side less its edge; of a cylinder radius and half
                  // the length; of a hull a texel of its map and half its height, m
-  vec4 edge;     // x: a box's radius of its edges, m
+  vec4 edge;     // x: a box's radius of its edges, m; y: 1 of a body's hull, which has a floor of its own
 };
 
 // A node holds all that lies beneath it; the nodes of its first half follow it, and then those of the second.

@@ -15,8 +15,9 @@ class StereoCommands : public test::GpuTest {};
 // both. All scenes, each at one preset; at all four with SEASCAPE_LONG. Controls: a pass per eye; the surface's draw
 // recorded once more for a second view.
 TEST_F(StereoCommands, AreAtMostATwentiethMore) {
-  const std::vector<std::string> scenes{"baked",     "calm",   "gerstner", "harbour_clip", "lagoon",   "open_sea",
-                                        "rain_pool", "rivers", "storm",    "swell",        "whirlpool"};
+  const std::vector<std::string> scenes{"baked",  "calm",     "gerstner",  "harbour", "harbour_clip",
+                                        "lagoon", "open_sea", "rain_pool", "rivers",  "still_life",
+                                        "storm",  "swell",    "whirlpool"};
   const std::vector<std::string> presets{"low", "medium", "high", "ultra"};
   double most = 0.0;
   for (std::size_t s = 0; s < scenes.size(); ++s)

@@ -1,6 +1,7 @@
 // The shipped paths fly over the shipped seas, never through them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -9,8 +10,10 @@
 #include "app/place_inputs.h"
 #include "app/scene.h"
 #include "app/sea_remarks.h"
+#include "app/sea_spec.h"
 #include "app/tile_sources.h"
 #include "ocean/sea/query.h"
+#include "ocean/sea/sea.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/sanitized.h"
 
@@ -41,7 +44,7 @@ double least_clearance(const std::string& name, double lowered_m) {
 // Control: the same paths flown 3 m lower dip under the water.
 TEST(Content, PathsStayAboveTheirSeas) {
   for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool",
-                           "lagoon", "rivers", "harbour_clip"}) {
+                           "lagoon", "rivers", "harbour_clip", "harbour", "still_life"}) {
     if (test::sanitized && std::string(name) != "open_sea" && std::string(name) != "lagoon") continue;
     const double least_m = least_clearance(name, 0.0);
     EXPECT_GT(least_m, 0.3) << name;
@@ -106,6 +109,42 @@ TEST(Content, TheDryDockIsDry) {
   places.query(field, tiles, asked, answers);
   for (std::size_t i = 0; i < asked.size(); ++i)
     EXPECT_TRUE(answers[i].clipped || answers[i].depth_m <= 0.05) << asked[i].x << " " << asked[i].y;
+}
+
+// What is in the harbour stands where it should: boats hold no water, piers and lighthouse reach down to the bed, and
+// cargo lies on the quay or on other cargo. Controls seen: a pier over a bed of 5 m; cargo 0.2 m higher; hulls left
+// out.
+TEST(Content, TheHarboursThingsStandWhereTheyShould) {
+  const Scene scene = load_scene("harbour", "low");
+  Sea sea(sea_spec(scene));
+  std::vector<SeaView> views;  // a trough may leave a light boat's keel that does not move with it
+  for (const double time_s : {20.0, 21.3, 22.6, 23.9, 25.2}) views.push_back(sea.view_at(time_s, SeaDetail::felt));
+  int boats = 0, founded = 0, cargo = 0;
+  for (std::size_t i = 0; i < scene.objects.things.size(); ++i) {
+    const SolidThing& thing = scene.objects.things[i];
+    const PlacedModel& model = scene.objects.models[thing.model];
+    const std::string& name = scene.objects.names[i];
+    const glm::dvec3 at = thing.pose.position_m;
+    const QueryAnswer water = views.front().query({at.x, at.z});
+    const auto is = [&](const char* called) { return name.starts_with(called); };
+    if (!model.insides().empty() && at.y < 0.5) {
+      EXPECT_TRUE(std::ranges::any_of(views, [&](const SeaView& view) {
+        return view.query({at.x, at.z}).clipped;
+      })) << name;
+      ++boats;
+    } else if (is("pier") || is("lighthouse")) {
+      EXPECT_LE(water.depth_m, is("pier") ? 4.5 : 5.0) << name;
+      EXPECT_GT(water.depth_m, -1.5) << name;
+      ++founded;
+    } else if (is("crate") || is("barrel")) {
+      const double foot = at.y - (is("crate") ? 0.14 : 0.26);
+      EXPECT_LT(std::min(std::abs(foot + water.depth_m), std::abs(foot - 0.48 + water.depth_m)), 0.1) << name;
+      ++cargo;
+    }
+  }
+  EXPECT_GE(boats, 8);
+  EXPECT_EQ(founded, 5);
+  EXPECT_GE(cargo, 15);
 }
 
 }  // namespace

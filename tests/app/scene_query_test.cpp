@@ -20,7 +20,7 @@ namespace seascape {
 namespace {
 
 constexpr double time_s = 7.3;
-constexpr const char* scenes[] = {"lagoon", "rivers", "rain_pool", "whirlpool", "harbour_clip", "storm"};
+constexpr const char* scenes[] = {"lagoon", "rivers", "rain_pool", "whirlpool", "harbour_clip", "harbour", "storm"};
 
 auto all_of(const QueryAnswer& a) {
   return std::tuple(a.height_m, a.displacement.x, a.displacement.y, a.displacement.z, a.normal.x, a.normal.y,

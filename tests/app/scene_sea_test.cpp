@@ -27,8 +27,9 @@ struct Miss {
   double share() const { return all > 0.0 ? std::sqrt(missed / all) : 0.0; }
 };
 
-const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
-                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+const std::vector<std::string> scenes{"open_sea",     "calm",    "storm",     "swell",  "rain_pool",
+                                      "gerstner",     "baked",   "whirlpool", "lagoon", "rivers",
+                                      "harbour_clip", "harbour", "still_life"};
 
 // In all scenes at all presets 99 of 100 felt heights lie within three times left_out_m of the drawn ones, dynamic
 // waves included. Controls seen: seven tenths of left_out_m; felt waves of 20 ms later.
@@ -141,7 +142,7 @@ TEST(SceneSea, HeightsVelocitiesAndNormalsAgree) {
                      std::to_string(used) + " points: " + std::to_string(rates.share()) + ", " +
                          std::to_string(formula.share()) + ", " + std::to_string(slopes.share()) + ", " +
                          std::to_string(apart));
-      EXPECT_GT(used, 250) << name;
+      EXPECT_GT(used, name == "harbour" ? 150 : 250) << name << ", where much is land";
       EXPECT_LE(apart, 5e-5) << name;
       EXPECT_LE(rates.share(), 0.01) << name;
       EXPECT_LE(formula.share(), 0.01) << name;

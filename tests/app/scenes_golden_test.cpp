@@ -64,6 +64,8 @@ TEST_F(Golden, Whirlpool) { expect_golden("whirlpool", "gpu"); }
 TEST_F(Golden, Lagoon) { expect_golden("lagoon", "gpu"); }
 TEST_F(Golden, Rivers) { expect_golden("rivers", "gpu"); }
 TEST_F(Golden, HarbourClip) { expect_golden("harbour_clip", "gpu"); }
+TEST_F(Golden, Harbour) { expect_golden("harbour", "gpu"); }
+TEST_F(Golden, StillLife) { expect_golden("still_life", "gpu"); }
 TEST_F(Golden, OpenSeaUploaded) { expect_golden("open_sea", "cpu"); }
 TEST_F(Golden, CalmUploaded) { expect_golden("calm", "cpu"); }
 TEST_F(Golden, StormUploaded) { expect_golden("storm", "cpu"); }
@@ -75,6 +77,8 @@ TEST_F(Golden, WhirlpoolUploaded) { expect_golden("whirlpool", "cpu"); }
 TEST_F(Golden, LagoonUploaded) { expect_golden("lagoon", "cpu"); }
 TEST_F(Golden, RiversUploaded) { expect_golden("rivers", "cpu"); }
 TEST_F(Golden, HarbourClipUploaded) { expect_golden("harbour_clip", "cpu"); }
+TEST_F(Golden, HarbourUploaded) { expect_golden("harbour", "cpu"); }
+TEST_F(Golden, StillLifeUploaded) { expect_golden("still_life", "cpu"); }
 
 // The control: changes of light, water and waves that an eye would see are outside the tolerance.
 TEST_F(Golden, WhatAnEyeWouldSeeIsOutsideTheTolerance) {

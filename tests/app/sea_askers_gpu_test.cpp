@@ -35,7 +35,7 @@ TEST_P(SeaAskers, HaveTilesOfATimeAndADetailMadeOnce) {
                               {"replay", false, 30.0, every ? 6 : 3},
                               {"capture", false, 90.0, every ? 6 : 3}};
   for (const std::string scene : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool",
-                                  "lagoon", "rivers", "harbour_clip"}) {
+                                  "lagoon", "rivers", "harbour_clip", "harbour", "still_life"}) {
     SeaShot shot({.scene = scene,
                   .preset = "low",
                   .width = 48,

@@ -80,7 +80,7 @@ TEST(SeaLimitsHard, SteepSwellAndParticlesOfTheDeepHardlyFold) {
 // A wind sea of the deep, and all that ships, is not touched. Control seen: wind seas held to the same steepness.
 TEST(SeaLimits, WhatWaterBearsStaysToTheBit) {
   for (const char* name : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool",
-                           "lagoon", "rivers", "harbour_clip"}) {
+                           "lagoon", "rivers", "harbour_clip", "harbour", "still_life"}) {
     SCOPED_TRACE(name);
     const Scene scene = load_scene(name, "low");
     const LimitedSea limited = limited_sea(scene);

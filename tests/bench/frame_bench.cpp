@@ -18,8 +18,8 @@
 namespace seascape::bench {
 namespace {
 
-constexpr const char* scenes[] = {"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
-                                  "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+constexpr const char* scenes[] = {"open_sea",  "calm",   "storm",  "swell",        "rain_pool", "gerstner",  "baked",
+                                  "whirlpool", "lagoon", "rivers", "harbour_clip", "harbour",   "still_life"};
 constexpr int warm_up = 20, frames = 90;
 constexpr double rate_hz = 72.0, pixels_per_radian = 1100.0;
 

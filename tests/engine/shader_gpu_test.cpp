@@ -128,7 +128,7 @@ TEST(Specialisation, AllEffectsTogetherShareFewSamplers) {
                                         {gpu::value_albedo, 3u},
                                         {gpu::value_shadow, 3u},
                                         {gpu::value_foam_kept, 1u},
-                                        {gpu::value_clip_kinds, 7u},
+                                        {gpu::value_clip_kinds, 15u},
                                         {gpu::value_shore_waves, 1u}})
     values.push_back({std::uint32_t(constant), value});
   ShaderLibrary library;

@@ -95,8 +95,8 @@ Pose head_of(const std::string& scene) {
                                                                               : near_water;
 }
 
-const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
-                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",    "gerstner",
+                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip", "harbour"};
 
 double bar_m(const Misses& m) { return std::min(1e-3 * m.hs_m, 5e-3); }
 

@@ -99,8 +99,8 @@ const std::vector<std::pair<std::string, std::string>> unfaded{{"baked.fade_m", 
 
 const Pose near_water = pose({12.3, 2.0, -45.6}, 30.0, -12.0);
 
-const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",   "gerstner",
-                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip"};
+const std::vector<std::string> scenes{"open_sea", "calm",      "storm",  "swell",  "rain_pool",    "gerstner",
+                                      "baked",    "whirlpool", "lagoon", "rivers", "harbour_clip", "harbour"};
 const std::vector<std::string> some_scenes{"open_sea",  "calm",     "storm", "swell",
                                            "rain_pool", "gerstner", "baked", "lagoon"};
 // What there is of places is the processor's, wherever the waves are: with SEASCAPE_LONG=1 all scenes in both.
