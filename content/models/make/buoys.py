@@ -21,7 +21,7 @@ def paints(sheet, colour):
 
 
 def growth(m, p, tide=0.06):
-    return overgrow(m, [p["steel_paint"], p["rust"], p["moulding"]], p["weed"].tinted(0.95, 0.95, 0.95), tide)
+    return overgrow(m, [p["steel_paint"], p["rust"], p["moulding"]], p["weed"].tinted(0.95, 0.95, 0.95), tide, 0.012)
 
 
 FLOAT = [(0, -1.75), (0.20, -1.75), (0.20, -1.55), (0.11, -1.5), (0.11, -0.72), (0.30, -0.66), (0.74, -0.42), (0.76, -0.36), (0.76, 0.26), (0.72, 0.34), (0, 0.40)]

@@ -105,17 +105,26 @@ def join(meshes):
                 np.concatenate([m.c for m in meshes]), np.concatenate(groups))
 
 
-def overgrow(mesh, paints, weed, tide, seed=0):
-    """Weed in place of what lies below `tide` (m) on surfaces of the given paints, a wet and grimy band above it."""
+def overgrow(mesh, paints, weed, tide, wander=0.045):
+    """Weed in place of what lies below `tide` (m) on surfaces of the given paints, a wet and grimy band above it. Its edge
+    goes up and down by `wander` (m) and more: until the weed is laid, each corner is moved by that, kept beside its colour."""
+    at = mesh.p
+    lift = wander * np.sin(7.3 * at[:, :, 0] + 5.1 * at[:, :, 2]) + 0.6 * wander * np.sin(19 * at[:, :, 0] - 23 * at[:, :, 2] + 1)
+    mesh = mesh.copy()
+    mesh.c = np.concatenate([mesh.c, lift[:, :, None]], axis=2)
+    mesh.p[:, :, 1] -= lift
     for y in (tide - 0.25, tide, tide + 0.25):
         mesh = cut(mesh, "y", y)
     middle = mesh.uv[:, :, 1].mean(1)
+    height = mesh.p[:, :, 1].reshape(-1).copy()
+    mesh.p[:, :, 1] += mesh.c[:, :, 3]
+    mesh.c = mesh.c[:, :, :3].copy()
     for paint in paints:
         s, w = paint.skin, weed.skin
-        low = (mesh.centres()[:, 1] < tide) & (np.abs(middle - (s.v0 + s.v1) / 2) < (s.v1 - s.v0) / 2)
+        low = (height.reshape(-1, 3).mean(1) < tide) & (np.abs(middle - (s.v0 + s.v1) / 2) < (s.v1 - s.v0) / 2)
         mesh.uv[low, :, 1] = w.v0 + (mesh.uv[low, :, 1] - s.v0) / (s.v1 - s.v0) * (w.v1 - w.v0)
         mesh.c[low] = linear(weed.colour)
-    return mesh.wear(lambda q: np.where(q[:, 1] < tide, 1.0, 1 - 0.4 * np.clip(1 - (q[:, 1] - tide) / 0.4, 0, 1)))
+    return mesh.wear(lambda q: np.where(height < tide, 1.0, 1 - 0.4 * np.clip(1 - (height - tide) / 0.4, 0, 1)))
 
 
 def cut(mesh, axis, value):
