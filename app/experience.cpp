@@ -166,6 +166,7 @@ void Experience::build() {
   look.probe = options_.probe;
   look.hidden = options_.hidden;
   look.solids = calls_for(scene_.effects, "models") && !scene_.objects.empty();
+  look.below = look.solids && s.models.seen_in_water;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   const SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
@@ -173,7 +174,8 @@ void Experience::build() {
   if (look.solids)
     solids_ = std::make_unique<DrawnSolids>(
         device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
-        SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(), look.anisotropy});
+        SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
+                  look.below ? &surface_->below() : nullptr, look.anisotropy});
   spray_.reset();
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,

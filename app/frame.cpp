@@ -66,12 +66,13 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
-  const std::uint32_t uniform = frame.upload_uniform(data);
   if (e.solids_)
     stages.time("things", [&] {
       e.solids_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new, e.scene_.objects.things, viewpoint,
-                        time_s);
+                        time_s, e.ocean_->highest_m());
+      e.solids_->describe(data);
     });
+  const std::uint32_t uniform = frame.upload_uniform(data);
   // What is drawn of the viewer himself, and over what he sees.
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
@@ -82,9 +83,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.spray_)
     stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
 
-  // 5. Sea and solid things, then the sky where none of them is, hands before them, and spray over all: in the tile up
-  // to the finished picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first,
-  // then the light of all pixels.
+  // 5. Things under water as they would be seen without it, for the surface to refract. Sea and solid things, then the
+  // sky where none of them is, hands before them, and spray over all: in the tile up to the finished picture, or into
+  // the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =
@@ -95,6 +96,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const auto record = [&](const char* name, const RenderTarget& target, const Uses& used, const auto& commands) {
     stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
   };
+  if (e.solids_ && e.solids_->any_in_water())
+    record("below", e.surface_->below(), uses, [&](Commands& c) { e.solids_->draw_in_water(c, uniform); });
+  e.surface_->add_below(uses);
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
     if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);
   };

@@ -13,6 +13,7 @@
 #include "app/mirror_settings.h"
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
+#include "app/solids/solid_settings.h"
 #include "ocean/foam/foam_settings.h"
 #include "ocean/foam/spray_settings.h"
 #include "ocean/mesh/lod_settings.h"
@@ -37,6 +38,7 @@ struct Settings {
   DynamicSeaSettings dynamic_waves;             // keys dynamic_waves.*
   FoamSettings foam;                            // keys foam.*
   SpraySettings spray;                          // keys spray.*
+  SolidSettings models;                         // keys models.*
   PlaceSettings place;                          // keys place.*, level.*, flow.*, clip.*
   LodSettings lod;                              // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;                          // keys water.*

@@ -51,6 +51,8 @@ constexpr auto foam_windows = &at<&Settings::foam, &FoamSettings::windows, membe
 template <auto member>
 constexpr auto spray = &at<&Settings::spray, member>;
 template <auto member>
+constexpr auto models = &at<&Settings::models, member>;
+template <auto member>
 constexpr auto place = &at<&Settings::place, member>;
 template <auto member>
 constexpr auto place_windows = &at<&Settings::place, &PlaceSettings::windows, member>;
@@ -590,6 +592,17 @@ const std::vector<Setting>& table() {
       {"spray.rate_hz", "1/s", "Steps of the spray a second; between them what is aloft flies on.",
        spray<&SpraySettings::rate_hz>, 4.0, 60.0},
       {"spray.seed", "", "Which spray of the same statistics.", spray<&SpraySettings::seed>, 0.0, 4294967295.0},
+
+      {"models.seen_in_water",
+       "",
+       "Things under water are seen through its surface, where it refracts the eye's rays; else only what stands above "
+       "it is seen.",
+       models<&SolidSettings::seen_in_water>,
+       0.0,
+       1.0,
+       {},
+       quality,
+       other_pipelines},
 
       {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.",
        place<&PlaceSettings::level_m>, -10000.0, 10000.0},

@@ -178,6 +178,8 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher
   return mesher.select(viewpoint, water);
 }
 
+double Ocean::highest_m() const { return most_share() * sea_.statistics().largest_height_m + others_reach().height_m; }
+
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   constexpr double margin_m = 0.5;  // the near plane reaches less far
   const WaterReach others = others_reach();

@@ -62,6 +62,8 @@ class Ocean {
   // The patches selected last, null before the first.
   const SurfaceSelection* selection() const { return selection_; }
 
+  // The water stands nowhere higher above the still sea.
+  double highest_m() const;
   // Whether all eyes are surely above the water, by half a metre: by the highest crest that the sea may have, or where
   // the processor makes the waves by the water beneath them as it was in the last update.
   bool eyes_in_air(const Viewpoint& viewpoint) const;

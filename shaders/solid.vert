@@ -8,6 +8,8 @@
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 
+layout(constant_id = value_wide) const bool wide = false;  // for the picture of what is under water
+
 layout(location = 0) in vec4 corner_place;  // SolidVertex
 layout(location = 1) in vec4 corner_normal;
 layout(location = 2) in vec4 corner_uv;
@@ -34,4 +36,5 @@ void main() {
   uv = corner_uv;
   tint = corner_colour;
   gl_Position = frame.view[eye_index()].clip_from_relative * vec4(relative, 1.0);
+  if (wide) gl_Position.xy /= solid_margin;
 }

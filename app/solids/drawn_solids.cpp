@@ -114,6 +114,12 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
   spec.values.push_back({gpu::value_blend, true});
   spec.values.push_back({gpu::value_depth_sampled, look_.depths != nullptr});
   blended_pipeline_ = make_graphics_pipeline(device_, shaders_, picture, spec);
+  if (look_.below == nullptr) return;
+  spec.fragment = "solid_below.frag";
+  spec.blend = false;
+  spec.depth_write = true;
+  spec.values = {{gpu::value_multiview, !picture.spec().per_eye}, {gpu::value_wide, true}};
+  in_water_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.below, spec);
 }
 
 VkSampler DrawnSolids::sampler(const SolidTexture& texture) {
@@ -224,6 +230,7 @@ void DrawnSolids::bind(Drawn& drawn) {
                          .sampler = material.samplers[t]});
     if (!material.blends) {
       material.bindings = Bindings(device_, pipeline_, entries, "solid");
+      if (look_.below != nullptr) material.in_water = Bindings(device_, in_water_pipeline_, entries, "solid in water");
       continue;
     }
     if (look_.depths)
@@ -241,7 +248,8 @@ void DrawnSolids::resize(const Image* depths) {
 }
 
 void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& water_reflectance, bool sky_is_new,
-                         std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s) {
+                         std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s,
+                         double highest_m) {
   if (!lit_)
     frame.pass("solid albedo", {use(albedo_, Access::compute_write, true)}, [&](Commands& c) {
       c.bind(albedo_pipeline_, albedo_bindings_);
@@ -258,7 +266,7 @@ void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& wa
                });
   lit_ = true;
   lit_by_ = water_reflectance;
-  select_solids(models_, things, viewpoint, time_s, selection_);
+  select_solids(models_, things, viewpoint, time_s, highest_m, selection_);
   slot_ = frame.slot();
   if (selection_.instances.empty()) return;
   const Buffer& room = instances_[std::size_t(slot_)];
@@ -266,21 +274,33 @@ void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& wa
               selection_.instances.size() * sizeof(gpu::SolidInstance));
 }
 
+void DrawnSolids::describe(gpu::FrameData& data) const {
+  if (look_.below == nullptr) return;
+  data.solids = selection_.in_water;
+  data.solids.reach.z = float(look_.below->spec().width);
+  data.solids.reach.w = float(look_.below->spec().height);
+}
+
 void DrawnSolids::add_uses(Uses& uses) const {
   uses.add(use(sky_, Access::fragment_sample));
   uses.add(use(albedo_, Access::fragment_sample));
 }
 
-void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, bool blended) const {
-  const Pipeline& pipeline = blended ? blended_pipeline_ : pipeline_;
+void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const {
+  const bool blended = kind == Kind::blended;
+  const Pipeline& pipeline = blended ? blended_pipeline_ : kind == Kind::opaque ? pipeline_ : in_water_pipeline_;
   for (std::size_t i = 0; i < selection_.draws.size(); ++i) {
     const SolidDraw& draw = selection_.draws[blended ? selection_.far_first[i] : i];
+    if (kind == Kind::in_water && !draw.wet) continue;
     const Drawn& drawn = drawn_[draw.model];
     const SolidPart& part = models_[draw.model].parts()[draw.part];
     for (const Mesh& primitive : drawn.meshes[std::size_t(part.mesh)]) {
       const Material& material = drawn.materials[primitive.material];
       if (primitive.count == 0 || material.blends != blended) continue;
-      commands.bind(pipeline, blended ? material.blended : material.bindings,
+      commands.bind(pipeline,
+                    blended                ? material.blended
+                    : kind == Kind::opaque ? material.bindings
+                                           : material.in_water,
                     {frame_uniform, 0u, std::uint32_t(primitive.material * material_stride)},
                     !material.double_sided && !part.mirrored);
       commands.push(gpu::DrawPush{commands.eye()});

@@ -16,6 +16,7 @@ struct SolidLook {
   bool tile_shape = false;               // tone mapping in the fragment shader
   const RenderTarget* points = nullptr;  // where the sea is lit later: what its points are drawn into; null: nowhere
   const Image* depths = nullptr;         // of these points
+  const RenderTarget* below = nullptr;   // what is under water is drawn into (Surface::below()); null: nothing is
   float anisotropy = 1.0f;               // of the points (SurfaceLook) and of textures
   int most_texels = 4096;                // of a texture's larger side
 };
@@ -31,12 +32,21 @@ class DrawnSolids {
 
   // Outside of passes: the surroundings, where sky or water have changed; what is seen of the things now.
   void update(Frame& frame, const Image& sky_map, const glm::vec4& water_reflectance, bool sky_is_new,
-              std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s);
+              std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s, double highest_m);
+  // What shaders are told of the things under water, as of the last update.
+  void describe(gpu::FrameData& data) const;
   void add_uses(Uses& uses) const;
   // Inside the pass that draws the sea (into look.points, where there are any): what hides all that lies behind it.
-  void draw(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, false); }
+  void draw(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, Kind::opaque); }
   // After sea and sky, inside the pass into the picture: what lets light through, far things first.
-  void draw_blended(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, true); }
+  void draw_blended(Commands& commands, std::uint32_t frame_uniform) const {
+    draw(commands, frame_uniform, Kind::blended);
+  }
+  // Inside a pass into look.below, where any_in_water().
+  void draw_in_water(Commands& commands, std::uint32_t frame_uniform) const {
+    draw(commands, frame_uniform, Kind::in_water);
+  }
+  bool any_in_water() const { return look_.below != nullptr && selection_.wet; }
 
   const SolidSelection& selection() const { return selection_; }
 
@@ -50,7 +60,7 @@ class DrawnSolids {
     std::array<const Image*, gpu::solid_textures> textures;
     std::array<VkSampler, gpu::solid_textures> samplers;
     bool blends = false, double_sided = false;
-    Bindings bindings, blended;
+    Bindings bindings, blended, in_water;
   };
   struct Drawn {
     std::vector<Image> textures;
@@ -65,7 +75,8 @@ class DrawnSolids {
   void make_pipelines(const RenderTarget& picture);
   void bind(Drawn& drawn);
   VkSampler sampler(const SolidTexture& texture);
-  void draw(Commands& commands, std::uint32_t frame_uniform, bool blended) const;
+  enum class Kind { opaque, blended, in_water };
+  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const;
 
   Device& device_;
   ShaderLibrary& shaders_;
@@ -75,7 +86,7 @@ class DrawnSolids {
   Image sky_, albedo_, white_, flat_;
   Owned<VkSampler> sky_sampler_, depth_sampler_;
   std::vector<std::pair<int, Owned<VkSampler>>> samplers_;  // by how they wrap and filter
-  Pipeline sky_pipeline_, albedo_pipeline_, pipeline_, blended_pipeline_;
+  Pipeline sky_pipeline_, albedo_pipeline_, pipeline_, blended_pipeline_, in_water_pipeline_;
   Bindings sky_bindings_, albedo_bindings_;
   std::vector<Drawn> drawn_;
   bool lit_ = false;

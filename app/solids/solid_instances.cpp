@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "ocean/mesh/tree_frame.h"
@@ -16,6 +17,42 @@ bool may_see(const Fov& fov, const glm::dvec3& at, double radius) {
   const auto inside = [&](double past, double slope) { return past >= -radius * std::sqrt(1.0 + slope * slope); };
   return -at.z >= -radius && inside(at.x + fov.left * at.z, fov.left) && inside(-at.x - fov.right * at.z, fov.right) &&
          inside(-at.y - fov.up * at.z, fov.up) && inside(at.y + fov.down * at.z, fov.down);
+}
+
+constexpr double most_in_water_m = 600.0;
+
+// Least and most x and y in clip space of a ball at `at`, as the eye sees it; the whole picture where it surrounds the
+// eye.
+glm::vec4 in_picture(const Fov& fov, const glm::dvec3& at, double radius) {
+  const auto slopes = [&](double across) {
+    const double away = std::hypot(across, at.z);
+    if (away <= radius) return glm::dvec2(-1e9, 1e9);
+    const double middle = std::atan2(across, -at.z), half = std::asin(radius / away),
+                 quarter = 0.5 * std::numbers::pi - 1e-6;
+    return glm::dvec2(std::tan(std::clamp(middle - half, -quarter, quarter)),
+                      std::tan(std::clamp(middle + half, -quarter, quarter)));
+  };
+  const auto clip = [](double slope, double least, double most) {
+    return std::clamp(2.0 * (slope - least) / (most - least) - 1.0, -2.0, 2.0);
+  };
+  const glm::dvec2 x = slopes(at.x), y = slopes(at.y);
+  return {float(clip(x[0], fov.left, fov.right)), float(-clip(y[1], fov.down, fov.up)),
+          float(clip(x[1], fov.left, fov.right)), float(-clip(y[0], fov.down, fov.up))};
+}
+
+glm::vec4 around(const glm::vec4& a, const glm::vec4& b) {
+  return {glm::min(a.x, b.x), glm::min(a.y, b.y), glm::max(a.z, b.z), glm::max(a.w, b.w)};
+}
+
+glm::dvec3 in_eye(const View& eye, const glm::dvec3& place) {
+  return glm::conjugate(eye.pose.orientation) * (place - eye.pose.position_m);
+}
+
+// What the picture of things under water sees.
+Fov widened(const Fov& fov) {
+  const double across = 0.5 * (gpu::solid_margin - 1.0) * (fov.right - fov.left),
+               along = 0.5 * (gpu::solid_margin - 1.0) * (fov.up - fov.down);
+  return {fov.left - across, fov.right + across, fov.up + along, fov.down - along};
 }
 
 gpu::SolidInstance instance(const glm::dmat4& world, const glm::dvec3& viewer_m) {
@@ -79,7 +116,7 @@ void PlacedModel::bound() {
     for (int i = 0; i < 32; ++i)
       moments.push_back(
           placed_nodes(*model_, &model_->animations.front(), model_->animations.front().duration_s * i / 32.0));
-  const auto ball_of = [](const auto& each) {
+  const auto ball_of = [](const auto& each, glm::dvec3& half_sides) {
     glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
     each([&](const glm::dvec3& place) {
       least = glm::min(least, place);
@@ -87,6 +124,7 @@ void PlacedModel::bound() {
     });
     if (least.x > most.x) return glm::dvec4(0.0);
     const glm::dvec3 middle = 0.5 * (least + most);
+    half_sides = 0.5 * (most - least);
     double radius = 0.0;
     each([&](const glm::dvec3& place) { radius = std::max(radius, glm::length(place - middle)); });
     return glm::dvec4(middle, radius);
@@ -96,18 +134,23 @@ void PlacedModel::bound() {
       for (const glm::vec3& place : one.positions) take(glm::dvec3(place));
   };
   balls_.assign(model_->nodes.size(), glm::dvec4(0.0));
+  glm::dvec3 of_mesh(0.0);
   for (const SolidPart& part : parts_)
-    balls_[std::size_t(part.node)] = ball_of([&](const auto& take) { corners(part, take); });
-  const glm::dvec4 all = ball_of([&](const auto& take) {
-    for (const SolidPart& part : parts_)
-      for (const std::vector<glm::dmat4>& nodes : moments)
-        corners(part, [&](const glm::dvec3& place) {
-          take(glm::dvec3(nodes[std::size_t(part.node)] * glm::dvec4(place, 1.0)));
-        });
-  });
+    balls_[std::size_t(part.node)] = ball_of([&](const auto& take) { corners(part, take); }, of_mesh);
+  const glm::dvec4 all = ball_of(
+      [&](const auto& take) {
+        for (const SolidPart& part : parts_)
+          for (const std::vector<glm::dmat4>& nodes : moments)
+            corners(part, [&](const glm::dvec3& place) {
+              take(glm::dvec3(nodes[std::size_t(part.node)] * glm::dvec4(place, 1.0)));
+            });
+      },
+      half_sides_);
   middle_ = glm::dvec3(all);
   radius_ = all.w;
-  if (!model_->animations.empty()) radius_ *= 1.1;  // between those moments
+  if (model_->animations.empty()) return;
+  radius_ *= 1.1;  // between those moments
+  half_sides_ = glm::dvec3(radius_);
 }
 
 const std::vector<glm::dmat4>& PlacedModel::nodes_at(double time_s, std::vector<glm::dmat4>& moved) const {
@@ -129,11 +172,14 @@ int PlacedModel::level(int node, double share) const {
 }
 
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, SolidSelection& selection) {
+                   double time_s, double highest_m, SolidSelection& selection) {
+  selection.in_water = {{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)}, {float(highest_m), float(highest_m), 0, 0}};
+  selection.wet = false;
   selection.draws.clear();
   selection.instances.clear();
   std::vector<SolidSelection::Seen>& seen = selection.seen;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  gpu::SolidsInWater& water = selection.in_water;
   double tall = 2.0;
   for (const View& eye : viewpoint.eyes) tall = std::min(tall, eye.fov.up - eye.fov.down);
   for (std::size_t m = 0; m < models.size(); ++m) {
@@ -144,17 +190,30 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
       const double radius = model.radius() * thing.scale;
       glm::dvec3 middle = thing.pose.position_m + thing.pose.orientation * (thing.scale * model.middle());
       const glm::dvec3 away = middle - viewer;
+      const glm::dmat3 axes = glm::mat3_cast(thing.pose.orientation);
+      const glm::dvec3 up = glm::abs(glm::dvec3(axes[0].y, axes[1].y, axes[2].y));
+      const double lowest = middle.y - thing.scale * glm::dot(up, model.half_sides());
+      // What lies under water farther away is not seen. All that is near counts, whichever eye sees it, so that an eye
+      // by itself sees the same.
+      const bool wet = lowest < highest_m && glm::length(away) < most_in_water_m + radius;
+      if (wet) water.reach.x = std::min(water.reach.x, float(lowest));
       middle.y -= curvature_drop(away.x * away.x + away.z * away.z);
       const bool in_sight = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
-        return may_see(eye.fov, glm::conjugate(eye.pose.orientation) * (middle - eye.pose.position_m), radius);
+        return may_see(wet ? widened(eye.fov) : eye.fov, in_eye(eye, middle), radius);
       });
       if (!in_sight) continue;
       const double range = std::max(glm::length(middle - viewer), 1e-3);
       if (viewpoint.pixels_per_radian > 0.0 && 2.0 * radius / range * viewpoint.pixels_per_radian < 0.7) continue;
+      if (wet) {
+        for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
+          water.seen[i] =
+              around(water.seen[i], in_picture(viewpoint.eyes[i].fov, in_eye(viewpoint.eyes[i], middle), radius));
+        selection.wet = true;
+      }
       glm::dmat4 world = glm::mat4_cast(thing.pose.orientation);
       for (int c = 0; c < 3; ++c) world[c] *= thing.scale;
       world[3] = glm::dvec4(thing.pose.position_m, 1.0);
-      seen.push_back({&thing, range, world});
+      seen.push_back({&thing, range, wet, world});
     }
     if (seen.empty()) continue;
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
@@ -170,10 +229,11 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
     };
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
-      SolidDraw draw{m, p, selection.instances.size(), 0, 0.0};
+      SolidDraw draw{m, p, selection.instances.size()};
       for (const SolidSelection::Seen& one : seen) {
         if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
         if (draw.range_m == 0.0) draw.range_m = one.range_m;
+        draw.wet = draw.wet || one.wet;
         selection.instances.push_back(instance(one.world * nodes[std::size_t(part.node)], viewer));
       }
       draw.count = selection.instances.size() - draw.first;

@@ -37,6 +37,8 @@ class PlacedModel {
   // The ball that holds all that is drawn, in its own axes.
   const glm::dvec3& middle() const { return middle_; }
   double radius() const { return radius_; }
+  // Half the sides of the box around middle() that holds it.
+  const glm::dvec3& half_sides() const { return half_sides_; }
   // Most parts that one thing shows at a time.
   std::size_t most_parts() const { return most_parts_; }
   // Where its nodes are at a time of its first animation, if it has one. The list is `moved` or one of its own.
@@ -56,7 +58,7 @@ class PlacedModel {
   std::vector<glm::dmat4> still_;  // its nodes as the file has them
   std::vector<glm::dvec4> balls_;
   std::size_t most_parts_ = 0;
-  glm::dvec3 middle_{0.0};
+  glm::dvec3 middle_{0.0}, half_sides_{0.0};
   double radius_ = 0.0;
 };
 
@@ -65,25 +67,29 @@ struct SolidDraw {
   std::size_t model = 0, part = 0;
   std::size_t first = 0, count = 0;  // of the instances
   double range_m = 0.0;              // of the farthest
+  bool wet = false;                  // some of them may be under water
 };
 
 struct SolidSelection {
   std::vector<SolidDraw> draws;
   std::vector<gpu::SolidInstance> instances;  // relative to the viewer; far things first
   std::vector<std::size_t> far_first;         // the draws by their farthest thing
+  gpu::SolidsInWater in_water;                // but for the picture's size
+  bool wet = false;                           // some thing may be under water and in sight
 
   // Kept from call to call.
   struct Seen {
     const SolidThing* thing;
     double range_m;
+    bool wet;
     glm::dmat4 world;
   };
   std::vector<Seen> seen;
   std::vector<glm::dmat4> moved;
 };
 
-// For all eyes together, chosen by the viewer's head.
+// For all eyes together, chosen by the viewer's head. `highest_m`: the water stands nowhere higher above the still sea.
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, SolidSelection& selection);
+                   double time_s, double highest_m, SolidSelection& selection);
 
 }  // namespace seascape

@@ -24,6 +24,20 @@ RenderTarget make_points(Device& device, const RenderTarget& picture, float anis
   return RenderTarget(device, "surface points", spec);
 }
 
+// What solid_below.frag writes, for pictures like `picture`.
+RenderTarget make_below(Device& device, const RenderTarget& picture) {
+  const EffectScope scope(device, "models");
+  TargetSpec spec;
+  spec.width = picture.spec().width;
+  spec.height = picture.spec().height;
+  spec.views = picture.spec().views;
+  spec.per_eye = picture.spec().per_eye;
+  spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
+  spec.keep_depth = true;
+  spec.clear = {0.0f, 0.0f, 0.0f, 0.0f};
+  return RenderTarget(device, "below the water", spec);
+}
+
 }  // namespace
 
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture,
@@ -63,6 +77,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   set(gpu::value_debug, look.debug);
   set(gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look.anisotropy));
   set(gpu::value_deferred, look.deferred);
+  if (look.below) set(gpu::value_solids_in_water, 1);
   // Over a bed what is clipped lies dry.
   const bool clipped = slots[0].value(gpu::value_clip) != 0 && slots[0].value(gpu::value_bed) == 0;
   if (clipped && !look.deferred && picture.spec().samples > 1 && device.facts().sample_shading) {
@@ -75,6 +90,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
         {patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture, look.anisotropy);
+  if (look.below) below_ = make_below(device, picture);
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above
   // first.
   spec.facing = !spec.wireframe;
@@ -93,8 +109,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   for (const SurfaceSlots& of_copy : slots) {
     std::vector<Bound>& entries = entries_.emplace_back(own);
     entries.insert(entries.end(), of_copy.bound().begin(), of_copy.bound().end());
-    bindings_.emplace_back(device, pipeline_, entries, "surface");
   }
+  bind();
   if (!look.deferred) return;
   GraphicsSpec once;
   once.vertex = "sky.vert";
@@ -108,10 +124,24 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   bind_light();
 }
 
+std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const {
+  std::vector<Bound> list = entries;
+  if (!look_.below) return list;
+  list.push_back({.binding = gpu::slot_solids_in_water, .view = below_.colour().view()});
+  list.push_back({.binding = gpu::slot_depths_in_water, .view = below_.depth()->view()});
+  return list;
+}
+
+void Surface::bind() {
+  bindings_.clear();
+  for (const std::vector<Bound>& entries : entries_)
+    bindings_.emplace_back(device_, pipeline_, with_below(entries), "surface");
+}
+
 void Surface::bind_light() {
   light_bindings_.clear();
   for (const std::vector<Bound>& entries : entries_) {
-    std::vector<Bound> list = entries;
+    std::vector<Bound> list = with_below(entries);
     list.push_back({.binding = gpu::slot_points, .view = points_.colour().view(), .sampler = points_sampler_.get()});
     if (points_.second() != nullptr)
       list.push_back(
@@ -123,6 +153,11 @@ void Surface::bind_light() {
 }
 
 void Surface::resize(const RenderTarget& picture) {
+  if (look_.below) {
+    below_ = make_below(device_, picture);
+    const EffectScope scope(device_, "surface");
+    bind();
+  }
   if (!look_.deferred) return;
   const EffectScope scope(device_, "surface");
   points_ = make_points(device_, picture, look_.anisotropy);
@@ -131,6 +166,7 @@ void Surface::resize(const RenderTarget& picture) {
 
 void Surface::set_area(std::uint32_t width, std::uint32_t height) {
   if (look_.deferred) points_.set_area(width, height);
+  if (look_.below) below_.set_area(width, height);
 }
 
 void Surface::copy_depth(Frame& frame, const Image& to) const {
@@ -146,6 +182,12 @@ void Surface::add_points(Uses& uses) const {
   uses.add(use(points_.colour(), Access::fragment_sample));
   if (points_.second() != nullptr) uses.add(use(*points_.second(), Access::fragment_sample));
   uses.add(use(*points_.depth(), Access::fragment_sample));
+}
+
+void Surface::add_below(Uses& uses) const {
+  if (!look_.below) return;
+  uses.add(use(below_.colour(), Access::fragment_sample));
+  uses.add(use(*below_.depth(), Access::fragment_sample));
 }
 
 void Surface::light(Commands& commands, std::uint32_t frame_uniform) const {

@@ -15,6 +15,7 @@ struct SurfaceLook {
   bool probe = false;     // write vertex positions (tests)
   bool hidden = false;    // some pixels may be hidden: what draws them does so before, as near as can be
   bool solids = false;    // solid things are drawn among its points, where it is deferred
+  bool below = false;     // things under water are seen through it
   bool deferred = false;  // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };
@@ -48,6 +49,9 @@ class Surface {
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
   void light(Commands& commands, std::uint32_t frame_uniform) const;
   void add_points(Uses& uses) const;
+  // With look.below: what things under water are drawn into, for draw() or light(), which also use add_below().
+  const RenderTarget& below() const { return below_; }
+  void add_below(Uses& uses) const;
 
   // With look.deferred: how near what draw() drew is, a layer an eye; else null.
   const Image* depths() const { return look_.deferred ? points_.depth() : nullptr; }
@@ -66,6 +70,8 @@ class Surface {
   static constexpr std::uint32_t probe_patches = 98304;  // ultra, masked, in a storm: 73,600
 
  private:
+  std::vector<Bound> with_below(const std::vector<Bound>& entries) const;
+  void bind();
   void bind_light();
   Device& device_;
   const DrawnPiece* copied_ = nullptr;  // whose images are there several times; null: nobody's
@@ -75,7 +81,7 @@ class Surface {
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
-  RenderTarget points_;
+  RenderTarget points_, below_;
   Pipeline pipeline_, light_pipeline_;
   Owned<VkSampler> points_sampler_;
   std::vector<Bindings> bindings_, light_bindings_;  // of each copy

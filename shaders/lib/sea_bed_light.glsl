@@ -169,27 +169,19 @@ BedSeen bed_seen(Bed bed, float water, vec2 place, vec2 sideways, float footprin
   return seen;
 }
 
-// Radiance that comes out of shallow water, where `deep` comes out of deep: what the column scatters back and what the
-// bed reflects (Lee, Carder, Mobley, Steward and Patch 1998, eqs. 1, 2, 5 and 6). `down`: irradiance that has entered;
-// `v`: to the eye; `normal`: of the water.
-vec3 bed_through_water(Bed bed, float still, vec3 deep, vec3 down, vec2 place, vec3 v, vec3 normal, float above,
-                       float footprint) {
-  const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb,
-             u = frame.water_backscatter.rgb / attenuation;
-  const vec3 inside = refract(-v, normal, 1.0 / water_index);
-  const float eye_cosine = max(-inside.y, 0.3),
-              sun_cosine = sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
+// Radiance that comes out of shallow water, where `deep` comes out of deep (light_out_of_water()). `down`: irradiance
+// that has entered; `inside`: the line of sight under water; `way`: how deep it meets the bed, m.
+vec3 bed_through_water(Bed bed, float still, vec3 deep, vec3 down, vec2 place, vec3 inside, float above,
+                       float footprint, out float way) {
+  const float eye_cosine = max(-inside.y, 0.3);
   const BedSeen seen =
       bed_seen(bed, still + max(above, -0.9 * max(bed.still_depth, 0.0)), place, inside.xz / eye_cosine, footprint);
-  const float way = mix(max(bed.film, 0.0), seen.way, clamp(bed.still_depth - 0.5, 0.0, 1.0));
-  const vec3 of_column = 1.03 * sqrt(1.0 + 2.4 * u), of_bed = 1.04 * sqrt(1.0 + 5.4 * u);
-  const vec3 column = exp(-(1.0 / sun_cosine + of_column / eye_cosine) * attenuation * way),
-             bed_share = exp(-(1.0 / sun_cosine + of_bed / eye_cosine) * attenuation * way);
-  vec3 reflected = vec3(0.0);  // 1/sr, beneath the surface
-  if (max(bed_share.r, max(bed_share.g, bed_share.b)) > 1e-3)
-    reflected = bed_albedo(seen.place, -way, seen.slope, footprint) / pi * bed_share;
-  return deep * (1.0 - column) +
-         0.52 * reflected / (1.0 - 1.5 * reflected) * down;  // what the surface throws back lights the bed again
+  way = mix(max(bed.film, 0.0), seen.way, clamp(bed.still_depth - 0.5, 0.0, 1.0));
+  const WaterColumn column = water_column(way, eye_cosine);
+  vec3 sent = vec3(0.0);
+  if (max(column.passed.r, max(column.passed.g, column.passed.b)) > 1e-3)
+    sent = bed_albedo(seen.place, -way, seen.slope, footprint) / pi * down;
+  return light_out_of_water(column, deep, sent, down);
 }
 
 // Albedo of what lies around land, of all of it.

@@ -31,6 +31,7 @@ struct SurfacePoint {
 
 #include "lib/foam.glsl"
 #include "lib/sea_bed_light.glsl"
+#include "lib/solids_in_water.glsl"
 
 // The sun in the facets that mirror it (Cox and Munk 1954): slopes are Gaussian, and its disc widens them. `v` and `l`:
 // to the eye and to the sun; `var`: the slopes' variances and covariance; `seen`: of the facets, what the eye sees.
@@ -130,9 +131,13 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
 
     // Light from below: irradiance that enters, scattered back and out again.
     const vec3 down = light.sky_irradiance.rgb * 0.93 + sunlit.x * light.sun_irradiance.rgb * frame.water_reflectance.w;
-    vec3 below = frame.water_reflectance.rgb * down;
+    const vec3 deep = frame.water_reflectance.rgb * down, inside = refract(-v, normal, 1.0 / water_index);
+    vec3 below = deep;
+    float ground = 1e9;  // how deep it lies where the eye sees it, m
     if (sea_bed)
-      below = bed_through_water(sea_bed_below, here.level.x, below, down, p.place, v, normal, above, sea_bed_footprint);
+      below =
+          bed_through_water(sea_bed_below, here.level.x, deep, down, p.place, inside, above, sea_bed_footprint, ground);
+    if (solids_in_water) lay_solids_in_water(below, ground, p.relative, inside, deep, down, view);
     const float height = clamp(above, -2.0 * frame.sea.footprint.w, 2.0 * frame.sea.footprint.w);
     const vec3 through = light_through_crest(height, v, l, normal);
     lit = sky + (1.0 - mirrored) * (below + sunlit.x * through) + sunlit.y * glitter;

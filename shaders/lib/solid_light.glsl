@@ -2,6 +2,7 @@
 // `frame` has been declared.
 #ifndef SEASCAPE_SOLID_LIGHT_GLSL
 #define SEASCAPE_SOLID_LIGHT_GLSL
+#include "shared/fresnel.h"
 #include "shared/solid_data.h"
 #include "lib/ggx.glsl"
 #include "lib/octahedron.glsl"
@@ -53,28 +54,42 @@ vec3 surroundings(vec3 d, float rough) {
   return mix(smoother, rougher, share);
 }
 
+// What its material is in a pixel.
+struct SolidPoint {
+  vec4 base;
+  vec3 emissive, normal;  // radiance over exposure; towards the eye's side
+  float metallic, rough, occlusion;
+};
+
+// Discards what its material's mask takes away.
+SolidPoint solid_point(bool front) {
+  SolidPoint p;
+  p.base = material.base_colour * tint * texture(base_colour_texture, place_in(solid_base_colour));
+  const vec3 surface_map = texture(metallic_roughness_texture, place_in(solid_metallic_roughness)).rgb;
+  const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
+  p.emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
+  p.normal = normalize(normal) * (front ? 1.0 : -1.0);
+  if (material.kind.y != 0) p.normal = mapped_normal(p.normal, place_in(solid_normal), front);
+  if (p.base.a < material.emissive_cutoff.w) discard;
+  p.metallic = material.surface.x * surface_map.b;
+  p.rough = max(material.surface.y * surface_map.g, 0.045);
+  p.occlusion = 1.0 + material.surface.w * (occlusion_map - 1.0);
+  return p;
+}
+
 // Radiance towards the eye, haze included, exposed, and how much of what lies behind it hides. Discards what its
 // material's mask takes away.
 vec4 solid_light(bool front) {
   const ViewData view = frame.view[eye_index()];
-  const vec4 base = material.base_colour * tint * texture(base_colour_texture, place_in(solid_base_colour));
-  const vec3 surface_map = texture(metallic_roughness_texture, place_in(solid_metallic_roughness)).rgb;
-  const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
-  const vec3 emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
-  vec3 n = normalize(normal) * (front ? 1.0 : -1.0);
-  if (material.kind.y != 0) n = mapped_normal(n, place_in(solid_normal), front);
-  if (base.a < material.emissive_cutoff.w) discard;
-  const vec3 to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
+  const SolidPoint p = solid_point(front);
+  const vec3 n = p.normal, to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
-  const float metallic = material.surface.x * surface_map.b;
-  const float rough = max(material.surface.y * surface_map.g, 0.045), a = rough * rough;
-  const float occlusion = 1.0 + material.surface.w * (occlusion_map - 1.0);
-  const float nv = max(abs(dot(n, v)), 1e-3);
+  const float a = p.rough * p.rough, nv = max(abs(dot(n, v)), 1e-3);
 
   // What is mirrored of white surroundings, once and after further bounces between facets (Fdez-Aguera 2019).
-  const vec3 f0 = mix(vec3(0.04), base.rgb, metallic), albedo = base.rgb * (1.0 - metallic);
-  const vec2 in_table = (vec2(nv, rough) * float(solid_albedo_side - 1) + 0.5) / float(solid_albedo_side);
+  const vec3 f0 = mix(vec3(0.04), p.base.rgb, p.metallic), albedo = p.base.rgb * (1.0 - p.metallic);
+  const vec2 in_table = (vec2(nv, p.rough) * float(solid_albedo_side - 1) + 0.5) / float(solid_albedo_side);
   const vec2 table = textureLod(solid_albedo, in_table, 0.0).xy;
   const float once = table.x + table.y;
   const vec3 mirrored = f0 * table.x + table.y, mean = f0 + (1.0 - f0) / 21.0;
@@ -84,7 +99,7 @@ vec4 solid_light(bool front) {
   const vec3 wall = textureLod(solid_sky, vec3(octahedron_place(n), float(solid_sky_layers - 1)), 0.0).rgb;
   // Rough facets mirror most of what lies nearer the normal (Lagarde and de Rousiers 2014, section 4.9.3).
   const vec3 mirrored_from = normalize(mix(n, reflect(-v, n), (1.0 - a) * (sqrt(1.0 - a) + a)));
-  vec3 lit = occlusion * (mirrored * surroundings(mirrored_from, rough) + (again + spread) * wall);
+  vec3 lit = p.occlusion * (mirrored * surroundings(mirrored_from, p.rough) + (again + spread) * wall);
 
   const float nl = dot(n, l);
   if (nl > 0.0) {
@@ -94,9 +109,29 @@ vec4 solid_light(bool front) {
     const vec3 by_facets = f * (ggx_facets(nh, a) * ggx_seen(nl, nv, a));
     lit += light.sun_irradiance.rgb * nl * (by_facets + (again + spread) / 3.14159265);
   }
-  lit += emissive / light.exposure.x;
-  if (material.kind.x != 0) lit = base.rgb / light.exposure.x;
+  lit += p.emissive / light.exposure.x;
+  if (material.kind.x != 0) lit = p.base.rgb / light.exposure.x;
   lit = through_air(lit, v, range);
-  return vec4(lit * (light.exposure.x * exp2(frame.air.y)), base.a);
+  return vec4(lit * (light.exposure.x * exp2(frame.air.y)), p.base.a);
+}
+
+// Irradiance of what comes evenly through the surface, on a plane under water over that on a level one: the sky fills a
+// cone of 48.6 degrees there, of which a wall has a fifth (integral of the cosine over the cone).
+float of_sky_in_water(float up) { return max(0.2 + up * (0.5 + 0.3 * up), 0.0); }
+
+// Radiance beneath the water of a thing that lies just under it, times the exposure: what the water takes away is left
+// to who knows how much of it there is (lib/solids_in_water.glsl). Around it all is dim, which metals would mirror:
+// they are taken for paint of their colour.
+vec3 solid_in_water(bool front) {
+  const SolidPoint p = solid_point(front);
+  const vec3 l = -refract(-frame.sun.xyz, vec3(0.0, 1.0, 0.0), 1.0 / water_index);
+  const vec3 sun = light.sun_irradiance.rgb * frame.water_reflectance.w, sky = 0.93 * light.sky_irradiance.rgb;
+  // What the water around sends back comes from below, through the surface as radiance_from_below() has it.
+  const vec3 back = 3.14159265 * frame.water_reflectance.rgb * (water_index * water_index / 0.98) * (sun + sky);
+  vec3 there = sun * max(dot(p.normal, l), 0.0) / l.y + sky * of_sky_in_water(p.normal.y);
+  there += back * (0.5 - 0.5 * p.normal.y);
+  vec3 lit = p.base.rgb * there * (p.occlusion / 3.14159265) * light.exposure.x + p.emissive;
+  if (material.kind.x != 0) lit = p.base.rgb;
+  return lit;
 }
 #endif

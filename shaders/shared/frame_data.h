@@ -6,6 +6,7 @@
 #include "mesh_data.h"
 #include "sea_data.h"
 #include "slots.h"
+#include "solid_data.h"
 SEASCAPE_SHARED_BEGIN
 
 struct ViewData {
@@ -28,7 +29,8 @@ struct FrameData {
   ivec4 shown;             // x: a debug view; y, z, w: unused
   MeshData mesh;
   SeaData sea;
-  FoamData foam;  // where it is simulated
+  FoamData foam;         // where it is simulated
+  SolidsInWater solids;  // where there are any
 };
 
 // Values of shown.x, in the order of app/render_settings.h's DebugView.

@@ -25,6 +25,7 @@ SEASCAPE_CONST int slot_comfort = 55;
 SEASCAPE_CONST int slot_solid_material = 56, slot_solid_sky = 57, slot_solid_albedo = 58;
 SEASCAPE_CONST int slot_solid_base_colour = 59, slot_solid_metallic_roughness = 60, slot_solid_normal = 61,
                    slot_solid_occlusion = 62, slot_solid_emissive = 63;
+SEASCAPE_CONST int slot_solids_in_water = 64, slot_depths_in_water = 65;
 
 // Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left
 // in a shader then.
@@ -38,7 +39,8 @@ SEASCAPE_CONST int value_level = 14, value_bed = 15, value_flow = 16;
 SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 9;
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
-SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25;
+SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
+                   value_solids_in_water = 27, value_wide = 30;
 
 // Of the points of the sea that are lit later: the last word of one that is a solid thing, no two half floats that a
 // sea's point has there.

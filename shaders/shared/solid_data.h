@@ -36,6 +36,15 @@ SEASCAPE_CONST int solid_sky_side = 64, solid_sky_layers = 7;
 SEASCAPE_CONST float solid_least_rough = 0.15f;
 SEASCAPE_CONST int solid_albedo_side = 32;  // of the table of what is mirrored in all directions
 
+// Things under water are drawn into a picture of their own, which the water's surface shows where it refracts the eye's
+// rays. It sees by so much more on each side than the eye, as such rays leave what the eye sees.
+SEASCAPE_CONST float solid_margin = 1.2f;
+
+struct SolidsInWater {
+  vec4 seen[2];  // of each eye, where its picture may show them: least x, y and most in clip space; none: least > most
+  vec4 reach;  // x: their lowest point; y: the water's highest, metres above the still sea; zw: pixels of that picture
+};
+
 struct SolidSkyPush {
   vec4 water_reflectance;  // FrameData
 };

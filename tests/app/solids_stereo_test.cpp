@@ -27,6 +27,7 @@ SceneObjects things() {
   test::stand(objects, test::solid_model(test::solid_box({0.3f, 0.3f, 0.3f}), "{}"),
               pose({0.6, 0.1, -2.5}, 30.0, 10.0));
   test::stand(objects, test::solid_model(test::solid_box({0.4f, 0.4f, 0.01f}), glass), Pose{{0.1, 0.6, -2.0}});
+  test::stand(objects, test::solid_model(test::solid_box({0.4f, 0.2f, 0.4f}), metal), Pose{{-0.2, -0.5, -1.6}});
   return objects;
 }
 
