@@ -255,7 +255,8 @@ void Frame::begin_pass(const char* name, const Uses& uses) {
 void Frame::begin_target(const char* name, const RenderTarget& target, const Uses& uses) {
   BarrierBatch barriers;
   for (const Use& u : uses) u.image ? barriers.add(*u.image, u.access, u.discard) : barriers.add(*u.buffer, u.access);
-  barriers.add(target.colour(), target.resolved_eye() ? Access::transfer_write : Access::colour_target, true);
+  if (target.has_colour())
+    barriers.add(target.colour(), target.resolved_eye() ? Access::transfer_write : Access::colour_target, true);
   if (target.resolved_eye()) barriers.add(*target.resolved_eye(), Access::colour_target, true);
   if (target.multisampled()) barriers.add(*target.multisampled(), Access::colour_target, true);
   if (target.second()) barriers.add(*target.second(), Access::colour_target, true);
@@ -276,14 +277,15 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
     counts_.barriers += std::uint64_t(barriers.record(commands_.commands_));
   }
   VkClearValue clears[3]{};
+  const std::uint32_t first = target.has_colour() ? 0 : 1;
   for (int i : {0, 2}) std::memcpy(clears[i].color.float32, spec.clear.data(), sizeof clears[i].color.float32);
   clears[1].depthStencil = {0.0f, 0};  // reversed depth: infinitely far
   VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
   begin.renderPass = target.render_pass();
   begin.framebuffer = target.framebuffer(pass);
   begin.renderArea = {{0, 0}, {spec.width, spec.height}};
-  begin.clearValueCount = 1u + spec.depth + (target.second() != nullptr || spec.samples > 1);
-  begin.pClearValues = clears;
+  begin.clearValueCount = 1u - first + spec.depth + (target.second() != nullptr || spec.samples > 1);
+  begin.pClearValues = clears + first;
   vkCmdBeginRenderPass(commands_.commands_, &begin, VK_SUBPASS_CONTENTS_INLINE);
   const VkViewport viewport{0.0f, 0.0f, float(spec.width), float(spec.height), 0.0f, 1.0f};
   const VkRect2D scissor{{0, 0}, {spec.width, spec.height}};

@@ -138,7 +138,7 @@ class GraphicsBuilder {
     attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     const VkPipelineColorBlendAttachmentState attachments[] = {attachment, attachment};
-    blend.attachmentCount = target.second() ? 2 : 1;
+    blend.attachmentCount = target.second() ? 2 : target.has_colour() ? 1 : 0;
     blend.pAttachments = attachments;
     const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};

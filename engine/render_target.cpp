@@ -77,7 +77,9 @@ std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat de
   constexpr auto stored = VK_ATTACHMENT_STORE_OP_STORE, dropped = VK_ATTACHMENT_STORE_OP_DONT_CARE;
   const bool multi = spec.samples > 1;
   const VkAttachmentLoadOp begin = spec.clear_colour ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-  std::vector<TargetAttachment> rows{{Part::colour, spec.colour, spec.samples, begin, multi ? dropped : stored}};
+  std::vector<TargetAttachment> rows;
+  if (spec.colour != VK_FORMAT_UNDEFINED)
+    rows.push_back({Part::colour, spec.colour, spec.samples, begin, multi ? dropped : stored});
   if (spec.depth)
     rows.push_back({Part::depth, depth_format, spec.samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
                     spec.keep_depth || (spec.show_depth && !multi) ? stored : dropped});
@@ -120,7 +122,7 @@ void RenderTarget::make_images(Device& device, std::string_view name, const Lent
   }
   if (lent && !lent->colours.empty())
     borrow(colours_, lent->colours, image);
-  else
+  else if (has_colour())
     colours_.emplace_back(device, fmt::format("{} colour", name), image);
   if (spec_.second != VK_FORMAT_UNDEFINED) {
     image.format = spec_.second;
@@ -158,15 +160,16 @@ void RenderTarget::make_images(Device& device, std::string_view name, const Lent
 }
 
 void RenderTarget::make_framebuffers(Device& device, std::string_view name) {
-  const auto make = [&](Image& colour, Image* shown_depth, std::size_t pass) {
+  const auto make = [&](Image* colour, Image* shown_depth, std::size_t pass) {
     auto view_of = [&](Image& i) {
       return spec_.per_eye ? i.subview(0, 1, std::min(std::uint32_t(pass), i.spec().layers - 1), 1, false)
                            : i.subview(0, 1, 0, std::uint32_t(spec_.views));
     };
-    std::vector<VkImageView> views{view_of(spec_.samples > 1 ? multisampled_ : colour)};
+    std::vector<VkImageView> views;
+    if (colour != nullptr) views.push_back(view_of(spec_.samples > 1 ? multisampled_ : *colour));
     if (spec_.depth) views.push_back(view_of(depth_ ? depth_ : *shown_depth));
     if (second_) views.push_back(view_of(second_));
-    if (spec_.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : colour));
+    if (spec_.samples > 1) views.push_back(view_of(resolved_eye_ ? resolved_eye_ : *colour));
     if (spec_.samples > 1 && shown_depth) views.push_back(view_of(*shown_depth));
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = render_pass_;
@@ -182,7 +185,9 @@ void RenderTarget::make_framebuffers(Device& device, std::string_view name) {
   for (Image& colour : colours_)
     for (std::size_t depth = 0; depth < depth_count(); ++depth)
       for (std::size_t pass = 0; pass < passes(); ++pass)
-        make(colour, shown_depths_.empty() ? nullptr : &shown_depths_[depth], pass);
+        make(&colour, shown_depths_.empty() ? nullptr : &shown_depths_[depth], pass);
+  if (!has_colour())
+    for (std::size_t pass = 0; pass < passes(); ++pass) make(nullptr, nullptr, pass);
 }
 
 void RenderTarget::choose(std::size_t colour, std::size_t depth) {

@@ -13,8 +13,8 @@ struct TargetSpec {
   std::uint32_t width = 1, height = 1;
   int views = 1;         // layers of every image: the eyes
   bool per_eye = false;  // a pass per eye instead of one multiview pass (drivers whose multiview is at fault)
-  VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;
-  VkFormat second = VK_FORMAT_UNDEFINED;  // of a second colour image that is drawn at once, with one sample
+  VkFormat colour = VK_FORMAT_R8G8B8A8_SRGB;  // VK_FORMAT_UNDEFINED: depth alone, of one sample
+  VkFormat second = VK_FORMAT_UNDEFINED;      // of a second colour image that is drawn at once, with one sample
   int samples = 1;
   bool depth = true;
   bool keep_depth = false;   // a pass after may read it: stored, a layer a view
@@ -60,6 +60,7 @@ class RenderTarget {
   VkRenderPass render_pass() const { return render_pass_; }
   VkSampleCountFlagBits samples() const { return VkSampleCountFlagBits(spec_.samples); }
   bool has_depth() const { return spec_.depth; }
+  bool has_colour() const { return spec_.colour != VK_FORMAT_UNDEFINED; }
   // Bytes of memory that drawing all views once reads and writes for attachments: those of a tile in between are not.
   std::uint64_t loaded_bytes() const;
   std::uint64_t stored_bytes() const;
@@ -68,7 +69,7 @@ class RenderTarget {
   VkFramebuffer framebuffer(std::size_t pass) const {
     return framebuffers_[(chosen_colour_ * depth_count() + chosen_depth_) * passes() + pass].get();
   }
-  // The picture: one layer a view, single-sampled.
+  // The picture: one layer a view, single-sampled. Only with has_colour().
   const Image& colour() const { return colours_[chosen_colour_]; }
   const Image* second() const { return second_ ? &second_ : nullptr; }
   // A pass per eye resolves its samples here and copies them to the eye's layer: Mesa 22.3's software driver, the one

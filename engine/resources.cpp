@@ -138,6 +138,8 @@ Owned<VkSampler> make_sampler(Device& device, std::string_view name, const Sampl
   const float anisotropy = std::min(spec.anisotropy, device.facts().max_anisotropy);
   info.anisotropyEnable = anisotropy > 1.0f;
   info.maxAnisotropy = std::max(1.0f, anisotropy);
+  info.compareEnable = spec.compare.has_value();
+  info.compareOp = spec.compare.value_or(VK_COMPARE_OP_NEVER);
   VkSampler sampler = VK_NULL_HANDLE;
   check(vkCreateSampler(device.handle(), &info, nullptr, &sampler), "vkCreateSampler");
   return Owned<VkSampler>(device, sampler, name);

@@ -109,6 +109,7 @@ struct SamplerSpec {
   bool repeat = true;                              // false: it holds its edge
   float anisotropy = 1.0f;                         // clamped to what the device has
   std::optional<VkSamplerAddressMode> across, up;  // instead of `repeat`
+  std::optional<VkCompareOp> compare = {};         // of depths: what is asked for against what is there
 };
 Owned<VkSampler> make_sampler(Device& device, std::string_view name, const SamplerSpec& spec);
 
