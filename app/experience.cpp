@@ -168,14 +168,21 @@ void Experience::build() {
   look.solids = calls_for(scene_.effects, "models") && !scene_.objects.empty();
   look.below = look.solids && s.models.seen_in_water;
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
-  const SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
+  SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
+  sun_map_.reset();
+  if (look.solids && s.models.shadow_texels > 0) {
+    sun_map_ = std::make_unique<SunMap>(device_, s.models.shadow_texels);
+    light.sun_map = sun_map_->target().depth()->view();
+    light.sun_map_sampler = sun_map_->sampler();
+  }
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
   solids_.reset();
   if (look.solids)
-    solids_ = std::make_unique<DrawnSolids>(
-        device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
-        SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                  look.below ? &surface_->below() : nullptr, look.anisotropy});
+    solids_ =
+        std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
+                                      SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr,
+                                                surface_->depths(), look.below ? &surface_->below() : nullptr,
+                                                look.anisotropy, 4096, sun_map_ ? &sun_map_->target() : nullptr});
   spray_.reset();
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,

@@ -9,6 +9,7 @@
 #include "app/scene.h"
 #include "app/sky.h"
 #include "app/solids/drawn_solids.h"
+#include "app/solids/sun_map.h"
 #include "ocean/ocean.h"
 #include "ocean/surface/drawn_spray.h"
 
@@ -123,6 +124,7 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<SunMap> sun_map_;  // where solid things throw shadows
   std::unique_ptr<DrawnSolids> solids_;
   std::unique_ptr<ComfortOverlay> comfort_;
   std::unique_ptr<DrawnHands> hands_;

@@ -71,8 +71,10 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       e.solids_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new, e.scene_.objects.things, viewpoint,
                         time_s, e.ocean_->highest_m());
       e.solids_->describe(data);
+      e.solids_->cast(data, e.scene_.objects.things, viewpoint, settings.models.shadow_reach_m, time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);
+  if (e.solids_) stages.time("recording", [&] { e.solids_->draw_sun_map(frame, uniform); });
   // What is drawn of the viewer himself, and over what he sees.
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);

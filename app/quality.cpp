@@ -30,6 +30,7 @@ constexpr PresetRow rows[] = {
     {"lod.threshold", "2.0", "1.5", "1.2", "1.0"},
     {"lod.cull_scale", "1.2", "1.5", "1.8", "2.0"},
     {"water.anisotropy", "2", "4", "8", "16"},
+    {"models.shadow_texels", "1024", "2048", "2048", "4096"},
     {"frame.shape", "tile", "tile", "auto", "auto"},
     {"msaa", "4", "4", "4", "4"},
 };

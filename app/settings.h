@@ -13,7 +13,7 @@
 #include "app/mirror_settings.h"
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
-#include "app/solids/solid_settings.h"
+#include "app/solids/model_settings.h"
 #include "ocean/foam/foam_settings.h"
 #include "ocean/foam/spray_settings.h"
 #include "ocean/mesh/lod_settings.h"
@@ -38,10 +38,10 @@ struct Settings {
   DynamicSeaSettings dynamic_waves;             // keys dynamic_waves.*
   FoamSettings foam;                            // keys foam.*
   SpraySettings spray;                          // keys spray.*
-  SolidSettings models;                         // keys models.*
   PlaceSettings place;                          // keys place.*, level.*, flow.*, clip.*
   LodSettings lod;                              // keys lod.*, debug.freeze, debug.drop_patch
   WaterSettings water;                          // keys water.*
+  ModelSettings models;                         // keys models.*
   SkySettings sky;                              // keys sky.*
   RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
   ComfortSettings comfort;                      // keys comfort.*

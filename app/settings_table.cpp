@@ -51,8 +51,6 @@ constexpr auto foam_windows = &at<&Settings::foam, &FoamSettings::windows, membe
 template <auto member>
 constexpr auto spray = &at<&Settings::spray, member>;
 template <auto member>
-constexpr auto models = &at<&Settings::models, member>;
-template <auto member>
 constexpr auto place = &at<&Settings::place, member>;
 template <auto member>
 constexpr auto place_windows = &at<&Settings::place, &PlaceSettings::windows, member>;
@@ -60,6 +58,8 @@ template <auto member>
 constexpr auto lod = &at<&Settings::lod, member>;
 template <auto member>
 constexpr auto water = &at<&Settings::water, member>;
+template <auto member>
+constexpr auto models = &at<&Settings::models, member>;
 template <auto member>
 constexpr auto sky = &at<&Settings::sky, member>;
 template <auto member>
@@ -593,17 +593,6 @@ const std::vector<Setting>& table() {
        spray<&SpraySettings::rate_hz>, 4.0, 60.0},
       {"spray.seed", "", "Which spray of the same statistics.", spray<&SpraySettings::seed>, 0.0, 4294967295.0},
 
-      {"models.seen_in_water",
-       "",
-       "Things under water are seen through its surface, where it refracts the eye's rays; else only what stands above "
-       "it is seen.",
-       models<&SolidSettings::seen_in_water>,
-       0.0,
-       1.0,
-       {},
-       quality,
-       other_pipelines},
-
       {"level.height_m", "m", "Height of the still water above y = 0, where no input gives another: a tide.",
        place<&PlaceSettings::level_m>, -10000.0, 10000.0},
       {"sea_depth.sand", "",
@@ -751,6 +740,28 @@ const std::vector<Setting>& table() {
        {},
        quality,
        other_pipelines},
+
+      {"models.seen_in_water",
+       "",
+       "Things under water are seen through its surface, where it refracts the eye's rays; else only what stands above "
+       "it is seen.",
+       models<&ModelSettings::seen_in_water>,
+       0.0,
+       1.0,
+       {},
+       quality,
+       other_pipelines},
+      {"models.shadow_texels",
+       "",
+       "Side of the map that solid things throw shadows by, in texels; 0: they throw none.",
+       models<&ModelSettings::shadow_texels>,
+       0.0,
+       8192.0,
+       {"0", "512", "1024", "2048", "4096", "8192"},
+       quality,
+       other_pipelines},
+      {"models.shadow_reach_m", "m", "How far from the viewer shadows of solid things are seen.",
+       models<&ModelSettings::shadow_reach_m>, 5.0, 1000.0},
 
       {"sky.sun_elevation_deg", "deg", "Height of the sun above the horizon.", sky<&SkySettings::sun_elevation_deg>,
        -5.0, 90.0},

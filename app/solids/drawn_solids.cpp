@@ -78,6 +78,7 @@ DrawnSolids::DrawnSolids(Device& device, ShaderLibrary& shaders, const RenderTar
                            "solid sky");
   albedo_bindings_ = Bindings(device, albedo_pipeline_, {{.binding = 0, .view = albedo_.view()}}, "solid albedo");
   make_pipelines(picture);
+  if (look_.sun_map != nullptr) make_caster_pipeline();
   for (const PlacedModel& model : models) make_model(model.model());
   make_room(things);
 }
@@ -86,13 +87,17 @@ void DrawnSolids::make_room(std::span<const SolidThing> things) {
   std::size_t most = 0, parts = 0;
   for (const SolidThing& thing : things) most += models_[thing.model].most_parts();
   for (const PlacedModel& model : models_) parts += model.parts().size();
-  selection_.seen.reserve(things.size());
-  selection_.instances.reserve(most);
-  selection_.draws.reserve(parts);
-  selection_.far_first.reserve(parts);
-  for (Buffer& buffer : instances_)
-    buffer = Buffer(device_, "solid instances", std::max(most, std::size_t{1}) * sizeof(gpu::SolidInstance),
-                    VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
+  const auto make = [&](SolidSelection& selection, std::array<Buffer, Frame::slots>& instances) {
+    selection.seen.reserve(things.size());
+    selection.instances.reserve(most);
+    selection.draws.reserve(parts);
+    selection.far_first.reserve(parts);
+    for (Buffer& buffer : instances)
+      buffer = Buffer(device_, "solid instances", std::max(most, std::size_t{1}) * sizeof(gpu::SolidInstance),
+                      VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
+  };
+  make(selection_, instances_);
+  if (look_.sun_map != nullptr) make(casters_, caster_instances_);
 }
 
 void DrawnSolids::make_pipelines(const RenderTarget& picture) {
@@ -101,6 +106,7 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
   spec.fragment = look_.points ? "solid_points.frag" : "solid.frag";
   spec.values = {{gpu::value_multiview, !picture.spec().per_eye},
                  {gpu::value_tile_shape, look_.tile_shape},
+                 {gpu::value_sun_map, look_.sun_map != nullptr},
                  {gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look_.anisotropy)}};
   spec.buffers = {{0, sizeof(gpu::SolidVertex), VK_VERTEX_INPUT_RATE_VERTEX},
                   {1, sizeof(gpu::SolidInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
@@ -118,8 +124,22 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
   spec.fragment = "solid_below.frag";
   spec.blend = false;
   spec.depth_write = true;
-  spec.values = {{gpu::value_multiview, !picture.spec().per_eye}, {gpu::value_wide, true}};
+  spec.values = {{gpu::value_multiview, !picture.spec().per_eye},
+                 {gpu::value_wide, true},
+                 {gpu::value_sun_map, look_.sun_map != nullptr}};
   in_water_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.below, spec);
+}
+
+// Both sides are drawn: a wall that the sun sees from behind hides it too.
+void DrawnSolids::make_caster_pipeline() {
+  GraphicsSpec spec;
+  spec.vertex = "sun_map.vert";
+  spec.fragment = "sun_map.frag";
+  spec.buffers = {{0, sizeof(gpu::SolidVertex), VK_VERTEX_INPUT_RATE_VERTEX},
+                  {1, sizeof(gpu::SolidInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  for (const std::uint32_t i : {0u, 2u, 3u}) spec.attributes.push_back({i, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
+  for (std::uint32_t i = 0; i < 3; ++i) spec.attributes.push_back({4 + i, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
+  caster_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.sun_map, spec);
 }
 
 VkSampler DrawnSolids::sampler(const SolidTexture& texture) {
@@ -228,9 +248,12 @@ void DrawnSolids::bind(Drawn& drawn) {
       entries.push_back({.binding = std::uint32_t(gpu::slot_solid_base_colour) + std::uint32_t(t),
                          .view = material.textures[t]->view(),
                          .sampler = material.samplers[t]});
+    if (look_.sun_map != nullptr)
+      entries.push_back({.binding = gpu::slot_sun_map, .view = light_.sun_map, .sampler = light_.sun_map_sampler});
     if (!material.blends) {
       material.bindings = Bindings(device_, pipeline_, entries, "solid");
       if (look_.below != nullptr) material.in_water = Bindings(device_, in_water_pipeline_, entries, "solid in water");
+      if (look_.sun_map != nullptr) material.casting = Bindings(device_, caster_pipeline_, entries, "solid casting");
       continue;
     }
     if (look_.depths)
@@ -281,7 +304,40 @@ void DrawnSolids::describe(gpu::FrameData& data) const {
   data.solids.reach.w = float(look_.below->spec().height);
 }
 
+void DrawnSolids::cast(gpu::FrameData& data, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                       double reach_m, double time_s) {
+  if (look_.sun_map == nullptr) return;
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  const SunView sun = sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->spec().width), reach_m);
+  select_casters(models_, things, viewpoint, sun, time_s, casters_);
+  if (casters_.instances.empty()) return;
+  sun.describe(data, viewer);
+  std::memcpy(caster_instances_[std::size_t(slot_)].mapped<gpu::SolidInstance>(), casters_.instances.data(),
+              casters_.instances.size() * sizeof(gpu::SolidInstance));
+}
+
+void DrawnSolids::draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const {
+  if (casters_.instances.empty()) return;
+  frame.draw_pass("sun map", *look_.sun_map, {}, [&](Commands& c) {
+    for (const SolidDraw& draw : casters_.draws) {
+      const Drawn& drawn = drawn_[draw.model];
+      const SolidPart& part = models_[draw.model].parts()[draw.part];
+      for (const Mesh& primitive : drawn.meshes[std::size_t(part.mesh)]) {
+        const Material& material = drawn.materials[primitive.material];
+        if (primitive.count == 0 || material.blends) continue;
+        c.bind(caster_pipeline_, material.casting,
+               {frame_uniform, std::uint32_t(primitive.material * material_stride)});
+        c.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
+        c.bind_vertices({&caster_instances_[std::size_t(slot_)], draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);
+        c.bind_indices(primitive.indices, VK_INDEX_TYPE_UINT32);
+        c.draw_indexed(primitive.count, std::uint32_t(draw.count));
+      }
+    }
+  });
+}
+
 void DrawnSolids::add_uses(Uses& uses) const {
+  if (look_.sun_map != nullptr) uses.add(use(*look_.sun_map->depth(), Access::fragment_sample));
   uses.add(use(sky_, Access::fragment_sample));
   uses.add(use(albedo_, Access::fragment_sample));
 }

@@ -13,12 +13,13 @@
 namespace seascape {
 
 struct SolidLook {
-  bool tile_shape = false;               // tone mapping in the fragment shader
-  const RenderTarget* points = nullptr;  // where the sea is lit later: what its points are drawn into; null: nowhere
-  const Image* depths = nullptr;         // of these points
-  const RenderTarget* below = nullptr;   // what is under water is drawn into (Surface::below()); null: nothing is
-  float anisotropy = 1.0f;               // of the points (SurfaceLook) and of textures
-  int most_texels = 4096;                // of a texture's larger side
+  bool tile_shape = false;                // tone mapping in the fragment shader
+  const RenderTarget* points = nullptr;   // where the sea is lit later: what its points are drawn into; null: nowhere
+  const Image* depths = nullptr;          // of these points
+  const RenderTarget* below = nullptr;    // what is under water is drawn into (Surface::below()); null: nothing is
+  float anisotropy = 1.0f;                // of the points (SurfaceLook) and of textures
+  int most_texels = 4096;                 // of a texture's larger side
+  const RenderTarget* sun_map = nullptr;  // what things hide from the sun is drawn into it; null: nothing is hidden
 };
 
 class DrawnSolids {
@@ -35,6 +36,11 @@ class DrawnSolids {
               std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s, double highest_m);
   // What shaders are told of the things under water, as of the last update.
   void describe(gpu::FrameData& data) const;
+  // After update(): who throws shadows now, and where they are in the sun's map, for the frame's shaders.
+  void cast(gpu::FrameData& data, std::span<const SolidThing> things, const Viewpoint& viewpoint, double reach_m,
+            double time_s);
+  // The pass into the sun's map, where there are any.
+  void draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const;
   void add_uses(Uses& uses) const;
   // Inside the pass that draws the sea (into look.points, where there are any): what hides all that lies behind it.
   void draw(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, Kind::opaque); }
@@ -49,6 +55,7 @@ class DrawnSolids {
   bool any_in_water() const { return look_.below != nullptr && selection_.wet; }
 
   const SolidSelection& selection() const { return selection_; }
+  const SolidSelection& casters() const { return casters_; }
 
  private:
   struct Mesh {  // a primitive
@@ -60,7 +67,7 @@ class DrawnSolids {
     std::array<const Image*, gpu::solid_textures> textures;
     std::array<VkSampler, gpu::solid_textures> samplers;
     bool blends = false, double_sided = false;
-    Bindings bindings, blended, in_water;
+    Bindings bindings, blended, in_water, casting;
   };
   struct Drawn {
     std::vector<Image> textures;
@@ -68,6 +75,7 @@ class DrawnSolids {
     std::vector<std::vector<Mesh>> meshes;  // of each mesh its primitives
     Buffer material_data;
   };
+  void make_caster_pipeline();
   void make_room(std::span<const SolidThing> things);
   void make_model(const SolidModel& model);
   // By picture and TexelKind; null: not read so.
@@ -86,13 +94,13 @@ class DrawnSolids {
   Image sky_, albedo_, white_, flat_;
   Owned<VkSampler> sky_sampler_, depth_sampler_;
   std::vector<std::pair<int, Owned<VkSampler>>> samplers_;  // by how they wrap and filter
-  Pipeline sky_pipeline_, albedo_pipeline_, pipeline_, blended_pipeline_, in_water_pipeline_;
+  Pipeline sky_pipeline_, albedo_pipeline_, pipeline_, blended_pipeline_, in_water_pipeline_, caster_pipeline_;
   Bindings sky_bindings_, albedo_bindings_;
   std::vector<Drawn> drawn_;
   bool lit_ = false;
   glm::vec4 lit_by_{0.0f};
-  SolidSelection selection_;
-  std::array<Buffer, Frame::slots> instances_;  // room for all things at once
+  SolidSelection selection_, casters_;
+  std::array<Buffer, Frame::slots> instances_, caster_instances_;  // room for all things at once
   int slot_ = 0;
 };
 

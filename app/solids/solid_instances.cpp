@@ -171,15 +171,36 @@ int PlacedModel::level(int node, double share) const {
   return int(levels);
 }
 
-void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, double highest_m, SolidSelection& selection) {
-  selection.in_water = {{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)}, {float(highest_m), float(highest_m), 0, 0}};
-  selection.wet = false;
+namespace {
+
+// Where a thing is: the ball that holds it, as on a still sea laid flat and on the curved one, and its lowest point.
+struct Bounds {
+  glm::dvec3 flat{0.0}, middle{0.0};
+  double radius = 0.0, lowest_m = 0.0;
+};
+
+Bounds bounds_of(const PlacedModel& model, const SolidThing& thing, const glm::dvec3& viewer_m) {
+  Bounds bounds;
+  bounds.flat = bounds.middle = thing.pose.position_m + thing.pose.orientation * (thing.scale * model.middle());
+  bounds.radius = model.radius() * thing.scale;
+  const glm::dmat3 axes = glm::mat3_cast(thing.pose.orientation);
+  const glm::dvec3 up = glm::abs(glm::dvec3(axes[0].y, axes[1].y, axes[2].y));
+  bounds.lowest_m = bounds.flat.y - thing.scale * glm::dot(up, model.half_sides());
+  const glm::dvec3 away = bounds.flat - viewer_m;
+  bounds.middle.y -= curvature_drop(away.x * away.x + away.z * away.z);
+  return bounds;
+}
+
+enum class Sight { none, dry, wet };
+
+// `sight`: of Bounds.
+template <typename SightOf>
+void select(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+            double time_s, SolidSelection& selection, const SightOf& sight) {
   selection.draws.clear();
   selection.instances.clear();
   std::vector<SolidSelection::Seen>& seen = selection.seen;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  gpu::SolidsInWater& water = selection.in_water;
   double tall = 2.0;
   for (const View& eye : viewpoint.eyes) tall = std::min(tall, eye.fov.up - eye.fov.down);
   for (std::size_t m = 0; m < models.size(); ++m) {
@@ -187,33 +208,16 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
     seen.clear();
     for (const SolidThing& thing : things) {
       if (thing.model != m) continue;
-      const double radius = model.radius() * thing.scale;
-      glm::dvec3 middle = thing.pose.position_m + thing.pose.orientation * (thing.scale * model.middle());
-      const glm::dvec3 away = middle - viewer;
-      const glm::dmat3 axes = glm::mat3_cast(thing.pose.orientation);
-      const glm::dvec3 up = glm::abs(glm::dvec3(axes[0].y, axes[1].y, axes[2].y));
-      const double lowest = middle.y - thing.scale * glm::dot(up, model.half_sides());
-      // What lies under water farther away is not seen. All that is near counts, whichever eye sees it, so that an eye
-      // by itself sees the same.
-      const bool wet = lowest < highest_m && glm::length(away) < most_in_water_m + radius;
-      if (wet) water.reach.x = std::min(water.reach.x, float(lowest));
-      middle.y -= curvature_drop(away.x * away.x + away.z * away.z);
-      const bool in_sight = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
-        return may_see(wet ? widened(eye.fov) : eye.fov, in_eye(eye, middle), radius);
-      });
-      if (!in_sight) continue;
-      const double range = std::max(glm::length(middle - viewer), 1e-3);
-      if (viewpoint.pixels_per_radian > 0.0 && 2.0 * radius / range * viewpoint.pixels_per_radian < 0.7) continue;
-      if (wet) {
-        for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
-          water.seen[i] =
-              around(water.seen[i], in_picture(viewpoint.eyes[i].fov, in_eye(viewpoint.eyes[i], middle), radius));
-        selection.wet = true;
-      }
+      const Bounds bounds = bounds_of(model, thing, viewer);
+      const double range = std::max(glm::length(bounds.middle - viewer), 1e-3);
+      const Sight has = sight(bounds);
+      if (has == Sight::none) continue;
+      if (viewpoint.pixels_per_radian > 0.0 && 2.0 * bounds.radius / range * viewpoint.pixels_per_radian < 0.7)
+        continue;
       glm::dmat4 world = glm::mat4_cast(thing.pose.orientation);
       for (int c = 0; c < 3; ++c) world[c] *= thing.scale;
       world[3] = glm::dvec4(thing.pose.position_m, 1.0);
-      seen.push_back({&thing, range, wet, world});
+      seen.push_back({&thing, range, has == Sight::wet, world});
     }
     if (seen.empty()) continue;
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
@@ -246,6 +250,37 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
     const double of_a = selection.draws[a].range_m, of_b = selection.draws[b].range_m;
     return of_a != of_b ? of_a > of_b : a < b;
   });
+}
+
+}  // namespace
+
+void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                   double time_s, double highest_m, SolidSelection& selection) {
+  gpu::SolidsInWater& water = selection.in_water;
+  water = {{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)}, {float(highest_m), float(highest_m), 0, 0}};
+  selection.wet = false;
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  select(models, things, viewpoint, time_s, selection, [&](const Bounds& thing) {
+    // What lies under water farther away is not seen. All that is near counts, whichever eye sees it, so that an eye by
+    // itself sees the same.
+    const bool wet = thing.lowest_m < highest_m && glm::length(thing.flat - viewer) < most_in_water_m + thing.radius;
+    if (wet) water.reach.x = std::min(water.reach.x, float(thing.lowest_m));
+    const bool seen = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
+      return may_see(wet ? widened(eye.fov) : eye.fov, in_eye(eye, thing.middle), thing.radius);
+    });
+    if (!seen || !wet) return seen ? Sight::dry : Sight::none;
+    for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
+      water.seen[i] = around(water.seen[i],
+                             in_picture(viewpoint.eyes[i].fov, in_eye(viewpoint.eyes[i], thing.middle), thing.radius));
+    selection.wet = true;
+    return Sight::wet;
+  });
+}
+
+void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                    const SunView& sun, double time_s, SolidSelection& selection) {
+  select(models, things, viewpoint, time_s, selection,
+         [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius) ? Sight::dry : Sight::none; });
 }
 
 }  // namespace seascape

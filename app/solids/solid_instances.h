@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/solids/inside_hulls.h"
+#include "app/solids/sun_view.h"
 #include "engine/solid_model.h"
 #include "engine/view.h"
 #include "shaders/shared/solid_data.h"
@@ -91,5 +92,9 @@ struct SolidSelection {
 // For all eyes together, chosen by the viewer's head. `highest_m`: the water stands nowhere higher above the still sea.
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                    double time_s, double highest_m, SolidSelection& selection);
+
+// What may throw a shadow into the sun's view, as finely as the viewer sees it.
+void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                    const SunView& sun, double time_s, SolidSelection& selection);
 
 }  // namespace seascape

@@ -78,6 +78,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   set(gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look.anisotropy));
   set(gpu::value_deferred, look.deferred);
   if (look.below) set(gpu::value_solids_in_water, 1);
+  set(gpu::value_sun_map, light.sun_map != VK_NULL_HANDLE);
   // Over a bed what is clipped lies dry.
   const bool clipped = slots[0].value(gpu::value_clip) != 0 && slots[0].value(gpu::value_bed) == 0;
   if (clipped && !look.deferred && picture.spec().samples > 1 && device.facts().sample_shading) {
@@ -100,6 +101,8 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
       {.binding = gpu::slot_sky_map, .view = light.sky_map, .sampler = light.sky_sampler},
       {.binding = gpu::slot_sky_light, .buffer = light.sky_light},
   };
+  if (light.sun_map != VK_NULL_HANDLE)
+    own.push_back({.binding = gpu::slot_sun_map, .view = light.sun_map, .sampler = light.sun_map_sampler});
   if (look.probe) {
     constexpr auto vertices = VkDeviceSize(gpu::patch_quads + 1) * VkDeviceSize(gpu::patch_quads + 1);
     probe_ = Buffer(device, "probe", probe_patches * vertices * 32,

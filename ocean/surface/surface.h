@@ -26,6 +26,8 @@ struct SurfaceLight {
   VkImageView sky_map;
   VkSampler sky_sampler;
   const Buffer* sky_light;
+  VkImageView sun_map = VK_NULL_HANDLE;  // how near the sun its light is stopped; null: nowhere
+  VkSampler sun_map_sampler = VK_NULL_HANDLE;
 };
 
 class Surface {

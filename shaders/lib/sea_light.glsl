@@ -5,6 +5,7 @@
 #include "lib/mesh.glsl"
 #include "lib/sea.glsl"
 #include "lib/sky_light.glsl"
+#include "lib/sun_map.glsl"
 #include "lib/water_light.glsl"
 
 layout(constant_id = value_foam) const bool foam = false;
@@ -104,6 +105,8 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   vec2 sunlit = vec2(1.0);                              // within the water, on its surface
   if (water_shadow > 0)
     sunlit = max(sunlit - laid_sum(place_laid(water_shadow_windows, water_shadow, p.place, p.rest)).xy, 0.0);
+  if (sun_map_there)
+    sunlit *= sun_reaches(vec3(p.place.x - frame.viewer.x, p.height_shear.x, p.place.y - frame.viewer.y), vec3(0.0));
   const float sea_bed_footprint = max(length(p.along), length(p.across));
   Bed sea_bed_below;
   if (sea_bed) sea_bed_below = bed_at(p, here, above, v, sea_bed_footprint);

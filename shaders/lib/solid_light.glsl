@@ -2,11 +2,13 @@
 // `frame` has been declared.
 #ifndef SEASCAPE_SOLID_LIGHT_GLSL
 #define SEASCAPE_SOLID_LIGHT_GLSL
+#include "shared/earth_curve.h"
 #include "shared/fresnel.h"
 #include "shared/solid_data.h"
 #include "lib/ggx.glsl"
 #include "lib/octahedron.glsl"
 #include "lib/sky_light.glsl"
+#include "lib/sun_map.glsl"
 #include "lib/tone.glsl"
 
 layout(binding = slot_solid_material) uniform Material { SolidMaterialData material; };
@@ -103,11 +105,15 @@ vec4 solid_light(bool front) {
 
   const float nl = dot(n, l);
   if (nl > 0.0) {
+    float reaches = 1.0;
+    if (sun_map_there)
+      reaches = sun_reaches(flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w),
+                            normalize(normal) * (front ? 1.0 : -1.0));
     const vec3 h = normalize(v + l);
     const float nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
     const vec3 f = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
     const vec3 by_facets = f * (ggx_facets(nh, a) * ggx_seen(nl, nv, a));
-    lit += light.sun_irradiance.rgb * nl * (by_facets + (again + spread) / 3.14159265);
+    lit += reaches * light.sun_irradiance.rgb * nl * (by_facets + (again + spread) / 3.14159265);
   }
   lit += p.emissive / light.exposure.x;
   if (material.kind.x != 0) lit = p.base.rgb / light.exposure.x;
@@ -128,7 +134,11 @@ vec3 solid_in_water(bool front) {
   const vec3 sun = light.sun_irradiance.rgb * frame.water_reflectance.w, sky = 0.93 * light.sky_irradiance.rgb;
   // What the water around sends back comes from below, through the surface as radiance_from_below() has it.
   const vec3 back = 3.14159265 * frame.water_reflectance.rgb * (water_index * water_index / 0.98) * (sun + sky);
-  vec3 there = sun * max(dot(p.normal, l), 0.0) / l.y + sky * of_sky_in_water(p.normal.y);
+  float reaches = 1.0;
+  if (sun_map_there)
+    reaches = sun_reaches(flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w),
+                          normalize(normal) * (front ? 1.0 : -1.0));
+  vec3 there = sun * (reaches * max(dot(p.normal, l), 0.0) / l.y) + sky * of_sky_in_water(p.normal.y);
   there += back * (0.5 - 0.5 * p.normal.y);
   vec3 lit = p.base.rgb * there * (p.occlusion / 3.14159265) * light.exposure.x + p.emissive;
   if (material.kind.x != 0) lit = p.base.rgb;

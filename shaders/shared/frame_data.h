@@ -26,7 +26,11 @@ struct FrameData {
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
                            // enters a level sea
   vec4 whitecap;           // x: strength; y: Jacobian below which foam forms; z, w: unused
-  ivec4 shown;             // x: a debug view; y, z, w: unused
+  // Where a place (x, z: metres from the viewer along the still sea; y: above it) is in the map of the sun: rows of its
+  // column and row from 0 to 1, and of how near the sun, 1 nearest.
+  vec4 sun_map_column, sun_map_row, sun_map_near;
+  vec4 sun_map;  // x: a texel, m; y: its reach from the viewer, m; z: from nearest to farthest, m; w: 1 it is there
+  ivec4 shown;   // x: a debug view; y, z, w: unused
   MeshData mesh;
   SeaData sea;
   FoamData foam;         // where it is simulated

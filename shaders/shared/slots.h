@@ -21,7 +21,7 @@ SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;
 SEASCAPE_CONST int slot_foam = 34, slot_foam_lace = 35;
 SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18;
 SEASCAPE_CONST int slot_sea_depths = 36;
-SEASCAPE_CONST int slot_comfort = 55;
+SEASCAPE_CONST int slot_sun_map = 54, slot_comfort = 55;
 SEASCAPE_CONST int slot_solid_material = 56, slot_solid_sky = 57, slot_solid_albedo = 58;
 SEASCAPE_CONST int slot_solid_base_colour = 59, slot_solid_metallic_roughness = 60, slot_solid_normal = 61,
                    slot_solid_occlusion = 62, slot_solid_emissive = 63;
@@ -40,7 +40,7 @@ SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
 SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
-                   value_solids_in_water = 27, value_wide = 30;
+                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30;
 
 // Of the points of the sea that are lit later: the last word of one that is a solid thing, no two half floats that a
 // sea's point has there.

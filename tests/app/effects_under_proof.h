@@ -70,6 +70,7 @@ inline SceneObjects a_box() {
 
 inline const EffectUnderProof effects_under_proof[] = {
     {"models", {"waves"}, {"waves", "models"}, {}, {"", ""}, {}, false, true, "models", {}, "models", true, a_box()},
+    {"models", {"waves"}, {"waves", "models"}, {}, {"", ""}, {54}, true, true, "sun map", {}, "sun_map", true, a_box()},
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
     {"foam",
      {"waves"},

@@ -1,0 +1,12 @@
+// How solid things are drawn. Plain values.
+#pragma once
+
+namespace seascape {
+
+struct ModelSettings {
+  bool seen_in_water = true;     // what is under water is seen through its surface
+  int shadow_texels = 2048;      // of the sun map's side; 0: things throw no shadows
+  double shadow_reach_m = 60.0;  // from the viewer
+};
+
+}  // namespace seascape
