@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = [] {
   for (const std::vector<std::string>& floor : std::vector<std::vector<std::string>>{{"ocean/waves", "ocean/inputs"},
                                                                                      {"ocean/places"},
                                                                                      {"ocean/sea"},
-                                                                                     {"ocean/foam", "ocean/mesh"},
+                                                                                     {"ocean/foam", "ocean/mesh", "ocean/bodies"},
                                                                                      {"ocean/drawn"},
                                                                                      {"ocean/surface"},
                                                                                      {"ocean"}}) {

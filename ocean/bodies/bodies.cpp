@@ -1,0 +1,262 @@
+#include "ocean/bodies/bodies.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "ocean/sea/state_hash.h"
+
+namespace seascape {
+namespace {
+
+constexpr double most_phase = 0.4;  // rad of the quickest oscillation a substep
+
+bool finite(const BodyMotion& m) {
+  double sum = m.orientation.w + m.orientation.x + m.orientation.y + m.orientation.z;
+  for (int i = 0; i < 3; ++i) sum += m.centre_m[i];
+  for (int i = 0; i < 6; ++i) sum += m.velocity[i];
+  return std::isfinite(sum);
+}
+
+// How quickly something of this mass can swing on a stiffness that comes with the square root of the added mass's
+// share: as a body comes into the water both grow.
+double quickest(double stiffness, double own, double added) {
+  double most = 0.0;
+  for (int i = 1; i <= 32; ++i) {
+    const double s = i / 32.0;
+    most = std::max(most, stiffness * s / (own + added * s * s));
+  }
+  return std::sqrt(most);
+}
+
+bool symmetric_and_not_negative(const Matrix6& m, const Matrix6& scale) {
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      if (!(std::abs(m.rows[i][j] - m.rows[j][i]) <= 1e-9 * (std::abs(m.rows[i][j]) + std::abs(m.rows[j][i]))))
+        return false;
+  return Cholesky6(m + scale * 1e-9).positive;
+}
+
+void check(const BodySpec& spec) {
+  const char* where = spec.name.c_str();
+  if (!spec.hull) throw Error(where, "the body has no hull", "give it a mesh");
+  validate(*spec.hull, where);
+  if (!(spec.mass.mass_kg > 0.0 && spec.mass.mass_kg < 1e12))
+    throw Error(where, "mass_kg is no number above 0 and below 1e12", "give the mass in kg");
+  const Matrix6 rigid = rigid_mass(spec.mass, glm::dmat3(1.0));
+  if (!Cholesky6(rigid).positive) throw Error(where, "the inertia is not positive", "give moments about the centre");
+  if (!symmetric_and_not_negative(spec.mass.added, rigid) || !symmetric_and_not_negative(spec.damping, rigid))
+    throw Error(where, "added mass or damping is not symmetric and positive", "give a matrix equal to its transpose");
+}
+
+}  // namespace
+
+Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs)
+    : settings_(settings), bodies_(specs.size()), states_(specs.size()) {
+  const double weight = settings.media.density_kg_m3 * settings.media.gravity_mps2;
+  for (std::size_t n = 0; n < specs.size(); ++n) {
+    check(specs[n]);
+    Body& body = bodies_[n];
+    body.spec = std::move(specs[n]);
+    const BodySpec& spec = body.spec;
+    body.about_centre = *spec.hull;
+    double area = 0.0, front = 1e300, back = -1e300;
+    for (glm::dvec3& v : body.about_centre.vertices) {
+      v -= spec.mass_centre_m;
+      body.radius_m = std::max(body.radius_m, glm::length(v));
+      front = std::min(front, v.z), back = std::max(back, v.z);
+    }
+    for (const auto& t : body.about_centre.triangles) {
+      const auto& v = body.about_centre.vertices;
+      area += 0.25 * glm::length(glm::cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]));  // half: no view has more
+    }
+    body.length_m = back - front;
+    const double turn = area * body.radius_m * body.radius_m / 3.0;
+    body.stiffness = Matrix6::diagonal({0.0, weight * area, 0.0, weight * turn, 0.0, weight * turn});
+    const Matrix6 rigid = rigid_mass(spec.mass, glm::dmat3(1.0));
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double stiff = weight * (i < 3 ? area : turn);
+      body.quickest_rad_s =
+          std::max(body.quickest_rad_s, quickest(stiff, rigid.rows[i][i], spec.mass.added.rows[i][i]));
+    }
+    const FloatingUpright upright = float_upright(body.about_centre, spec.mass.mass_kg, settings.media);
+    body.columns = columns_of(body.about_centre, upright);
+    body.wets_m2 = spec.level == BodyLevel::probes ? 4.0 * body.columns.area_m2 : upright.facing_down_m2;
+    BodyState& state = states_[n];
+    state.motion.orientation = glm::normalize(spec.orientation);
+    state.motion.velocity = {spec.velocity_mps, spec.spin_rad_s};
+    state.motion.centre_m = spec.at_m + state.motion.orientation * spec.mass_centre_m;
+    state.at_m = spec.at_m;
+    state.added_share = 1.0;  // what starts in the water does not slam into it
+  }
+}
+
+void Bodies::advance(double time_s, const BodyWater& water) {
+  if (!std::isfinite(time_s) || std::abs(time_s) * settings_.rate_hz > 1e15) return;
+  const std::int64_t last = std::int64_t(std::floor(time_s * settings_.rate_hz + 1e-6));
+  const bool jumps = !begun_ || last < step_ || double(last - step_) > settings_.longest_s * settings_.rate_hz;
+  if (jumps) step_ = last;
+  begun_ = true;
+  while (step_ < last) {
+    ++step_;
+    step(double(step_) / settings_.rate_hz, 1.0 / settings_.rate_hz, water);
+  }
+}
+
+void Bodies::step(double end_s, double dt_s, const BodyWater& water) {
+  if (!(dt_s > 0.0 && std::isfinite(dt_s))) return;
+  tbb::parallel_for(std::size_t(0), bodies_.size(),
+                    [&](std::size_t n) { step_body(bodies_[n], states_[n], end_s, dt_s, water); });
+}
+
+// What sleeps is not stepped; it costs one question.
+bool Bodies::sleeps(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const {
+  const bool slow = glm::length(state.motion.velocity.linear) < settings_.sleep_mps &&
+                    glm::length(state.motion.velocity.angular) < settings_.sleep_rad_s;
+  if (!state.asleep && !slow) {
+    body.quiet_s = 0.0;
+    return false;
+  }
+  const glm::dvec2 place(state.motion.centre_m.x, state.motion.centre_m.z);
+  const std::optional<CalmWater> calm = water.calm(end_s, place, 3.0 * body.radius_m);
+  const bool same = calm && *calm == body.slept_in;
+  if (calm) body.slept_in = *calm;
+  body.quiet_s = same ? body.quiet_s + dt_s : 0.0;
+  state.asleep = same && (state.asleep || body.quiet_s >= settings_.sleep_after_s);
+  if (state.asleep) state.motion.velocity = {};
+  return state.asleep;
+}
+
+void Bodies::ask_water(Body& body, const BodyState& state, double end_s, double dt_s, const BodyWater& water) const {
+  const glm::dmat3 axes = glm::mat3_cast(state.motion.orientation);
+  glm::dvec2 along(axes[2].x, axes[2].z);
+  if (glm::length(along) < 0.1) along = {axes[0].x, axes[0].z};
+  along = glm::normalize(along);
+  const glm::dvec2 across(-along.y, along.x);
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::dvec3& v : body.about_centre.vertices) {
+    const glm::dvec3 at = axes * v;
+    const glm::dvec2 flat(at.x, at.z);
+    const glm::dvec3 here(glm::dot(flat, along), at.y, glm::dot(flat, across));
+    low = glm::min(low, here), high = glm::max(high, here);
+  }
+  const glm::dvec3& v = state.motion.velocity.linear;
+  const glm::dvec2 way = glm::dvec2(v.x, v.z) * dt_s;
+  const double tall = high.y - low.y, margin = std::max(0.5 * tall, 0.15 * (high.x - low.x)) + 0.5 * glm::length(way);
+  PatchBox box;
+  box.along = along;
+  box.centre_m = glm::dvec2(state.motion.centre_m.x, state.motion.centre_m.z) + 0.5 * way +
+                 along * (0.5 * (low.x + high.x)) + across * (0.5 * (low.z + high.z));
+  box.half_m = 0.5 * glm::dvec2(high.x - low.x, high.z - low.z) + margin;
+  box.deepest_m = std::max({tall, -(state.motion.centre_m.y + low.y), 1e-6});
+  body.water.ask(water, end_s, box, settings_.water_samples);
+}
+
+void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const {
+  if (state.lost || sleeps(body, state, end_s, dt_s, water)) return;
+  const BodyState before = state;
+  ask_water(body, state, end_s, dt_s, water);
+  if (body.spec.level == BodyLevel::follow) {
+    BodyMotion& m = state.motion;
+    const glm::dvec2 place(m.centre_m.x, m.centre_m.z), current = body.water.current_mps();
+    const glm::dvec3 up = body.water.plane_normal(), ahead = m.orientation * glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(up, ahead));
+    m.orientation = glm::normalize(glm::quat_cast(glm::dmat3(right, up, glm::cross(right, up))));
+    m.velocity = {{current.x, body.water.velocity(place).y, current.y}, {}};
+    m.centre_m += glm::dvec3(current.x, 0.0, current.y) * dt_s;
+    m.centre_m.y = body.water.plane(place) - body.columns.foot_m - body.columns.draught_m;
+    state.submerged_m3 = 4.0 * body.columns.area_m2 * body.columns.draught_m;
+  } else {
+    const double needed = std::max(body.quickest_rad_s, glm::length(state.motion.velocity.angular)) * dt_s / most_phase;
+    const int count = int(std::clamp(std::ceil(needed), 1.0, double(settings_.most_substeps)));
+    for (int i = 0; i < count; ++i) substep(body, state, dt_s / count);
+  }
+  body.pushed = {};
+  if (!finite(state.motion)) {
+    state = before;
+    state.motion.velocity = {};
+    state.lost = true;
+  }
+  state.at_m = state.motion.centre_m - state.motion.orientation * body.spec.mass_centre_m;
+}
+
+// Half a drift, the forces there, half a drift: symmetric, so that without drag energy stays.
+void Bodies::substep(Body& body, BodyState& state, double dt) const {
+  const BodySpec& spec = body.spec;
+  BodyMotion& motion = state.motion;
+  const glm::dvec2 flow = body.water.current_mps();
+  const glm::dvec3 current(flow.x, 0.0, flow.y);
+  drift(motion, spec.mass, state.added_share, current, 0.5 * dt);
+  const BodyPose pose{motion.centre_m, glm::mat3_cast(motion.orientation)};
+  const HullForces forces =
+      spec.level == BodyLevel::hull
+          ? body.clip.forces(body.about_centre, pose, motion.velocity, body.water, settings_.media, spec.drag,
+                             body.length_m)
+          : probe_forces(body.columns, pose, motion.velocity, body.water, settings_.media, spec.drag);
+  state.submerged_m3 = forces.submerged_m3;
+
+  // A plate's added mass goes with the square of its wetted width (von Karman 1929).
+  const double wet = forces.facing_down_m2 / std::max(body.wets_m2, 1e-300), share = std::min(wet * wet, 1.0);
+  const glm::dvec2 place(motion.centre_m.x, motion.centre_m.z);
+  const glm::dvec3 water = body.water.velocity(place);
+  slam(motion, spec.mass, state.added_share, share, water);
+  state.added_share = share;
+
+  const double g = settings_.media.gravity_mps2;
+  Vector6 force = forces.pressure + forces.carried + body.pushed;
+  force.linear.y -= spec.mass.mass_kg * g;
+  const Matrix6 damping = turned(spec.damping, pose.to_world) * share;
+  Matrix6 resists = forces.resists + damping;
+  force = force + damping * Vector6{water, {}};
+  if (!body.water.flat() && forces.submerged_m3 > 0.0) {
+    // The added mass of water that is itself under way (Newman 1977, section 4.15): what the pressure does to the
+    // displaced water, it does to that too.
+    const double displaced = forces.submerged_m3 * settings_.media.density_kg_m3;
+    const double depth = 0.5 * forces.submerged_m3 / std::max(forces.facing_down_m2, 1e-9);
+    glm::dvec3 rises = forces.pressure.linear / displaced;
+    rises.y = body.water.rise(depth, g);
+    rises = glm::clamp(rises, glm::dvec3(-g), glm::dvec3(g));
+    force = force + turned(spec.mass.added, pose.to_world) * share * Vector6{rises, {}};
+  }
+  // Where substeps do not suffice, what restores is taken at the step's end too: its damping is of the time step.
+  if (body.quickest_rad_s * dt > most_phase * 1.001 && forces.submerged_m3 > 0.0)
+    resists = resists + body.stiffness * dt;
+  kick(motion, spec.mass, share, force, resists, dt);
+  drift(motion, spec.mass, share, current, 0.5 * dt);
+}
+
+void Bodies::push(std::size_t n, const glm::dvec3& force, const glm::dvec3& at) {
+  BodyState& state = states_[n];
+  bodies_[n].pushed = bodies_[n].pushed + Vector6{force, glm::cross(at - state.motion.centre_m, force)};
+  bodies_[n].quiet_s = 0.0, state.asleep = false;
+}
+
+void Bodies::hit(std::size_t n, const glm::dvec3& impulse, const glm::dvec3& at) {
+  BodyState& state = states_[n];
+  const Vector6 whole{impulse, glm::cross(at - state.motion.centre_m, impulse)};
+  kick(state.motion, bodies_[n].spec.mass, state.added_share, whole, {}, 1.0);
+  bodies_[n].quiet_s = 0.0, state.asleep = false;
+}
+
+void Bodies::place(std::size_t n, const BodyMotion& motion) {
+  BodyState& state = states_[n];
+  state.motion = motion;
+  state.motion.orientation = glm::normalize(motion.orientation);
+  state.at_m = motion.centre_m - state.motion.orientation * bodies_[n].spec.mass_centre_m;
+  bodies_[n].quiet_s = 0.0, state.asleep = state.lost = false;
+}
+
+std::uint64_t Bodies::hash() const {
+  std::uint64_t hash = mixed(14695981039346656037ull, std::uint64_t(step_));
+  for (const BodyState& state : states_) {
+    hash = mixed(mixed(hash, state.motion.centre_m),
+                 glm::dvec3(state.motion.orientation.x, state.motion.orientation.y, state.motion.orientation.z));
+    hash = mixed(mixed(hash, state.motion.velocity.linear), state.motion.velocity.angular);
+    hash = mixed(mixed(hash, state.added_share), std::uint64_t(state.asleep));
+  }
+  return hash;
+}
+
+}  // namespace seascape

@@ -1,0 +1,93 @@
+// Everything that floats: bodies in steps of their own, whatever the frames, from what the water is around each.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ocean/bodies/hull_forces.h"
+#include "ocean/bodies/probes.h"
+#include "ocean/bodies/rigid_body.h"
+
+namespace seascape {
+
+// hull: the pressure on its clipped triangles. probes: four columns with the hull's waterplane. follow: carried by the
+// water's plane, with no inertia.
+enum class BodyLevel { hull, probes, follow };
+
+struct BodySettings {
+  double rate_hz = 60.0;
+  double longest_s = 1.0;  // a longer jump of the time is not stepped: bodies hold
+  int water_samples = 16;  // along the longer side of a hull's water
+  int most_substeps = 16;
+  double sleep_after_s = 2.0, sleep_mps = 0.002, sleep_rad_s = 0.002;
+  HullMedia media;
+};
+
+struct BodySpec {
+  std::string name;
+  std::shared_ptr<const HullMesh> hull;
+  BodyLevel level = BodyLevel::hull;
+  BodyMass mass;                  // about the centre of mass
+  glm::dvec3 mass_centre_m{0.0};  // in the hull's axes
+  Matrix6 damping;                // of radiated waves and the like: linear, N s/m ..., the body's axes
+  HullDrag drag;
+  glm::dvec3 at_m{0.0};  // of the hull's origin
+  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 velocity_mps{0.0}, spin_rad_s{0.0};
+};
+
+struct BodyState {
+  BodyMotion motion;
+  glm::dvec3 at_m{0.0};  // of the hull's origin
+  double submerged_m3 = 0.0, added_share = 0.0;
+  bool asleep = false;
+  bool lost = false;  // a number was none: it is held where it was last
+};
+
+class Bodies {
+ public:
+  // Throws Error where a hull or a mass is unfit.
+  Bodies(const BodySettings& settings, std::vector<BodySpec> specs);
+
+  // Steps to the last whole step before a time (s). The first call begins there.
+  void advance(double time_s, const BodyWater& water);
+  // One step that ends at a time, for who keeps the time himself.
+  void step(double end_s, double dt_s, const BodyWater& water);
+  const std::vector<BodyState>& result() const { return states_; }
+  const BodySpec& spec(std::size_t body) const { return bodies_[body].spec; }
+
+  // Acts in the next step alone, at a place of the world; wakes the body.
+  void push(std::size_t body, const glm::dvec3& force_n, const glm::dvec3& at_m);
+  // An impulse at once (N s), as of a hit; wakes the body.
+  void hit(std::size_t body, const glm::dvec3& impulse_ns, const glm::dvec3& at_m);
+  // Another motion from now on; wakes the body.
+  void place(std::size_t body, const BodyMotion& motion);
+  std::uint64_t hash() const;
+
+ private:
+  struct Body {
+    BodySpec spec;
+    HullMesh about_centre;
+    double length_m = 0.0, radius_m = 0.0, quickest_rad_s = 0.0;
+    Matrix6 stiffness;     // what restores can be no stiffer than, of the body's axes
+    double wets_m2 = 0.0;  // seen from below at rest: with that in the water the added mass is whole
+    ProbeColumns columns;
+    WaterPatch water;
+    HullClip clip;
+    Vector6 pushed;
+    double quiet_s = 0.0;
+    CalmWater slept_in;
+  };
+  void step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
+  void substep(Body& body, BodyState& state, double dt_s) const;
+  bool sleeps(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
+  void ask_water(Body& body, const BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
+  BodySettings settings_;
+  std::vector<Body> bodies_;
+  std::vector<BodyState> states_;
+  std::int64_t step_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace seascape

@@ -1,0 +1,70 @@
+// What the water and the air do to a hull: the exact pressure on the wetted part of each triangle, and the drag of its
+// skin and form.
+#pragma once
+#include <vector>
+
+#include "ocean/bodies/hull.h"
+#include "ocean/bodies/matrix6.h"
+#include "ocean/bodies/water_patch.h"
+
+namespace seascape {
+
+struct BodyPose {
+  glm::dvec3 centre_m{0.0};  // of mass, in the world
+  glm::dmat3 to_world{1.0};  // columns: the body's axes
+};
+
+struct HullMedia {
+  double gravity_mps2 = 9.81, density_kg_m3 = 1025.0, viscosity_m2_s = 1.1892e-6, air_kg_m3 = 1.2;
+  glm::dvec3 wind_mps{0.0};
+};
+
+struct HullDrag {
+  bool friction = true;  // ITTC-57
+  double form = 0.8;     // of a face that goes ahead, per half rho v_n^2
+  double suction = 0.2;  // of one that is left behind
+  double wind = 0.8;     // of the dry part, along the wind
+};
+
+// Drag is f - resists * v of the body's velocity v, so that an integrator may take it at the step's end, where it is
+// stable however light the body. All in world axes about the centre of mass.
+struct HullForces {
+  Vector6 pressure;  // N, N m
+  Matrix6 resists;   // symmetric, positive
+  Vector6 carried;   // what `resists` gives for the water's and the air's velocity
+  double wetted_m2 = 0.0, submerged_m3 = 0.0;
+  glm::dvec3 submerged_centre_m{0.0};  // from the centre of mass; 0 where nothing is submerged
+  double facing_down_m2 = 0.0;         // of the wetted part, seen from below
+};
+
+// ITTC's friction line of 1957, 0.075 / (log10 Re - 2)^2; its pole at Re 100 is never met: below 1,000 Blasius's
+// laminar 1.328 / sqrt(Re), and no less than Re 1.
+double friction_coefficient(double reynolds);
+
+class HullClip {
+ public:
+  // `mesh` about the centre of mass, in the body's axes. Positions and velocities in the world.
+  const HullForces& forces(const HullMesh& mesh, const BodyPose& pose, const Vector6& velocity, const WaterPatch& water,
+                           const HullMedia& media, const HullDrag& drag, double length_m);
+
+ private:
+  struct Corner {
+    glm::dvec3 at{0.0};  // from the centre of mass, world axes
+    double depth = 0.0;  // below the surface, m
+    double head = 0.0;   // pressure / (rho g), m
+  };
+  void press(const Corner& a, const Corner& b, const Corner& c, const HullMedia& media);
+  void resist(const std::array<Corner, 3>& t, const glm::dvec3& normal2, double wet_part, const BodyPose& pose);
+  struct Flow {
+    Vector6 velocity;
+    const WaterPatch* water;
+    const HullMedia* media;
+    const HullDrag* drag;
+    double length_m;
+  } flow_{};
+  std::vector<Corner> corners_;
+  HullForces out_;
+  glm::dvec3 moment_{0.0};  // of the submerged volume
+};
+
+}  // namespace seascape
