@@ -151,7 +151,8 @@ void Bodies::ask_water(Body& body, const BodyState& state, double end_s, double 
                  along * (0.5 * (low.x + high.x)) + across * (0.5 * (low.z + high.z));
   box.half_m = 0.5 * glm::dvec2(high.x - low.x, high.z - low.z) + margin;
   box.deepest_m = std::max({tall, -(state.motion.centre_m.y + low.y), 1e-6});
-  body.water.ask(water, end_s, box, settings_.water_samples);
+  const bool fine = body.spec.level == BodyLevel::hull;
+  body.water.ask(water, end_s, box, fine ? settings_.water_samples : settings_.probe_samples);
 }
 
 void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const {

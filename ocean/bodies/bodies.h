@@ -17,8 +17,8 @@ enum class BodyLevel { hull, probes, follow };
 
 struct BodySettings {
   double rate_hz = 60.0;
-  double longest_s = 1.0;  // a longer jump of the time is not stepped: bodies hold
-  int water_samples = 16;  // along the longer side of a hull's water
+  double longest_s = 1.0;                     // a longer jump of the time is not stepped: bodies hold
+  int water_samples = 16, probe_samples = 6;  // along the longer side of a body's water; 6 at least
   int most_substeps = 16;
   double sleep_after_s = 2.0, sleep_mps = 0.002, sleep_rad_s = 0.002;
   HullMedia media;

@@ -29,6 +29,8 @@ std::vector<BodySpec> fleet(std::size_t count, BodyLevel level) {
 
 // The water's answers once, for all: asking is the sea's cost, not the bodies'.
 struct OneAnswer : test::FormulaWater {
+  // None of them sleeps.
+  std::optional<CalmWater> calm(double, const glm::dvec2&, double) const override { return std::nullopt; }
   void ask(double t, double, std::span<const glm::dvec2> places, std::span<WaterHere> answers) const override {
     for (std::size_t n = 0; n < places.size(); ++n) {
       answers[n] = {};
