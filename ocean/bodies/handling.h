@@ -13,9 +13,9 @@ struct PropellerForce {
 };
 // Of a Wageningen B4-55 with P/D 0.8 in all four quadrants: `speed_mps` is that of the water through it, forwards
 // positive, `turns_per_s` likewise. Ahead, up to where thrust vanishes at J = 0.878, the series' open water curves;
-// elsewhere by the angle of attack of its blades at 0.7 of the radius, which meets them there. Finite and continuous
-// for any numbers, at rest too, where nothing turns. Torque opposes the turning or, dragged through the water, drives
-// it.
+// elsewhere, where the values are estimates, by the angle of attack of its blades at 0.7 of the radius, which meets
+// them there. Finite and continuous for any numbers, at rest too, where nothing turns. Torque opposes the turning or,
+// dragged through the water, drives it.
 PropellerForce propeller(const PropellerSettings& settings, double speed_mps, double turns_per_s);
 
 // The lift coefficient of a rudder's normal force, 6.13 A / (A + 2.25) sin a (Fujii), of an aspect ratio A, up to a
@@ -38,11 +38,12 @@ struct SailForce {
   double boom_rad = 0.0;    // from the centre line, to starboard positive
   double luffing = 0.0;     // 0 drawing to 1 flogging
 };
-// Lift and drag coefficients of a sail at an angle of the apparent wind (ORC's, as in Python-VPP), trimmed well.
+// Lift and drag coefficients of a sail at an angle of the apparent wind (ORC's, as in Python-VPP; those of a
+// main at 150 degrees and of a jib at 180 are estimates), trimmed well.
 glm::dvec2 sail_coefficients(bool jib, double angle_rad);
 // `from_rad`: where the apparent wind comes from, 0 from ahead, positive over the starboard side. `sheet`: 0 eased to 1
 // hard in. A sail that is sheeted to less than the wind takes lies along it and flogs; one that is sheeted to more than
-// it wants stalls.
+// it wants stalls. How soon it does either is an estimate.
 SailForce sail(const SailSettings& settings, double from_rad, double speed_mps, double sheet);
 
 // N, on a plate that is drawn through the water, against its way: Cn = 2 sin a of the angle between blade and flow.

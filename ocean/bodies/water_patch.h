@@ -30,7 +30,7 @@ class WaterPatch {
   double height(const glm::dvec2& place) const { return head(place, 0.0); }
   // The height of still water whose pressure at this depth below the surface would be the same.
   double head(const glm::dvec2& place, double depth_m) const;
-  // Of the water at the surface; below, orbital motion fades like the waves of the grid's mean number do.
+  // Of the water at the surface.
   glm::dvec3 velocity(const glm::dvec2& place) const;
   // How fast the water rises, m/s2, averaged over the rectangle at a depth: -(1/rho) dp/dy - g.
   double rise(double depth_m, double gravity_mps2) const;

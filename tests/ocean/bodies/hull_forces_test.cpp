@@ -77,8 +77,8 @@ TEST(HullForces, DraughtsAndMetacentres) {
   EXPECT_NEAR(cylinder.waterline_m + 1.0, d, 0.001 * d);
   EXPECT_NEAR(cylinder.buoyancy_m.y + 1.0 + cylinder.moments_m4.x / cylinder.displaced_m3, 0.5 * d + r * r / (4.0 * d),
               0.001);
-  const FloatingUpright sphere =
-      float_upright(sphere_hull(1.0, 200), rho * 2.0 / 3.0 * std::numbers::pi * 0.999506, media);
+  const HullMesh ball = sphere_hull(1.0, 200);
+  const FloatingUpright sphere = float_upright(ball, rho * 0.5 * volume_of(ball).volume_m3, media);
   EXPECT_NEAR(sphere.waterline_m + 1.0, 1.0, 0.001);
   const FloatingUpright wigley = float_upright(wigley_hull(10.0, 1.0, 0.625, 0.4, 120, 60), rho * 2.777778, media);
   EXPECT_NEAR(wigley.waterline_m + 0.625, 0.625, 0.000625);
