@@ -176,13 +176,7 @@ void Experience::build() {
     light.sun_map_sampler = sun_map_->sampler();
   }
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
-  solids_.reset();
-  if (look.solids)
-    solids_ =
-        std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
-                                      SolidLook{tile, look.deferred ? &surface_->target(drawn) : nullptr,
-                                                surface_->depths(), look.below ? &surface_->below() : nullptr,
-                                                look.anisotropy, 4096, sun_map_ ? &sun_map_->target() : nullptr});
+  make_solids(drawn, light, look);
   spray_.reset();
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
@@ -225,6 +219,16 @@ void Experience::build() {
     bind_tone();
   }
   set_area();
+}
+
+void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look) {
+  solids_.reset();
+  if (look.solids)
+    solids_ =
+        std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
+                                      SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr,
+                                                surface_->depths(), look.below ? &surface_->below() : nullptr,
+                                                look.anisotropy, 4096, sun_map_ ? &sun_map_->target() : nullptr});
 }
 
 void Experience::bind_tone() {

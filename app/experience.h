@@ -108,6 +108,7 @@ class Experience {
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
   void build();
   void build_targets();
+  void make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look);
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void set_area();

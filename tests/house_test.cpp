@@ -25,13 +25,14 @@ const std::map<std::string, std::set<std::string>> kMayInclude = [] {
                                                       {"platform", {"shaders/shared", "engine", "platform"}}};
   // A floor of the ocean's rooms includes those below it; rooms of one floor do not include each other.
   std::set<std::string> below = may["engine"];
-  for (const std::vector<std::string>& floor : std::vector<std::vector<std::string>>{{"ocean/waves", "ocean/inputs"},
-                                                                                     {"ocean/places"},
-                                                                                     {"ocean/sea"},
-                                                                                     {"ocean/foam", "ocean/mesh", "ocean/bodies"},
-                                                                                     {"ocean/drawn"},
-                                                                                     {"ocean/surface"},
-                                                                                     {"ocean"}}) {
+  for (const std::vector<std::string>& floor :
+       std::vector<std::vector<std::string>>{{"ocean/waves", "ocean/inputs"},
+                                             {"ocean/places"},
+                                             {"ocean/sea"},
+                                             {"ocean/foam", "ocean/mesh", "ocean/bodies"},
+                                             {"ocean/drawn"},
+                                             {"ocean/surface"},
+                                             {"ocean"}}) {
     for (const std::string& room : floor) {
       may[room] = below;
       may[room].insert(room);

@@ -32,8 +32,8 @@ vec2 place_in(int texture_number) {
 }
 
 // The normal map's normal, with tangents from derivatives (Schüler 2013, "Normal mapping without precomputed
-// tangents"; its y goes up the picture, ours down). Green is up in the texture, against v. From behind a bump is a dent:
-// normals are reversed there (glTF 2.0, section 3.9).
+// tangents"; its y goes up the picture, ours down). Green is up in the texture, against v. From behind a bump is a
+// dent: normals are reversed there (glTF 2.0, section 3.9).
 vec3 mapped_normal(vec3 n, vec2 at, bool front) {
   const vec3 along = dFdx(relative), across = dFdy(relative);
   const vec2 uv_along = dFdx(at), uv_across = dFdy(at);

@@ -25,8 +25,8 @@ struct SolidSeen {
   float cover;  // 0: none is met
 };
 
-// The thing that the line of sight meets that enters the water at `from` and goes on as `inside` (from the viewer, world
-// axes). The line is straight in the picture, and depths along it change evenly there.
+// The thing that the line of sight meets that enters the water at `from` and goes on as `inside` (from the viewer,
+// world axes). The line is straight in the picture, and depths along it change evenly there.
 SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
   const SolidSeen none = SolidSeen(vec3(0.0), 0.0, 0.0);
   const vec4 seen = frame.solids.seen[eye_index()];
@@ -42,7 +42,7 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
   const vec3 at = vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
              to = vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z);
   const int steps = 16;
-  bool before = true;                         // the line is not behind anything
+  bool before = true;                            // the line is not behind anything
   float last_depth = solid_depth(at.xy, texel);  // of the step before
   for (int i = 1; i <= steps; ++i) {
     const float share = float(i) / float(steps);
@@ -70,8 +70,8 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
       if (abs(passes - range) < 0.05 + 0.01 * passes) {
         const vec2 clip = (2.0 * on.xy / size - 1.0) * solid_margin;
         const float met = view.eye.y + range * (clip.x * view.ray_x.y + clip.y * view.ray_y.y + view.ray_z.y);
-        const vec4 lit = textureLod(sampler2DArray(solids_below, smooth_sampler),
-                                    vec3(on.xy * texel, eye_index()), 0.0);
+        const vec4 lit =
+            textureLod(sampler2DArray(solids_below, smooth_sampler), vec3(on.xy * texel, eye_index()), 0.0);
         return SolidSeen(lit.rgb / max(lit.a, 1e-3), max(from.y - met, 0.0), lit.a);
       }
     }

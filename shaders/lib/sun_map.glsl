@@ -1,5 +1,5 @@
-// What solid things leave of the sun's light: read from the map of how near the sun they are. Included after the uniform
-// block `frame` has been declared.
+// What solid things leave of the sun's light: read from the map of how near the sun they are. Included after the
+// uniform block `frame` has been declared.
 #ifndef SEASCAPE_SUN_MAP_GLSL
 #define SEASCAPE_SUN_MAP_GLSL
 

@@ -64,7 +64,7 @@ glm::dvec3 middle_of(SeaShot& shot, const Viewpoint& viewpoint) {
 
 // A grey plate under still water, straight down and aslant, over what deep water shows there: the closed form of water
 // that is as it is everywhere (Lee et al. 1998, eqs. 1, 2, 5, 6), out through a level surface by Snell and Fresnel
-// (facts/underwater.md, section 2). 3 %. Controls seen: named in the body of the fault list below.
+// (facts/underwater.md, section 2). 3 %. Control seen: 1.34 for 1.04 in water_column().
 TEST_F(SolidsInWater, APlatesColourIsTheClosedForm) {
   for (const test::FrameLook& look : {test::frame_looks[2], test::frame_looks[3]})
     for (const double depth_m : {0.5, 2.0, 10.0})
@@ -108,7 +108,7 @@ TEST_F(SolidsInWater, APlatesColourIsTheClosedForm) {
 }
 
 // A lamp's square under still water: its edges are where Snell puts them, within a pixel, whether it is near or far,
-// steep or aslant. Controls seen: named below.
+// steep or aslant. Control seen: an index of 1.25.
 TEST_F(SolidsInWater, ThingsAreWhereSnellPutsThem) {
   for (const test::FrameLook& look : test::frame_looks)
     for (const double depth_m : {0.5, 2.0, 10.0}) {
@@ -164,7 +164,7 @@ TEST_F(SolidsInWater, ThingsAreWhereSnellPutsThem) {
 }
 
 // A post hangs over a swell, dipped by no crest that is there, in sight of the water behind: the water never takes its
-// colour. Control seen: named below.
+// colour. Control seen: things are met up to 50 m in front of the line.
 TEST_F(SolidsInWater, NothingBeforeTheWaterIsSeenInIt) {
   for (const test::FrameLook& look : {test::frame_looks[1], test::frame_looks[2]}) {
     SceneObjects objects;
@@ -210,7 +210,8 @@ TEST_F(SolidsInWater, NothingBeforeTheWaterIsSeenInIt) {
   }
 }
 
-// Things that are all above the water cost no pass, and those that are not one. Control seen: named below.
+// Things that are all above the water cost no pass, and those that are not one. Control seen: all things taken
+// for wet.
 TEST_F(SolidsInWater, OnlyWhatMayBeUnderWaterHasAPass) {
   for (const test::FrameLook& look : test::frame_looks) {
     const auto passes = [&](double up_m) {
