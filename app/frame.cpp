@@ -69,9 +69,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_)
     stages.time("things", [&] {
       e.solids_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new, e.scene_.objects.things, viewpoint,
-                        time_s, e.ocean_->highest_m());
+                        time_s, e.ocean_->highest_m(), settings.models);
       e.solids_->describe(data);
-      e.solids_->cast(data, e.scene_.objects.things, viewpoint, settings.models.shadow_reach_m, time_s);
+      e.solids_->cast(data, e.scene_.objects.things, viewpoint, settings.models, time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);
   if (e.solids_) stages.time("recording", [&] { e.solids_->draw_sun_map(frame, uniform); });

@@ -22,6 +22,7 @@ constexpr PresetRow rows[] = {
     {"waves.half_storage", "true", "true", "false", "false"},
     {"foam.resolution", "128", "128", "256", "256"},
     {"spray.most", "2000", "4000", "6000", "8000"},
+    {"models.detail", "0.5", "0.5", "1", "1.5"},
     {"models.seen_in_water", "true", "true", "true", "true"},
     {"place.resolution", "128", "128", "256", "256"},
     {"lod.patch_quads", "16", "32", "64", "64"},

@@ -741,6 +741,14 @@ const std::vector<Setting>& table() {
        quality,
        other_pipelines},
 
+      {"models.detail",
+       "",
+       "How soon things show finer levels of detail: 1 as their files ask, less only from nearer.",
+       models<&ModelSettings::detail>,
+       0.1,
+       4.0,
+       {},
+       quality},
       {"models.seen_in_water",
        "",
        "Things under water are seen through its surface, where it refracts the eye's rays; else only what stands above "

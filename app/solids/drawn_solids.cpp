@@ -97,6 +97,7 @@ void DrawnSolids::make_room(std::span<const SolidThing> things) {
                       VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
   };
   make(selection_, instances_);
+  if (look_.below != nullptr) make(in_water_, in_water_instances_);
   if (look_.sun_map != nullptr) make(casters_, caster_instances_);
 }
 
@@ -272,7 +273,7 @@ void DrawnSolids::resize(const Image* depths) {
 
 void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& water_reflectance, bool sky_is_new,
                          std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s,
-                         double highest_m) {
+                         double highest_m, const ModelSettings& settings) {
   if (!lit_)
     frame.pass("solid albedo", {use(albedo_, Access::compute_write, true)}, [&](Commands& c) {
       c.bind(albedo_pipeline_, albedo_bindings_);
@@ -289,31 +290,37 @@ void DrawnSolids::update(Frame& frame, const Image& sky_map, const glm::vec4& wa
                });
   lit_ = true;
   lit_by_ = water_reflectance;
-  select_solids(models_, things, viewpoint, time_s, highest_m, selection_);
+  select_solids(models_, things, viewpoint, time_s, settings.detail, selection_);
+  if (look_.below != nullptr)
+    told_of_water_ = select_in_water(models_, things, viewpoint, time_s, settings.detail, highest_m, in_water_);
   slot_ = frame.slot();
-  if (selection_.instances.empty()) return;
-  const Buffer& room = instances_[std::size_t(slot_)];
-  std::memcpy(room.mapped<gpu::SolidInstance>(), selection_.instances.data(),
-              selection_.instances.size() * sizeof(gpu::SolidInstance));
+  upload(selection_, instances_);
+  upload(in_water_, in_water_instances_);
+}
+
+void DrawnSolids::upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const {
+  if (selection.instances.empty()) return;
+  std::memcpy(room[std::size_t(slot_)].mapped<gpu::SolidInstance>(), selection.instances.data(),
+              selection.instances.size() * sizeof(gpu::SolidInstance));
 }
 
 void DrawnSolids::describe(gpu::FrameData& data) const {
   if (look_.below == nullptr) return;
-  data.solids = selection_.in_water;
+  data.solids = told_of_water_;
   data.solids.reach.z = float(look_.below->spec().width);
   data.solids.reach.w = float(look_.below->spec().height);
 }
 
 void DrawnSolids::cast(gpu::FrameData& data, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                       double reach_m, double time_s) {
+                       const ModelSettings& settings, double time_s) {
   if (look_.sun_map == nullptr) return;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  const SunView sun = sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->spec().width), reach_m);
-  select_casters(models_, things, viewpoint, sun, time_s, casters_);
+  const SunView sun =
+      sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->spec().width), settings.shadow_reach_m);
+  select_casters(models_, things, viewpoint, sun, time_s, settings.detail, casters_);
   if (casters_.instances.empty()) return;
   sun.describe(data, viewer);
-  std::memcpy(caster_instances_[std::size_t(slot_)].mapped<gpu::SolidInstance>(), casters_.instances.data(),
-              casters_.instances.size() * sizeof(gpu::SolidInstance));
+  upload(casters_, caster_instances_);
 }
 
 void DrawnSolids::draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const {
@@ -345,9 +352,10 @@ void DrawnSolids::add_uses(Uses& uses) const {
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const {
   const bool blended = kind == Kind::blended;
   const Pipeline& pipeline = blended ? blended_pipeline_ : kind == Kind::opaque ? pipeline_ : in_water_pipeline_;
-  for (std::size_t i = 0; i < selection_.draws.size(); ++i) {
-    const SolidDraw& draw = selection_.draws[blended ? selection_.far_first[i] : i];
-    if (kind == Kind::in_water && !draw.wet) continue;
+  const SolidSelection& selection = kind == Kind::in_water ? in_water_ : selection_;
+  const Buffer& instances = (kind == Kind::in_water ? in_water_instances_ : instances_)[std::size_t(slot_)];
+  for (std::size_t i = 0; i < selection.draws.size(); ++i) {
+    const SolidDraw& draw = selection.draws[blended ? selection.far_first[i] : i];
     const Drawn& drawn = drawn_[draw.model];
     const SolidPart& part = models_[draw.model].parts()[draw.part];
     for (const Mesh& primitive : drawn.meshes[std::size_t(part.mesh)]) {
@@ -361,7 +369,7 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kin
                     !material.double_sided && !part.mirrored);
       commands.push(gpu::DrawPush{commands.eye()});
       commands.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
-      commands.bind_vertices({&instances_[std::size_t(slot_)], draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);
+      commands.bind_vertices({&instances, draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);
       commands.bind_indices(primitive.indices, VK_INDEX_TYPE_UINT32);
       commands.draw_indexed(primitive.count, std::uint32_t(draw.count));
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/solids/model_settings.h"
 #include "app/solids/solid_instances.h"
 #include "app/solids/solid_pictures.h"
 #include "engine/frame.h"
@@ -33,12 +34,13 @@ class DrawnSolids {
 
   // Outside of passes: the surroundings, where sky or water have changed; what is seen of the things now.
   void update(Frame& frame, const Image& sky_map, const glm::vec4& water_reflectance, bool sky_is_new,
-              std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s, double highest_m);
+              std::span<const SolidThing> things, const Viewpoint& viewpoint, double time_s, double highest_m,
+              const ModelSettings& settings);
   // What shaders are told of the things under water, as of the last update.
   void describe(gpu::FrameData& data) const;
   // After update(): who throws shadows now, and where they are in the sun's map, for the frame's shaders.
-  void cast(gpu::FrameData& data, std::span<const SolidThing> things, const Viewpoint& viewpoint, double reach_m,
-            double time_s);
+  void cast(gpu::FrameData& data, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+            const ModelSettings& settings, double time_s);
   // The pass into the sun's map, where there are any.
   void draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const;
   void add_uses(Uses& uses) const;
@@ -52,7 +54,7 @@ class DrawnSolids {
   void draw_in_water(Commands& commands, std::uint32_t frame_uniform) const {
     draw(commands, frame_uniform, Kind::in_water);
   }
-  bool any_in_water() const { return look_.below != nullptr && selection_.wet; }
+  bool any_in_water() const { return !in_water_.draws.empty(); }
 
   const SolidSelection& selection() const { return selection_; }
   const SolidSelection& casters() const { return casters_; }
@@ -85,6 +87,7 @@ class DrawnSolids {
   VkSampler sampler(const SolidTexture& texture);
   enum class Kind { opaque, blended, in_water };
   void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const;
+  void upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const;
 
   Device& device_;
   ShaderLibrary& shaders_;
@@ -99,8 +102,9 @@ class DrawnSolids {
   std::vector<Drawn> drawn_;
   bool lit_ = false;
   glm::vec4 lit_by_{0.0f};
-  SolidSelection selection_, casters_;
-  std::array<Buffer, Frame::slots> instances_, caster_instances_;  // room for all things at once
+  SolidSelection selection_, in_water_, casters_;
+  gpu::SolidsInWater told_of_water_{};
+  std::array<Buffer, Frame::slots> instances_, in_water_instances_, caster_instances_;  // room for all things at once
   int slot_ = 0;
 };
 

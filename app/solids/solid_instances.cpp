@@ -19,8 +19,6 @@ bool may_see(const Fov& fov, const glm::dvec3& at, double radius) {
          inside(-at.y - fov.up * at.z, fov.up) && inside(at.y + fov.down * at.z, fov.down);
 }
 
-constexpr double most_in_water_m = 600.0;
-
 // Least and most x and y in clip space of a ball at `at`, as the eye sees it; the whole picture where it surrounds the
 // eye.
 glm::vec4 in_picture(const Fov& fov, const glm::dvec3& at, double radius) {
@@ -191,12 +189,17 @@ Bounds bounds_of(const PlacedModel& model, const SolidThing& thing, const glm::d
   return bounds;
 }
 
-enum class Sight { none, dry, wet };
+// A part of a thing: the ball that holds it, flat as above.
+struct PartBounds {
+  glm::dvec3 flat{0.0};
+  double radius = 0.0;
+};
 
-// `sight`: of Bounds.
-template <typename SightOf>
+// `seen`: of Bounds, whether the thing is wanted; `part_seen`: of PartBounds. `size`: how much of their size counts for
+// levels of detail.
+template <typename Seen, typename PartSeen>
 void select(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-            double time_s, SolidSelection& selection, const SightOf& sight) {
+            double time_s, SolidSelection& selection, double size, const Seen& wanted, const PartSeen& part_wanted) {
   selection.draws.clear();
   selection.instances.clear();
   std::vector<SolidSelection::Seen>& seen = selection.seen;
@@ -210,14 +213,13 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
       if (thing.model != m) continue;
       const Bounds bounds = bounds_of(model, thing, viewer);
       const double range = std::max(glm::length(bounds.middle - viewer), 1e-3);
-      const Sight has = sight(bounds);
-      if (has == Sight::none) continue;
+      if (!wanted(bounds)) continue;
       if (viewpoint.pixels_per_radian > 0.0 && 2.0 * bounds.radius / range * viewpoint.pixels_per_radian < 0.7)
         continue;
       glm::dmat4 world = glm::mat4_cast(thing.pose.orientation);
       for (int c = 0; c < 3; ++c) world[c] *= thing.scale;
       world[3] = glm::dvec4(thing.pose.position_m, 1.0);
-      seen.push_back({&thing, range, has == Sight::wet, world});
+      seen.push_back({&thing, range, world});
     }
     if (seen.empty()) continue;
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
@@ -227,18 +229,24 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
     const auto shown_level = [&](int node, const SolidSelection::Seen& one) {
       const glm::dvec4& ball = model.ball(node);
       const glm::dmat4 world = one.world * nodes[std::size_t(node)];
-      const double size = std::cbrt(std::abs(glm::determinant(glm::dmat3(world))));
+      const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(world))));
       const double range = glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)) - viewer);
-      return model.level(node, 2.0 * ball.w * size / (std::max(range, 1e-3) * tall));
+      const double share = 2.0 * ball.w * scale / (std::max(range, 1e-3) * tall);
+      const int own = model.level(node, share), last = int(model.model().nodes[std::size_t(node)].coarser.size());
+      return own > last ? own : std::min(model.level(node, share * size), last);
     };
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
       SolidDraw draw{m, p, selection.instances.size()};
       for (const SolidSelection::Seen& one : seen) {
         if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
+        const glm::dmat4 world = one.world * nodes[std::size_t(part.node)];
+        const glm::dvec4& ball = model.ball(part.node);
+        const double longest = std::max(
+            {glm::length(glm::dvec3(world[0])), glm::length(glm::dvec3(world[1])), glm::length(glm::dvec3(world[2]))});
+        if (!part_wanted(PartBounds{glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)), ball.w * longest})) continue;
         if (draw.range_m == 0.0) draw.range_m = one.range_m;
-        draw.wet = draw.wet || one.wet;
-        selection.instances.push_back(instance(one.world * nodes[std::size_t(part.node)], viewer));
+        selection.instances.push_back(instance(world, viewer));
       }
       draw.count = selection.instances.size() - draw.first;
       if (draw.count > 0) selection.draws.push_back(draw);
@@ -255,32 +263,47 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
 }  // namespace
 
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, double highest_m, SolidSelection& selection) {
-  gpu::SolidsInWater& water = selection.in_water;
-  water = {{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)}, {float(highest_m), float(highest_m), 0, 0}};
-  selection.wet = false;
+                   double time_s, double detail, SolidSelection& selection) {
+  const auto seen = [&](const Bounds& thing) {
+    return std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(),
+                       [&](const View& eye) { return may_see(eye.fov, in_eye(eye, thing.middle), thing.radius); });
+  };
+  select(models, things, viewpoint, time_s, selection, detail, seen, [](const PartBounds&) { return true; });
+}
+
+gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
+                                   const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
+                                   SolidSelection& selection) {
+  gpu::SolidsInWater water{{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)},
+                           {float(highest_m), float(highest_m), 0, 0}};
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  select(models, things, viewpoint, time_s, selection, [&](const Bounds& thing) {
-    // What lies under water farther away is not seen. All that is near counts, whichever eye sees it, so that an eye by
-    // itself sees the same.
-    const bool wet = thing.lowest_m < highest_m && glm::length(thing.flat - viewer) < most_in_water_m + thing.radius;
-    if (wet) water.reach.x = std::min(water.reach.x, float(thing.lowest_m));
-    const bool seen = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
-      return may_see(wet ? widened(eye.fov) : eye.fov, in_eye(eye, thing.middle), thing.radius);
+  // From a degree and a half above it water mirrors nearly all.
+  const double farthest_m = std::min(600.0, 40.0 * (std::max(viewer.y - highest_m, 0.0) + 0.5));
+  const auto seen = [&](const Bounds& thing) {
+    if (thing.lowest_m >= highest_m || glm::length(thing.flat - viewer) > farthest_m + thing.radius) return false;
+    // All that is near counts, whichever eye sees it, so that an eye by itself sees the same.
+    water.reach.x = std::min(water.reach.x, float(thing.lowest_m));
+    const bool in_sight = std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(), [&](const View& eye) {
+      return may_see(widened(eye.fov), in_eye(eye, thing.middle), thing.radius);
     });
-    if (!seen || !wet) return seen ? Sight::dry : Sight::none;
-    for (std::size_t i = 0; i < viewpoint.eyes.size() && i < 2; ++i)
+    for (std::size_t i = 0; in_sight && i < viewpoint.eyes.size() && i < 2; ++i)
       water.seen[i] = around(water.seen[i],
                              in_picture(viewpoint.eyes[i].fov, in_eye(viewpoint.eyes[i], thing.middle), thing.radius));
-    selection.wet = true;
-    return Sight::wet;
-  });
+    return in_sight;
+  };
+  // Water bends and dims what is seen in it: coarse levels of detail are enough.
+  select(models, things, viewpoint, time_s, selection, detail / 16.0, seen,
+         [&](const PartBounds& part) { return part.flat.y - part.radius < highest_m; });
+  return water;
 }
 
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                    const SunView& sun, double time_s, SolidSelection& selection) {
-  select(models, things, viewpoint, time_s, selection,
-         [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius) ? Sight::dry : Sight::none; });
+                    const SunView& sun, double time_s, double detail, SolidSelection& selection) {
+  // Nor are shadows seen as sharp as what throws them.
+  select(
+      models, things, viewpoint, time_s, selection, 0.25 * detail,
+      [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius); },
+      [&](const PartBounds& part) { return sun.may_shade(part.flat, part.radius); });
 }
 
 }  // namespace seascape

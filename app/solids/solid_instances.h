@@ -68,33 +68,35 @@ struct SolidDraw {
   std::size_t model = 0, part = 0;
   std::size_t first = 0, count = 0;  // of the instances
   double range_m = 0.0;              // of the farthest
-  bool wet = false;                  // some of them may be under water
 };
 
 struct SolidSelection {
   std::vector<SolidDraw> draws;
   std::vector<gpu::SolidInstance> instances;  // relative to the viewer; far things first
   std::vector<std::size_t> far_first;         // the draws by their farthest thing
-  gpu::SolidsInWater in_water;                // but for the picture's size
-  bool wet = false;                           // some thing may be under water and in sight
 
   // Kept from call to call.
   struct Seen {
     const SolidThing* thing;
     double range_m;
-    bool wet;
     glm::dmat4 world;
   };
   std::vector<Seen> seen;
   std::vector<glm::dmat4> moved;
 };
 
-// For all eyes together, chosen by the viewer's head. `highest_m`: the water stands nowhere higher above the still sea.
+// For all eyes together, chosen by the viewer's head. `detail`: ModelSettings.
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, double highest_m, SolidSelection& selection);
+                   double time_s, double detail, SolidSelection& selection);
 
-// What may throw a shadow into the sun's view, as finely as the viewer sees it.
+// What of them may be seen under water, which stands nowhere higher than `highest_m` above the still sea. Returns what
+// shaders are told of it, but for the picture's size.
+gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
+                                   const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
+                                   SolidSelection& selection);
+
+// What may throw a shadow into the sun's view, a level of detail coarser than the viewer sees it.
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                    const SunView& sun, double time_s, SolidSelection& selection);
+                    const SunView& sun, double time_s, double detail, SolidSelection& selection);
 
 }  // namespace seascape

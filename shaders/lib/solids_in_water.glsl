@@ -27,10 +27,13 @@ struct SolidSeen {
 
 // The thing that the line of sight meets that enters the water at `from` and goes on as `inside` (from the viewer,
 // world axes). The line is straight in the picture, and depths along it change evenly there.
-SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
+SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData view) {
   const SolidSeen none = SolidSeen(vec3(0.0), 0.0, 0.0);
   const vec4 seen = frame.solids.seen[eye_index()];
-  const float deepest = 1.02 * (from.y + frame.viewer.z - frame.solids.reach.x) + 0.05;  // and a little beyond
+  // A little beyond the lowest thing, or to the bed, or to where the clearest colour has lost 99.7 % of its light.
+  const vec3 dims = frame.water_absorption.rgb + frame.water_backscatter.rgb;
+  const float deepest = 0.05 + min(1.02 * (from.y + frame.viewer.z - frame.solids.reach.x),
+                                   min(ground, 3.0 / min(dims.r, min(dims.g, dims.b))));
   if (deepest <= 0.05 || seen.x > seen.z) return none;
   const vec4 first = view.clip_from_relative * vec4(from, 1.0);
   vec4 last = view.clip_from_relative * vec4(from + (deepest / -inside.y) * inside, 1.0);
@@ -41,9 +44,9 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
              texel = 1.0 / vec2(textureSize(sampler2DArray(solids_below_depths, smooth_sampler), 0).xy);
   const vec3 at = vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
              to = vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z);
-  const int steps = 16;
-  bool before = true;                            // the line is not behind anything
-  float last_depth = solid_depth(at.xy, texel);  // of the step before
+  const int steps = int(clamp(length(to.xy - at.xy) / 4.0, 2.0, 16.0));  // of four pixels, or longer
+  bool before = true;                                                    // the line is not behind anything
+  float last_depth = solid_depth(at.xy, texel);                          // of the step before
   for (int i = 1; i <= steps; ++i) {
     const float share = float(i) / float(steps);
     vec3 on = mix(at, to, share);
@@ -53,7 +56,7 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
     // It is behind a thing now, or it would be had the one of the step before not ended: then it may have met that.
     if (before && max(depth, last_depth) > on.z) {
       float outside = share - 1.0 / float(steps), within = share, there = depth;
-      for (int k = 0; k < 6; ++k) {
+      for (int k = 0; k < 9; ++k) {
         const float middle = 0.5 * (outside + within);
         on = mix(at, to, middle);
         const float found = solid_depth(on.xy, texel);
@@ -83,7 +86,7 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, ViewData view) {
 
 // Lays it over what is seen of water and bed; `ground`: how deep the bed is met, m.
 void lay_solids_in_water(inout vec3 below, float ground, vec3 from, vec3 inside, vec3 deep, vec3 down, ViewData view) {
-  const SolidSeen seen = solid_seen_in_water(from, inside, view);
+  const SolidSeen seen = solid_seen_in_water(from, inside, ground, view);
   if (seen.cover <= 0.0 || seen.way > ground + 0.05) return;
   const vec3 sent = seen.lit / light.exposure.x;
   below = mix(below, light_out_of_water(water_column(seen.way, max(-inside.y, 0.3)), deep, sent, down), seen.cover);

@@ -24,7 +24,7 @@ Viewpoint looking(const Pose& head) {
 std::size_t drawn(const std::vector<PlacedModel>& models, const std::vector<SolidThing>& things, const Pose& head,
                   double time_s = 0.0) {
   SolidSelection selection;
-  select_solids(models, things, looking(head), time_s, 0.0, selection);
+  select_solids(models, things, looking(head), time_s, 1.0, selection);
   return selection.instances.size();
 }
 
@@ -88,7 +88,7 @@ TEST(SolidInstances, LevelsOfDetailSwitchWhereTheFileSays) {
     const std::vector<PlacedModel> models{model};
     SolidSelection selection;
     select_solids(models, std::vector<SolidThing>{{0, Pose{{0.0, 0.0, -ball / (share * tall)}}, 1.0}}, looking(Pose{}),
-                  0.0, 0.0, selection);
+                  0.0, 1.0, selection);
     int found = -1;
     for (const SolidDraw& draw : selection.draws)
       if (model.parts()[draw.part].chosen_by >= 0) found = model.parts()[draw.part].level;
@@ -114,7 +114,7 @@ TEST(SolidInstances, WhatTheFileMovesMoves) {
   const std::vector<SolidThing> things{{0, Pose{{0.0, 0.0, -30.0}}, 1.0}};
   SolidSelection selection;
   for (const double time_s : {0.0, 0.5, 1.5, 2.5}) {
-    select_solids(models, things, looking(Pose{}), time_s, 0.0, selection);
+    select_solids(models, things, looking(Pose{}), time_s, 1.0, selection);
     ASSERT_EQ(selection.instances.size(), 1u);
     EXPECT_NEAR(selection.instances[0].row_x.w, 2.0 * std::fmod(time_s, 2.0), 1e-5) << time_s;
   }
@@ -129,7 +129,7 @@ TEST(SolidInstances, FarThingsComeFirst) {
                                        {0, Pose{{0.0, 0.0, -9.0}}, 1.0},
                                        {0, Pose{{0.0, 0.0, -7.0}}, 1.0}};
   SolidSelection selection;
-  select_solids(models, things, looking(Pose{}), 0.0, 0.0, selection);
+  select_solids(models, things, looking(Pose{}), 0.0, 1.0, selection);
   ASSERT_EQ(selection.far_first.size(), 2u);
   EXPECT_EQ(selection.draws[selection.far_first[0]].model, 1u);
   std::vector<float> z;

@@ -58,8 +58,10 @@ SceneObjects scene_of(const Square& square) {
 }
 
 Image8 drawn(const test::FrameLook& look, const Square& square) {
-  std::vector<std::pair<std::string, std::string>> set{
-      {"waves.resolution", "32"}, {"sky.sun_to_deg", "140"}, {"sky.sun_elevation_deg", "35"}};
+  std::vector<std::pair<std::string, std::string>> set{{"waves.resolution", "32"},
+                                                       {"sky.sun_to_deg", "140"},
+                                                       {"sky.sun_elevation_deg", "35"},
+                                                       {"models.shadow_texels", "0"}};
   set.insert(set.end(), look.set.begin(), look.set.end());
   SeaShot shot({.scene = "calm",
                 .preset = "medium",

@@ -64,7 +64,7 @@ TEST(SunView, WhoeverThrowsAShadowIntoItIsACaster) {
     const Pose head{{100.0, 1.7, 50.0}};
     const Viewpoint viewpoint{head, stereo_views(head, symmetric_fov(60.0, 1.5), 0.063), 0.0};
     const std::vector<SolidThing> things{{0, Pose{at}, 1.0}};
-    select_casters(models, things, viewpoint, sun_view(sun, head.position_m, 1024, 50.0), 0.0, casters);
+    select_casters(models, things, viewpoint, sun_view(sun, head.position_m, 1024, 50.0), 0.0, 1.0, casters);
     return casters.instances.size();
   };
   for (int i = 0; i < 500; ++i) {
