@@ -31,7 +31,8 @@ constexpr PresetRow rows[] = {
     {"lod.threshold", "2.0", "1.5", "1.2", "1.0"},
     {"lod.cull_scale", "1.2", "1.5", "1.8", "2.0"},
     {"water.anisotropy", "2", "4", "8", "16"},
-    {"models.shadow_texels", "1024", "2048", "2048", "4096"},
+    {"models.shadow_texels", "0", "2048", "2048", "4096"},
+    {"models.shadow_reach_m", "35", "35", "60", "80"},
     {"frame.shape", "tile", "tile", "auto", "auto"},
     {"msaa", "4", "4", "4", "4"},
 };

@@ -28,6 +28,7 @@ layout(location = 3) out vec4 derivatives;  // of the cascades that vertices car
 layout(location = 4) flat out uint flags;
 layout(location = 5) out vec4
     shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz; land
+layout(location = 6) out vec2 rest_at_middle;  // forward: the rest position once more (surface_pixels.glsl)
 
 void main() {
   const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
@@ -49,6 +50,7 @@ void main() {
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
+  if (!deferred) rest_at_middle = rest;
   if (deferred && water_clip && (water_clip_kinds & (sea_bed ? 8 : 6)) != 0) height_shear = vec3(d.y, 0.0, 0.0);
   float land = 0.0;
   if (sea_bed) land = d.y <= here.bed.here.x ? 1.0 : 0.0;

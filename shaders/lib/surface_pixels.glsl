@@ -20,6 +20,9 @@ layout(location = 1) centroid in vec2 rest;
 layout(location = 2) centroid in vec3 height_shear;
 layout(location = 3) centroid in vec4 derivatives;
 layout(location = 4) flat in uint flags;
+// Centroids lie where samples are covered, elsewhere in each pixel of an edge: what is derived is known at pixels'
+// middles.
+layout(location = 6) in vec2 rest_at_middle;
 
 layout(location = 0) out vec4 colour;
 
@@ -60,7 +63,7 @@ vec3 standing(vec3 seen) {
 void main() {
   const vec3 seen = ahead(relative), stands = standing(seen);
   const vec2 place = stands.xz;
-  const vec2 along = dFdx(rest), across = dFdy(rest);  // before any pixel is left out
+  const vec2 along = dFdx(rest_at_middle), across = dFdy(rest_at_middle);  // before any pixel is left out
   // Over a bed what is clipped lies dry, as land, but for hulls with a floor of their own.
 #ifdef CLIP_EACH_SAMPLE
   int wet = -1;

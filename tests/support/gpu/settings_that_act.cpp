@@ -48,7 +48,10 @@ ShotOptions where_it_acts(std::string_view key) {
     set("flow.speed_mps", "1");
   }
   if (begins("clip.")) options.scene = "harbour_clip";
-  if (begins("models.")) options.scene = "still_life";
+  if (begins("models.")) {
+    options.scene = "still_life";
+    set("models.shadow_texels", "1024");
+  }
   if (begins("place.")) options.scene = "rivers";
   if (begins("baked.")) {
     options.scene = "baked";

@@ -71,7 +71,7 @@ inline constexpr ProfileLimit standalone_limits[] = {
     // An eighth of what an app may take: the rest is the process itself, with the sea on the processor, recorded loops
     // and sounds, and the runtime's swapchains.
     {"bytes of buffers and images", 4505ull * 1024 * 1024 / 8, source::memory},
-    {"draws", 50, source::targets},
+    {"draws", 100, source::targets},
     {"triangles", 750000, source::targets},
 };
 
