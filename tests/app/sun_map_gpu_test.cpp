@@ -67,7 +67,7 @@ int light_of(const Image8& picture, std::uint32_t x, std::uint32_t y) {
 
 // A box above, or a thin wall that stands on it, over a plate or over the water: what lies two texels within their
 // shadow is dark, what lies two texels outside is as without shadows, to a step of colour: so no plate shades itself
-// and no shadow comes loose from its foot. Controls: sun_map_row turned round; asked three texels beside; no `from` and
+// and no shadow comes loose from its foot. Controls: sun_map_row turned round; asked four texels beside; no `from` and
 // no `nearer` (a plate shades itself); `from` 30 texels off (a wall's shadow comes loose).
 TEST_F(SunMapDrawn, ShadowsLieWhereRaysToTheSunSay) {
   for (const test::FrameLook& look : test::frame_looks)
