@@ -56,7 +56,7 @@ std::string fault_of(const std::string& text) {
   return loaded.substr(std::min(loaded.size(), file.string().size()));
 }
 
-// Controls to plant: the checks in Reader taken away, one by one.
+// Controls seen: the checks of unknown keys, float, room, whole numbers and the effect, each taken away.
 TEST(SceneObjects, FaultsNameFileKeyValueAndRemedy) {
   EXPECT_THAT(fault_of(scene(R"([{"model": "no.glb", "at_m": [0, 0, 0]}])")),
               testing::AllOf(HasSubstr("objects[0].model"), HasSubstr("no.glb")));
@@ -81,7 +81,7 @@ TEST(SceneObjects, FaultsNameFileKeyValueAndRemedy) {
               HasSubstr("add \"models\" to its \"effects\""));
 }
 
-// Control to plant: `known_` left empty makes two models of one file.
+// Control seen: a known file read as if it were another.
 TEST(SceneObjects, AFileIsReadOnceAndThingsAreScattered) {
   const std::string text = scene(R"([{"model": "box.glb", "name": "A", "at_m": [1, 2, 3], "yaw_deg": 90, "scale": 2},
                 {"model": "box.glb", "at_m": [50, 0, 0], "count": 40, "area_m": [20, 10], "seed": 5}])");

@@ -28,7 +28,7 @@ std::size_t drawn(const std::vector<PlacedModel>& models, const std::vector<Soli
   return selection.instances.size();
 }
 
-// Controls to plant: may_see() that is always true; the size in pixels not asked for.
+// Controls seen: may_see() that is always true; the size in pixels not asked for.
 TEST(SolidInstances, WhatIsBehindBesideOrTooSmallIsNotDrawn) {
   const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
   const auto at = [&](const glm::dvec3& place) { return drawn(models, {{0, Pose{place}, 1.0}}, Pose{}); };
@@ -40,7 +40,7 @@ TEST(SolidInstances, WhatIsBehindBesideOrTooSmallIsNotDrawn) {
   EXPECT_EQ(at({0.0, 0.0, -3000.0}), 0u) << "smaller than a pixel";
 }
 
-// Of any pose and place: a thing of which a corner lies in an eye's picture is drawn. Control to plant: half the
+// Of any pose and place: a thing of which a corner lies in an eye's picture is drawn. Control seen: half the
 // radius.
 TEST(SolidInstances, NothingThatIsSeenIsLeftOut) {
   const std::vector<PlacedModel> models{test::solid_model(test::solid_box({1.0f, 0.2f, 3.0f}), plain)};
@@ -72,7 +72,7 @@ TEST(SolidInstances, NothingThatIsSeenIsLeftOut) {
   EXPECT_GT(unseen, 300);
 }
 
-// Level by the share of the picture's height that its own mesh's ball covers. Controls to plant: 1.1 times that share;
+// Level by the share of the picture's height that its own mesh's ball covers. Controls seen: 1.1 times that share;
 // the ball of the model, in which a far mast stands too.
 TEST(SolidInstances, LevelsOfDetailSwitchWhereTheFileSays) {
   const char* const nodes =
@@ -102,7 +102,7 @@ TEST(SolidInstances, LevelsOfDetailSwitchWhereTheFileSays) {
   EXPECT_EQ(level(0.0098), -1);
 }
 
-// Control to plant: time left out of nodes_at().
+// Control seen: time left out of nodes_at().
 TEST(SolidInstances, WhatTheFileMovesMoves) {
   const PlacedModel still = test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain);
   auto moving = std::make_shared<SolidModel>(still.model());
@@ -120,7 +120,7 @@ TEST(SolidInstances, WhatTheFileMovesMoves) {
   }
 }
 
-// For what lets light through. Controls to plant: near things first; draws in the order of models.
+// For what lets light through. Controls seen: near things first.
 TEST(SolidInstances, FarThingsComeFirst) {
   const PlacedModel box = test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain);
   const std::vector<PlacedModel> models{box, box};

@@ -125,7 +125,7 @@ TEST_F(Solids, TheWaterlineIsWhereQueriesSayItIs) {
 }
 
 // A thousand crates of one primitive are one draw, of those that are in sight, and no object is made after the first
-// frame. Controls to plant: a draw a thing; make_room() in update().
+// frame. Control seen: a draw a thing.
 TEST_F(Solids, AThousandCratesAreOneDraw) {
   for (const test::FrameLook& look : test::frame_looks) {
     SceneObjects objects;
@@ -163,7 +163,7 @@ SceneObjects plate(const std::string& material, const glm::vec4& left, const glm
 const Pose before_plate = pose({0.0, 6.0, 0.0}, 0.0, 0.0);
 const std::string unlit = R"("extensions":{"KHR_materials_unlit":{}})";
 
-// Control seen: the cutoff's test taken away. To plant: COLOR_0 left out in make_model(); `blends` false.
+// Controls seen: the cutoff's test taken away; COLOR_0 left out in make_model(); `blends` false.
 TEST_F(Solids, ColoursMasksAndGlassAreThere) {
   const std::size_t y = height / 2, left = width / 2 - 40, right = width / 2 + 40;
   for (const test::FrameLook& look : test::frame_looks) {
