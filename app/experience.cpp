@@ -148,6 +148,7 @@ void Experience::build() {
   sea_ = std::move(sea);
   sea_key_ = std::move(key);
   if (goes_on_) sea_->go_on();
+  join_bodies();
   ocean_ = std::make_unique<Ocean>(
       device_, shaders_, *sea_,
       OceanSettings{s.wave_place, s.lod, s.water, s.place, foam_spec(scene_), s.baked.fade_m,
@@ -219,6 +220,18 @@ void Experience::build() {
     bind_tone();
   }
   set_area();
+}
+
+// Bodies stay where they are while their effect is off, and go on from there in whatever sea there is then.
+void Experience::join_bodies() {
+  if (bodies_ == nullptr) bodies_ = scene_bodies(scene_);
+  const std::shared_ptr<Sea> before = sea_of_bodies_.lock();
+  const std::shared_ptr<Sea> now = bodies_ != nullptr && calls_for(scene_.effects, "boats") ? sea_ : nullptr;
+  if (bodies_ != nullptr) bodies_->take(body_media(scene_.settings));
+  if (before == now) return;
+  if (before != nullptr) before->take_away(*bodies_);
+  if (now != nullptr) now->add(bodies_);
+  sea_of_bodies_ = now;
 }
 
 void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look) {
@@ -366,6 +379,7 @@ void Experience::apply(const Settings& settings, bool sea_at_once) {
     build();
   else
     ocean_->apply(drawn);
+  if (bodies_ != nullptr) bodies_->take(body_media(scene_.settings));
   if (another) tell_remarks();
 }
 

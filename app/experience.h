@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/boats/scene_bodies.h"
 #include "app/comfort_overlay.h"
 #include "app/drawn_hands.h"
 #include "app/hidden_area.h"
@@ -89,6 +90,8 @@ class Experience {
   Ocean& ocean() { return *ocean_; }
   // The sea that is drawn. It stays as it is while only its drawing is built anew.
   const std::shared_ptr<Sea>& sea() const { return sea_; }
+  // The bodies of the scene's things that float; null where none do. They outlive changes of the sea.
+  const std::shared_ptr<SeaBodies>& bodies() const { return bodies_; }
   Sky& sky() { return *sky_; }
   const Surface& surface() const { return *surface_; }
   // Null where there are no things.
@@ -107,6 +110,7 @@ class Experience {
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
   void build();
+  void join_bodies();
   void build_targets();
   void make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look);
   void take_targets();  // by all that draws into them or reads them
@@ -120,7 +124,9 @@ class Experience {
   ExperienceOptions options_;
   std::unique_ptr<Frame> frame_;
   std::shared_ptr<Sea> sea_;
-  std::string sea_key_;  // of the scene that it was made of, or has grown into
+  std::shared_ptr<SeaBodies> bodies_;
+  std::weak_ptr<Sea> sea_of_bodies_;  // whose actor they are
+  std::string sea_key_;               // of the scene that it was made of, or has grown into
   std::unique_ptr<Ocean> ocean_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;

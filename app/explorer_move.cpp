@@ -19,7 +19,7 @@ constexpr double farthest_jump_m = 200.0;
 struct Buzz {
   double strength, seconds;
 };
-constexpr Buzz aim_found{0.25, 0.02}, arrived{0.6, 0.08}, turned{0.4, 0.03};
+constexpr Buzz aim_found{0.25, 0.02}, arrived{0.6, 0.08}, snapped{0.4, 0.03};
 
 // A display tells its period in whole nanoseconds, which is not quite its rate.
 double rate_hz(double period_s) { return period_s > 0.0 ? std::round(100.0 / period_s) / 100.0 : 0.0; }
@@ -56,7 +56,7 @@ void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWis
   const double steps_deg = comfort_.turned_deg(stepped, smooth ? 0.0 : snap, dt_s);
   wish.head = display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}});
   wish.turn_deg = {smooth ? turn * c.turn_deg_per_s * dt_s : steps_deg, 0.0};
-  if (!smooth && steps_deg != 0.0) feel(settings().headset.left_handed ? 0u : 1u, turned.strength, turned.seconds);
+  if (!smooth && steps_deg != 0.0) feel(settings().headset.left_handed ? 0u : 1u, snapped.strength, snapped.seconds);
   ComfortMotion motion;
   motion.velocity_mps = camera_.velocity_mps();
   if (smooth) motion.turn_deg_per_s = turn * c.turn_deg_per_s;

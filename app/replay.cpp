@@ -68,6 +68,35 @@ ReplayedInput acted_in(const InputTimeline& timeline, double after_s, double to_
   return acted;
 }
 
+// Has what the path's user does in a frame done to the sea.
+void act(Experience& experience, const ReplayedInput& acted, HandsInWater& hands, double scene_time_s) {
+  hands.follow(experience.sea());
+  hands.move(acted.hands, scene_time_s);
+}
+
+// What floats has come where it is by its own history: the frames before the first that is drawn are lived through,
+// undrawn.
+void live_through(Experience& experience, const CameraPath& path, const std::optional<InputTimeline>& acted,
+                  HandsInWater& hands, double fps, int frames) {
+  if (experience.bodies() == nullptr || frames == 0) return;
+  Progress progress("replay: frame before --start", std::size_t(frames));
+  for (int frame = 0; frame < frames; ++frame) {
+    const PathSample sample = path.at(frame / fps);
+    const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
+    if (acted) act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), hands, time_s);
+    experience.sea()->advance(time_s, sample.pose.position_m);
+    progress.step(std::size_t(frame) + 1);
+  }
+}
+
+std::vector<ReplayedBody> replayed_bodies(const Experience& experience, double time_s) {
+  std::vector<ReplayedBody> list;
+  if (const auto& bodies = experience.bodies())
+    for (std::size_t n = 0; n < bodies->size(); ++n)
+      list.push_back({bodies->bodies().spec(n).name, bodies->pose_at(n, time_s), bodies->velocity_mps(n)});
+  return list;
+}
+
 }  // namespace
 
 int run_replay(const Arguments& arguments) {
@@ -95,6 +124,7 @@ int run_replay(const Arguments& arguments) {
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
   HandsInWater hands;
+  live_through(experience, path, acted, hands, arguments.fps, arguments.start);
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;
@@ -107,8 +137,7 @@ int run_replay(const Arguments& arguments) {
     drawn.views = display.viewpoint(sample.pose);
     if (acted) {
       drawn.acted = acted_in(*acted, done == 0 ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
-      hands.follow(experience.sea());
-      hands.move(drawn.acted->hands, drawn.scene_time_s);
+      act(experience, *drawn.acted, hands, drawn.scene_time_s);
     }
     frame.begin();
     const auto begun = std::chrono::steady_clock::now();
@@ -122,6 +151,8 @@ int run_replay(const Arguments& arguments) {
     drawn.triangles = frame.counts().triangles;
     drawn.dispatches = frame.counts().dispatches;
     drawn.patches = experience.ocean().selection()->patches.size();
+    drawn.bodies = replayed_bodies(experience, drawn.scene_time_s);
+    drawn.sea_hash = experience.sea()->hash();
     drawn.files = write_pictures(out, drawn.frame, arguments.format, device, experience);
     record.frames.push_back(std::move(drawn));
     progress.step(std::size_t(done) + 1);

@@ -1,5 +1,7 @@
 #include "app/report_replay.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/files.h"
@@ -13,6 +15,13 @@ using nlohmann::ordered_json;
 ordered_json pose_json(const Pose& pose) {
   return {{"position_m", {pose.position_m.x, pose.position_m.y, pose.position_m.z}},
           {"orientation_xyzw", {pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w}}};
+}
+
+ordered_json body_json(const ReplayedBody& body) {
+  ordered_json json = {{"name", body.name}};
+  json.update(pose_json(body.pose));
+  json["velocity_mps"] = {body.velocity_mps.x, body.velocity_mps.y, body.velocity_mps.z};
+  return json;
 }
 
 ordered_json acted_json(const ReplayedInput& acted) {
@@ -48,6 +57,9 @@ ordered_json frame_json(const ReplayFrame& frame) {
                          {"dispatches", frame.dispatches},
                          {"patches", frame.patches}}},
                        {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
+  json["bodies"] = ordered_json::array();
+  for (const ReplayedBody& body : frame.bodies) json["bodies"].push_back(body_json(body));
+  json["sea_hash"] = fmt::format("{:016x}", frame.sea_hash);  // no number: many readers have but 53 bits of one
   if (frame.acted) json["actions"] = acted_json(*frame.acted);
   return json;
 }

@@ -19,13 +19,22 @@ struct ReplayedInput {
   std::array<std::optional<Pose>, 2> hands;  // left, right, in the world; nothing: not tracked
 };
 
+// A body as it is at a frame's time.
+struct ReplayedBody {
+  std::string name;
+  Pose pose;
+  glm::dvec3 velocity_mps{0.0};
+};
+
 struct ReplayFrame {
   int frame = 0;                            // of the path
   double time_s = 0.0, scene_time_s = 0.0;  // along the path; the sea's
   Viewpoint views;                          // the head, then each eye drawn
   std::optional<ReplayedInput> acted;       // of a path that has actions
-  std::vector<std::string> files;           // pictures, one an eye
-  double cpu_ms = 0.0, gpu_ms = 0.0;        // taken
+  std::vector<ReplayedBody> bodies;
+  std::uint64_t sea_hash = 0;         // Sea::hash
+  std::vector<std::string> files;     // pictures, one an eye
+  double cpu_ms = 0.0, gpu_ms = 0.0;  // taken
   std::uint64_t draws = 0, triangles = 0, dispatches = 0, patches = 0;
 };
 

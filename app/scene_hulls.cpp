@@ -29,34 +29,66 @@ bool water_may_reach(const SolidThing& thing, const Model& hull, bool at_any_lev
   return std::abs(middle) <= reach;
 }
 
-// Calls visit(thing, model, hull of the model) until it gives false.
+// Whether a scene's things float, by their number.
+std::vector<bool> floating(const Scene& scene) {
+  std::vector<bool> floats(scene.objects.things.size(), false);
+  if (calls_for(scene.effects, "boats"))
+    for (const FloatingThing& one : scene.objects.floating) floats[one.thing] = true;
+  return floats;
+}
+
+// Calls visit(thing, model, hull of the model) of things that stand still until it gives false.
 template <class Visit>
 void each_hull(const Scene& scene, const Visit& visit) {
   if (!calls_for(scene.effects, "models")) return;
   const bool at_any_level = calls_for(scene.effects, "level");
-  for (const SolidThing& thing : scene.objects.things) {
+  const std::vector<bool> floats = floating(scene);
+  for (std::size_t t = 0; t < floats.size(); ++t) {
+    const SolidThing& thing = scene.objects.things[t];
     const auto& hulls = scene.objects.models[thing.model].insides();
-    for (std::size_t i = 0; i < hulls.size(); ++i)
+    for (std::size_t i = 0; i < hulls.size() && !floats[t]; ++i)
       if (water_may_reach(thing, *hulls[i], at_any_level) && !visit(thing, thing.model, i)) return;
   }
 }
 
-}  // namespace
+struct Hulls {
+  ClipRoom room;
+  std::vector<BodyInsides> insides;
+};
 
-ClipRoom hulls_of(const Scene& scene) {
-  ClipRoom room = scene.clip_room;
+Hulls all_hulls(const Scene& scene) {
+  Hulls all{scene.clip_room, {}};
+  ClipRoom& room = all.room;
   std::vector<int> first(scene.objects.models.size(), ClipBody::no_hull);  // of each model's hulls, in the room
-  each_hull(scene, [&](const SolidThing& thing, std::size_t model, std::size_t hull) {
+  const auto first_of = [&](std::size_t model) {
     if (first[model] == ClipBody::no_hull) {
       first[model] = int(room.hulls.size());
       const auto& hulls = scene.objects.models[model].insides();
       room.hulls.insert(room.hulls.end(), hulls.begin(), hulls.end());
     }
-    room.still.push_back(hull_body(thing, first[model] + int(hull)));
+    return first[model];
+  };
+  each_hull(scene, [&](const SolidThing& thing, std::size_t model, std::size_t hull) {
+    room.still.push_back(hull_body(thing, first_of(model) + int(hull)));
     return true;
   });
-  return room;
+  if (!calls_for(scene.effects, "boats")) return all;
+  for (const FloatingThing& one : scene.objects.floating) {
+    const SolidThing& thing = scene.objects.things[one.thing];
+    BodyInsides insides{{}, thing.scale};
+    const int count = int(scene.objects.models[thing.model].insides().size());
+    if (room.most_bodies + count <= most_clip_bodies)
+      for (int i = 0; i < count; ++i) insides.hulls.push_back(first_of(thing.model) + i);
+    room.most_bodies += int(insides.hulls.size());
+    all.insides.push_back(std::move(insides));
+  }
+  return all;
 }
+
+}  // namespace
+
+ClipRoom hulls_of(const Scene& scene) { return all_hulls(scene).room; }
+std::vector<BodyInsides> insides_of(const Scene& scene) { return all_hulls(scene).insides; }
 
 void validate_hulls(const Scene& scene, const std::string& where) {
   std::set<const Model*> different;
@@ -83,11 +115,16 @@ std::vector<EffectEntry> called_for(const Scene& scene) {
   std::vector<EffectEntry> entries = closure(scene.effects);
   const auto is_clip = [](const EffectEntry& entry) { return entry.name == "clip"; };
   bool any = false;
-  if (std::none_of(entries.begin(), entries.end(), is_clip))
+  if (std::none_of(entries.begin(), entries.end(), is_clip)) {
     each_hull(scene, [&](const SolidThing&, std::size_t, std::size_t) {
       any = true;
       return false;
     });
+    if (!any && calls_for(scene.effects, "boats"))
+      any = std::any_of(scene.objects.floating.begin(), scene.objects.floating.end(), [&](const FloatingThing& one) {
+        return !scene.objects.models[scene.objects.things[one.thing].model].insides().empty();
+      });
+  }
   if (any) entries.push_back({"clip", "hulls of its objects keep water out"});
   return entries;
 }

@@ -1,8 +1,10 @@
 #include "app/scene_objects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "app/camera_path.h"
@@ -19,7 +21,8 @@ using Kind = LocatedJson::Kind;
 
 class Reader {
  public:
-  Reader(const std::string& where, Faults& faults) : where_(where), faults_(faults) {}
+  Reader(const std::string& where, const std::vector<std::string>& effects, Faults& faults)
+      : where_(where), effects_(effects), faults_(faults) {}
 
   void read(const LocatedJson& json, const std::string& name) {
     ObjectReader reader(json, name, where_, faults_);
@@ -42,11 +45,9 @@ class Reader {
         const std::vector<double> sides = numbers_of(*area_json, reader.key_name("area_m"), 2, 0.0, 1e5, "m", where_);
         area = {sides[0], sides[1]};
       });
-    if (const LocatedJson* floats = reader.optional("float"))
-      faults_.attempt([&] {
-        throw Error(reader.place(*floats), reader.key_name("float") + ": things that float are not built yet",
-                    "remove it: the thing then stands still");
-      });
+    std::optional<FloatSpec> floats;
+    if (const LocatedJson* json_float = reader.optional("float"))
+      faults_.attempt([&] { floats = read_float(*json_float, reader.key_name("float")); });
     for (const auto& [key, value] : {std::pair{"count", count}, std::pair{"seed", seed}})
       if (value != std::floor(value))
         faults_.attempt([&, key = key, value = value] {
@@ -63,7 +64,9 @@ class Reader {
     thing.pose.orientation = orientation_from_angles({yaw, pitch, roll});
     thing.model = model_of(*model, reader);
     if (called.empty()) called = model->text;
+    const std::size_t first = objects.things.size();
     place(thing, called, std::size_t(count), area, std::uint32_t(seed), json);
+    if (floats) float_all(first, *floats, json);
   }
 
   SceneObjects objects;
@@ -130,16 +133,76 @@ class Reader {
     }
   }
 
+  FloatSpec read_float(const LocatedJson& json, const std::string& name) {
+    if (!calls_for(effects_, "boats"))
+      throw Error(where_ + ":" + std::to_string(json.line), name + ": the scene does not name the effect 'boats'",
+                  "add \"boats\" to its \"effects\", or remove it: the thing then stands still");
+    ObjectReader reader(json, name, where_, faults_);
+    FloatSpec floats;
+    const std::string level = reader.text("level", "hull");
+    faults_.attempt([&] {
+      constexpr std::array<std::string_view, 3> levels{"hull", "probes", "follow"};
+      const auto found = std::find(levels.begin(), levels.end(), level);
+      if (found == levels.end())
+        throw Error(reader.place(*json.member("level")), reader.key_name("level") + ": '" + level + "' is no level",
+                    "write \"hull\", \"probes\" or \"follow\"");
+      floats.level = BodyLevel(found - levels.begin());
+    });
+    if (json.member("mass_kg") != nullptr) floats.mass_kg = reader.number("mass_kg", 1e-3, 1e9, 1.0, "kg");
+    if (const LocatedJson* velocity = reader.optional("velocity_mps"))
+      faults_.attempt([&] {
+        const auto v = numbers_of(*velocity, reader.key_name("velocity_mps"), 2, -100.0, 100.0, "m/s", where_);
+        floats.velocity_mps = {v[0], v[1]};
+      });
+    if (const LocatedJson* moored = reader.optional("moored_m"))
+      faults_.attempt([&] { floats.moored_m = read_moorings(*moored, reader.key_name("moored_m")); });
+    floats.controls.throttle = reader.number("throttle", -1.0, 1.0, 0.0, "");
+    floats.controls.helm = reader.number("helm", -1.0, 1.0, 0.0, "");
+    floats.controls.sheet = reader.number("sheet", 0.0, 1.0, 0.5, "");
+    reader.finish();
+    return floats;
+  }
+
+  std::vector<glm::dvec2> read_moorings(const LocatedJson& json, const std::string& name) {
+    if (!json.is(Kind::array) || json.items.size() > 16)
+      throw Error(where_ + ":" + std::to_string(json.line), name + ": " + described(json) + " is not a list of places",
+                  "write \"moored_m\": [[x, z], ...], at most 16");
+    std::vector<glm::dvec2> places;
+    for (const LocatedJson& item : json.items) {
+      const auto v = numbers_of(item, name, 2, -1e7, 1e7, "m", where_);
+      places.push_back({v[0], v[1]});
+    }
+    return places;
+  }
+
+  void float_all(std::size_t first, const FloatSpec& floats, const LocatedJson& json) {
+    const std::string at = where_ + ":" + std::to_string(json.line);
+    if (objects.floating.size() + objects.things.size() - first > most_floating)
+      throw Error(at, "objects: over " + std::to_string(most_floating) + " things float", "let fewer float");
+    const SolidThing& thing = objects.things[first];
+    const std::size_t model = thing.model;
+    if (boats_.size() <= model) boats_.resize(model + 1);
+    try {
+      if (!boats_[model]) boats_[model] = boat_model(objects.models[model].model(), at);
+      (void)body_spec(*boats_[model], floats, thing.scale, at);  // for its faults
+    } catch (const Error& fault) {
+      throw Error(at, "objects: " + objects.models[model].model().name + ": " + fault.fault(), fault.remedy());
+    }
+    for (std::size_t i = first; i < objects.things.size(); ++i) objects.floating.push_back({i, floats, at});
+  }
+
   const std::string& where_;
+  const std::vector<std::string>& effects_;
   Faults& faults_;
   std::map<std::string, std::size_t> known_;
+  std::vector<std::optional<BoatModel>> boats_;  // of each model that floats
 };
 
 }  // namespace
 
 SceneObjects read_objects(const LocatedJson& list, const std::vector<std::string>& effects, const std::string& where,
                           Faults& faults) {
-  Reader reader(where, faults);
+  Reader reader(where, effects, faults);
   faults.attempt([&] {
     const std::string place = where + ":" + std::to_string(list.line);
     if (!list.is(Kind::array))

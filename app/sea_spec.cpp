@@ -43,6 +43,7 @@ SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
   spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;
   spec.crests_velocity = calls_for(scene.effects, "spray");
+  spec.felt_velocity = calls_for(scene.effects, "boats") && !scene.objects.floating.empty();
   return spec;
 }
 
@@ -51,6 +52,7 @@ std::string sea_key(const Scene& scene) {
   for (const std::string_view effect : effects)
     if (calls_for(scene, effect)) key.append(effect).append(" ");
   if (!hulls_of(scene).still.empty()) key.append("hulls ");
+  if (calls_for(scene.effects, "boats")) key.append("boats ");
   for (const Setting& row : settings_table()) {
     const std::string_view name = row.key;
     const auto begins = [&](std::string_view section) { return name.starts_with(section); };

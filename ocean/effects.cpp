@@ -21,7 +21,7 @@ constexpr Effect effects[] = {
     {"level", true, ""},       {"clip", true, ""},          {"shadow", true, ""},
     {"albedo", true, ""},      {"models", true, ""},        {"reflections", false, ""},
     {"refraction", false, ""}, {"caustics", false, ""},     {"underwater", false, ""},
-    {"portals", false, ""},    {"boats", false, ""},        {"clouds", false, ""},
+    {"portals", false, ""},    {"boats", true, "models"},        {"clouds", false, ""},
     {"sound", false, ""},      {"planet", false, ""},
 };
 

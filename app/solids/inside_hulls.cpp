@@ -21,13 +21,13 @@ std::vector<bool> drawn_nodes(const SolidModel& model) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Model>> inside_hulls(const SolidModel& model) {
+std::vector<std::shared_ptr<const Model>> hidden_meshes(const SolidModel& model, std::string_view name) {
   std::vector<std::shared_ptr<const Model>> hulls;
   const std::vector<bool> drawn = drawn_nodes(model);
   std::vector<glm::dmat4> placed;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const SolidNode& node = model.nodes[i];
-    if (drawn[i] || node.mesh < 0 || !node.name.starts_with("inside_")) continue;
+    if (drawn[i] || node.mesh < 0 || !node.name.starts_with(name)) continue;
     if (placed.empty()) placed = placed_nodes(model);
     auto hull = std::make_shared<Model>();
     hull->name = node.name;

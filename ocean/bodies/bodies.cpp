@@ -231,14 +231,18 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
 void Bodies::push(std::size_t n, const glm::dvec3& force, const glm::dvec3& at) {
   BodyState& state = states_[n];
   bodies_[n].pushed = bodies_[n].pushed + Vector6{force, glm::cross(at - state.motion.centre_m, force)};
-  bodies_[n].quiet_s = 0.0, state.asleep = false;
+  wake(n);
 }
+
+void Bodies::resist(std::size_t n, const Vector6& force) { bodies_[n].pushed = bodies_[n].pushed + force; }
+
+void Bodies::wake(std::size_t n) { bodies_[n].quiet_s = 0.0, states_[n].asleep = false; }
 
 void Bodies::hit(std::size_t n, const glm::dvec3& impulse, const glm::dvec3& at) {
   BodyState& state = states_[n];
   const Vector6 whole{impulse, glm::cross(at - state.motion.centre_m, impulse)};
   kick(state.motion, bodies_[n].spec.mass, state.added_share, whole, {}, 1.0);
-  bodies_[n].quiet_s = 0.0, state.asleep = false;
+  wake(n);
 }
 
 void Bodies::place(std::size_t n, const BodyMotion& motion) {

@@ -59,10 +59,16 @@ class Bodies {
 
   // Acts in the next step alone, at a place of the world; wakes the body.
   void push(std::size_t body, const glm::dvec3& force_n, const glm::dvec3& at_m);
+  // Force and moment about the centre of mass, in the world's axes, that come of its own motion: in the next step
+  // alone, and waking nobody.
+  void resist(std::size_t body, const Vector6& force);
+  void wake(std::size_t body);
   // An impulse at once (N s), as of a hit; wakes the body.
   void hit(std::size_t body, const glm::dvec3& impulse_ns, const glm::dvec3& at_m);
   // Another motion from now on; wakes the body.
   void place(std::size_t body, const BodyMotion& motion);
+  // Other gravity, wind and water from the next step on.
+  void take(const HullMedia& media) { settings_.media = media; }
   std::uint64_t hash() const;
 
  private:

@@ -308,6 +308,8 @@ def build():
     top = yd + 2.14
     r = lambda v: [round(float(x), 3) for x in v]
     model.extras.update({
+        "engine": {"at_m": r(screw), "propeller_m": 0.84, "turns_per_s": 13.0, "power_w": 150000},
+        "rudder": {"at_m": r([0, y + 0.2, 5.35]), "area_m2": 0.62, "aspect": 1.8, "range_deg": [-35, 35]},
         "draught_keel_m": round(float(-(y - 0.42)), 3),
         "seats": [{"at_m": r([0, yd + 0.62, -1.15]), "yaw_deg": 0, "role": "helm"}, {"at_m": r([0, boat.deck_y(1.7) + 0.4, 1.7]), "yaw_deg": 0, "role": "passenger"}],
         "grips": [{"name": "helm", "at_m": r(wheel), "axis": [0, 0.342, 0.94], "range_deg": [-540, 540], "node": "helm", "radius_m": 0.27},

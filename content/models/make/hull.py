@@ -101,7 +101,8 @@ def closed_from(p):
     for i in range(nt - 1):
         for j in range(m):
             a, b, c, d = around[i, j], around[i + 1, j], around[i + 1, (j + 1) % m], around[i, (j + 1) % m]
-            tris += [[a, c, b], [a, d, c]]
+            # Each side cut as the other mirrored: else a hull under way would heel and turn by how it is cut.
+            tris += [[a, c, b], [a, d, c]] if 2 * j < m else [[a, d, b], [b, d, c]]
     for ringed, turn in ((around[0], True), (around[-1], False)):
         half = (m + 1) // 2
         for j in range(half - 1):

@@ -294,12 +294,14 @@ def build():
     model.floats(MASS, 0.28, physics.hull_inertia(MASS, 7.3, 2.6), 7.3, 2.6)
     r = lambda v: [round(float(x), 3) for x in v]
     top = f + 1.7
+    where = r(screw)  # an outboard's leg steers too, like a small rudder
     model.extras.update({
         "seats": [{"at_m": r([-0.32, f + 0.73, 1.12]), "yaw_deg": 0, "role": "helm"}, {"at_m": r([0.32, f + 0.73, 1.12]), "yaw_deg": 0, "role": "passenger"},
                   {"at_m": r([-0.32, f + 0.73, 2.05]), "yaw_deg": 0, "role": "passenger"}, {"at_m": r([0.32, f + 0.73, 2.05]), "yaw_deg": 0, "role": "passenger"}],
         "grips": [{"name": "helm", "at_m": r(wheel), "axis": [0, 0.5, 0.866], "range_deg": [-540, 540], "node": "helm", "radius_m": 0.19},
                   {"name": "throttle", "at_m": r(lever + [0, 0.16, 0]), "axis": [1, 0, 0], "range_deg": [-45, 60], "node": "throttle"}],
-        "steers": {"node": "engine", "range_deg": [-35, 35]},
+        "engine": {"at_m": where, "propeller_m": 0.38, "turns_per_s": 55.0, "power_w": 189000, "range_deg": [-35, 35], "node": "engine"},
+        "rudder": {"at_m": where, "area_m2": 0.12, "aspect": 2.0, "range_deg": [-35, 35]},
         "lights": [{"at_m": r([0.74, top, 2.8]), "colour": "green", "sector_deg": [0, 112.5], "range_m": 1900}, {"at_m": r([-0.74, top, 2.8]), "colour": "red", "sector_deg": [-112.5, 0], "range_m": 1900},
                    {"at_m": r([0.35, top + 0.1, 2.85]), "colour": "white", "sector_deg": [0, 360], "range_m": 3700}]})
     return model

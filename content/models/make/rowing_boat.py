@@ -317,6 +317,8 @@ def build():
     handle = pivot + [-0.55 * np.cos(droop), 0.55 * np.sin(droop), 0]
     model.extras.update({
         "light_kg": 50.0, "crew_kg": 80.0,
+        "oars": [{"at_m": [round(float(side * pivot[0]), 3), round(float(pivot[1]), 3), round(float(pivot[2]), 3)], "length_m": 1.33, "area_m2": 0.06, "node": name}
+                 for name, side in (("oar_left", -1), ("oar_right", 1))],
         "seats": [{"at_m": [0, round(seat, 3), -0.095], "yaw_deg": 180, "role": "rower"}, {"at_m": [0, round(seat, 3), 1.2], "yaw_deg": 0, "role": "passenger"},
                   {"at_m": [0, round(seat, 3), -0.87], "yaw_deg": 180, "role": "passenger"}],
         "grips": [{"name": name, "at_m": [round(side * float(handle[0]), 3), round(float(handle[1]), 3), round(float(handle[2]), 3)], "axis": [0, 1, 0],

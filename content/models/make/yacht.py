@@ -319,6 +319,8 @@ def build():
     mast = rig.head_y
     model.extras.update({
         "sails": [{"name": "main", "node": "boom", "area_m2": round(rig.main_area, 1), "centre_m": r(rig.main_centre)}, {"name": "jib", "node": "jib", "area_m2": round(rig.jib_area, 1), "centre_m": r(rig.jib_centre)}],
+        "engine": {"at_m": r(screw), "propeller_m": 0.42, "turns_per_s": 22.0, "power_w": 21600},
+        "rudder": {"at_m": [0.0, -0.85, 4.22], "area_m2": 0.55, "aspect": 2.2, "range_deg": [-35, 35]},
         "seats": [{"at_m": r([0, s + 0.05, 4.05]), "yaw_deg": 0, "role": "helm"}, {"at_m": r([0.75, s, 2.4]), "yaw_deg": 90, "role": "crew"}, {"at_m": r([-0.75, s, 2.4]), "yaw_deg": -90, "role": "crew"}],
         "grips": [{"name": "helm", "at_m": r(wheel), "axis": [0, 0.139, 0.99], "range_deg": [-400, 400], "node": "helm", "radius_m": 0.45},
                   {"name": "throttle", "at_m": r(lever + [0, 0.18, 0]), "axis": [1, 0, 0], "range_deg": [-40, 40], "node": "throttle"},

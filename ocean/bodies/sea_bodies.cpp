@@ -1,0 +1,92 @@
+#include "ocean/bodies/sea_bodies.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "ocean/inputs/clip_body.h"
+#include "ocean/sea/state_hash.h"
+
+namespace seascape {
+
+SeaBodies::SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, std::vector<BoatSpec> boats,
+                     std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides)
+    : bodies_(settings, std::move(specs)),
+      media_(settings.media),
+      courses_(std::move(courses)),
+      insides_(std::move(insides)) {
+  assert(boats.size() == insides_.size() && courses_.size() == insides_.size() &&
+         bodies_.result().size() == insides_.size());
+  for (BoatSpec& boat : boats) boats_.emplace_back(std::move(boat));
+}
+
+void SeaBodies::take(const HullMedia& media) {
+  media_ = media;
+  bodies_.take(media);
+}
+
+void SeaBodies::step(SeaStep& step) {
+  water_.see(step.felt());
+  for (std::size_t n = 0; n < courses_.size(); ++n)
+    if (courses_[n] != nullptr) keep_course(n, step.time_s);
+  for (std::size_t n = 0; n < boats_.size(); ++n) boats_[n].step(bodies_, n, water_, media_, step.time_s, step.dt_s);
+  bodies_.step(step.time_s, step.dt_s, water_);
+  stepped_s_ = step.time_s;
+  step_s_ = step.dt_s;
+  for (std::size_t n = 0; n < insides_.size(); ++n)
+    for (const int hull : insides_[n].hulls) step.clip(clip_of(n, hull));
+}
+
+void SeaBodies::keep_course(std::size_t n, double end_s) {
+  const BodyState& state = bodies_.result()[n];
+  if (state.asleep || state.lost || state.submerged_m3 <= 0.0) return;
+  const glm::dvec2 place(state.motion.centre_m.x, state.motion.centre_m.z);
+  WaterHere here;
+  water_.ask(end_s, courses_[n]->length_m(), {&place, 1}, {&here, 1});
+  Vector6 through = state.motion.velocity;
+  through.linear -= glm::dvec3(here.velocity_mps.x, 0.0, here.velocity_mps.z);
+  const BodyPose pose{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)};
+  const double at_rest_m3 = bodies_.spec(n).mass.mass_kg / media_.density_kg_m3;
+  bodies_.resist(n, courses_[n]->forces(pose, through, state.submerged_m3 / at_rest_m3));
+}
+
+void SeaBodies::hold() {
+  step_s_ = 0.0;
+  ++holds_;
+}
+
+ClipBody SeaBodies::clip_of(std::size_t n, int hull) const {
+  const BodyState& state = bodies_.result()[n];
+  ClipBody clip;
+  clip.hull = hull;
+  clip.scale = insides_[n].scale;
+  clip.at_m = state.at_m;
+  clip.orientation = state.motion.orientation;
+  clip.velocity_mps = velocity_mps(n);
+  clip.spin_rad_s = state.motion.velocity.angular;
+  return clip;
+}
+
+glm::dvec3 SeaBodies::velocity_mps(std::size_t n) const {
+  const BodyState& state = bodies_.result()[n];
+  const Vector6& v = state.motion.velocity;
+  return v.linear + glm::cross(v.angular, state.at_m - state.motion.centre_m);
+}
+
+// As frames carry on the bodies that clip the water, so that a hull and what it keeps dry are one.
+Pose SeaBodies::pose_at(std::size_t n, double time_s) const {
+  const BodyState& state = bodies_.result()[n];
+  ClipBody body = clip_of(n, ClipBody::no_hull);
+  const double since_s = std::clamp(time_s - stepped_s_, 0.0, step_s_);
+  if (since_s <= 0.0 || state.asleep || state.lost) return {state.at_m, state.motion.orientation};
+  body = carried(body, since_s);
+  return {body.at_m, body.orientation};
+}
+
+std::uint64_t SeaBodies::hash() const {
+  std::uint64_t hash = bodies_.hash();
+  for (const Boat& boat : boats_) hash = boat.mixed_into(hash);
+  return hash;
+}
+
+}  // namespace seascape

@@ -1,0 +1,67 @@
+// Bodies as an actor of the sea: they float on what is felt of it, keep its water out of their hulls, and are seen
+// where they are at the time of a frame.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/view.h"
+#include "ocean/bodies/boat.h"
+#include "ocean/bodies/bodies.h"
+#include "ocean/bodies/hull_course.h"
+#include "ocean/bodies/sea_water.h"
+#include "ocean/sea/sea_actor.h"
+
+namespace seascape {
+
+// What of a body holds no water: hulls of ClipRoom::hulls, whose origin and axes are the body's, so many times as
+// large.
+struct BodyInsides {
+  std::vector<int> hulls;
+  double scale = 1.0;
+};
+
+// Bodies move in the sea's steps alone. What they do depends on where they began and on the steps since, never on
+// frames, viewer, preset or threads.
+class SeaBodies final : public SeaActor {
+ public:
+  // `boats`, `courses` (null: it goes any way alike) and `insides`: one a body each. Throws Error as Bodies does.
+  SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, std::vector<BoatSpec> boats,
+            std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides);
+
+  // Other gravity, wind and water from the next step on.
+  void take(const HullMedia& media);
+
+  void step(SeaStep& step) override;
+  void hold() override;
+  std::uint64_t hash() const override;
+
+  std::size_t size() const { return insides_.size(); }
+  // Where a body's hull has its origin at a time (s): as the last step left it, carried on by its velocity and spin,
+  // no longer than a step lasts. Held bodies stay.
+  Pose pose_at(std::size_t body, double time_s) const;
+  // Of that origin, m/s.
+  glm::dvec3 velocity_mps(std::size_t body) const;
+  const Bodies& bodies() const { return bodies_; }
+  Bodies& bodies() { return bodies_; }
+  // What is asked of a boat from the next step on, until it is asked for something else.
+  void ask(std::size_t body, const BoatControls& controls) { boats_[body].ask(controls); }
+  const Boat& boat(std::size_t body) const { return boats_[body]; }
+  // How often steps were missing since it was made, so that all stayed where they were.
+  int holds() const { return holds_; }
+
+ private:
+  ClipBody clip_of(std::size_t body, int hull) const;
+  Bodies bodies_;
+  HullMedia media_;
+  void keep_course(std::size_t body, double end_s);
+  std::vector<Boat> boats_;
+  std::vector<std::shared_ptr<const HullCourse>> courses_;
+  std::vector<BodyInsides> insides_;
+  SeaWater water_;
+  double stepped_s_ = 0.0, step_s_ = 0.0;  // the last step's end and length; a length of 0: held
+  int holds_ = 0;
+};
+
+}  // namespace seascape

@@ -1,0 +1,28 @@
+// The sea as bodies ask it.
+#pragma once
+#include "ocean/bodies/body_water.h"
+#include "ocean/sea/sea_view.h"
+
+namespace seascape {
+
+// The mean wave number (rad/m) of these waves, by their energy; 0 without waves.
+double mean_wave_number(const WaveBins& bins);
+
+// What bodies feel is the waves, levels, currents and the bed of `felt` views, which are the same at every preset and
+// from everywhere: not the dynamic waves, whose windows lie around the viewer, nor what bodies keep dry.
+class SeaWater final : public BodyWater {
+ public:
+  // Answers of this view from now on: of detail felt, with velocity. Not while anybody asks.
+  void see(const SeaView& view);
+
+  void ask(double time_s, double footprint_m, std::span<const glm::dvec2> places,
+           std::span<WaterHere> answers) const override;
+  double wave_number() const override { return wave_number_; }
+  std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override;
+
+ private:
+  SeaView view_;
+  double wave_number_ = 0.0, variance_ = -1.0;  // of the waves whose number it is
+};
+
+}  // namespace seascape
