@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,13 +12,13 @@ namespace seascape {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int speeds = 40;              // of the table, 0 and up
-constexpr double fastest_froude = 1.6;  // of its last; the drag falls as Michell's does there
+constexpr int speeds = 120;             // of the table, 0 and up
+constexpr double fastest_froude = 1.5;  // of its last
 constexpr double dry_transom = 0.85;    // of a face's normal astern: over this it is a transom
-constexpr int parts = 56;               // a length is cut into, for the integral
+constexpr int stations = 96, depths = 16;
 
-// A piece of wetted skin: where it is (z ahead negative, y from the waterline), and its area times its normal's part
-// ahead, and what of it is seen from one side.
+// A piece of wetted skin: where it is (z ahead negative, y from the waterline), its area times its normal's part ahead,
+// and what of it is seen from one side.
 struct Piece {
   double z, y, source, side;
 };
@@ -42,19 +43,43 @@ void cut(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double l
   if (middle.y < 0.0) pieces.push_back({middle.z, middle.y, -0.5 * normal2.z, 0.25 * std::abs(normal2.x)});
 }
 
+// The sources of a hull on a grid of stations and depths, shared out between neighbours.
+struct Sources {
+  double front, along, deep;  // of the first station, from station to station, from depth to depth
+  std::array<std::array<double, depths + 1>, stations + 1> at{};
+};
+
+Sources gathered(const std::vector<Piece>& pieces, double front, double back, double deepest) {
+  Sources all{front, (back - front) / stations, deepest / depths, {}};
+  for (const Piece& piece : pieces) {
+    const double u = std::clamp((piece.z - front) / all.along, 0.0, stations - 1e-9);
+    const double v = std::clamp(-piece.y / all.deep, 0.0, depths - 1e-9);
+    const auto i = std::size_t(u), j = std::size_t(v);
+    const double du = u - double(i), dv = v - double(j);
+    all.at[i][j] += piece.source * (1.0 - du) * (1.0 - dv), all.at[i + 1][j] += piece.source * du * (1.0 - dv);
+    all.at[i][j + 1] += piece.source * (1.0 - du) * dv, all.at[i + 1][j + 1] += piece.source * du * dv;
+  }
+  return all;
+}
+
 // R = (4 rho g^2 / (pi U^2)) integral of (I^2 + J^2) cosh^2 u du, lambda = cosh u, I + i J = the integral of dy/dx
 // exp(lambda^2 k z + i lambda k x) over the centre plane, k = g / U^2, of which both sides of the hull are twice.
-double michell(const std::vector<Piece>& pieces, double speed, const HullMedia& media) {
+double michell(const Sources& sources, double speed, const HullMedia& media) {
   const double k = media.gravity_mps2 / (speed * speed);
-  constexpr int steps = 64;
-  constexpr double furthest = 2.6;  // lambda 6.8: of shorter waves a hull makes next to none
+  constexpr int steps = 128;
+  // Shorter waves than these do not reach from a quarter of the draught.
+  const double furthest = std::acosh(std::max(1.5, std::sqrt(24.0 / (k * sources.deep * depths))));
   double sum = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const double u = furthest * i / steps, lambda = std::cosh(u);
+    std::array<double, depths + 1> fades;
+    for (std::size_t j = 0; j <= depths; ++j) fades[j] = std::exp(-lambda * lambda * k * sources.deep * double(j));
     double re = 0.0, im = 0.0;
-    for (const Piece& piece : pieces) {
-      const double size = piece.source * std::exp(lambda * lambda * k * piece.y), phase = lambda * k * piece.z;
-      re += size * std::cos(phase), im += size * std::sin(phase);
+    for (std::size_t n = 0; n <= stations; ++n) {
+      double section = 0.0;
+      for (std::size_t j = 0; j <= depths; ++j) section += sources.at[n][j] * fades[j];
+      const double phase = lambda * k * (sources.front + sources.along * double(n));
+      re += section * std::cos(phase), im += section * std::sin(phase);
     }
     const double weight = i == 0 || i == steps ? 0.5 : 1.0;
     sum += weight * 0.25 * (re * re + im * im) * lambda * lambda;
@@ -85,12 +110,15 @@ HullCourse::HullCourse(const HullMesh& mesh, double waterline, const HullMedia& 
     const glm::dvec3 normal2 = glm::cross(b - a, c - a);
     if (std::min({a.y, b.y, c.y}) >= 0.0) continue;
     if (normal2.z > dry_transom * glm::length(normal2)) continue;
-    cut(a, b, c, length_m_ / parts, pieces);
+    cut(a, b, c, length_m_ / (0.5 * stations), pieces);
   }
   for (const Piece& piece : pieces) volume -= piece.source * piece.z;
   drag_n_.assign(speeds + 1, 0.0);
   step_mps_ = fastest_froude * std::sqrt(media.gravity_mps2 * length_m_) / speeds;
-  tbb::parallel_for(4, speeds + 1, [&](int i) { drag_n_[std::size_t(i)] = michell(pieces, i * step_mps_, media); });
+  const Sources sources = gathered(pieces, least.z, most.z, -least.y);
+  constexpr int slowest = 8;  // Froude 0.1: below it there is next to nothing
+  tbb::parallel_for(slowest, speeds + 1,
+                    [&](int i) { drag_n_[std::size_t(i)] = michell(sources, i * step_mps_, media); });
 
   const double draught = -least.y, beam = most.x - least.x;
   const double block = std::clamp(std::abs(volume) / (length_m_ * beam * draught), 0.0, 1.0);

@@ -75,7 +75,18 @@ TEST(SceneObjects, FaultsNameFileKeyValueAndRemedy) {
   EXPECT_THAT(fault_of(scene(R"([{"model": "box.glb", "at_m": [0, 0, 0], "count": 1.5}])")),
               HasSubstr("1.5 is not a whole number"));
   EXPECT_THAT(fault_of(scene(R"([{"model": "box.glb", "at_m": [0, 0, 0], "float": {}}])")),
-              HasSubstr("are not built yet"));
+              HasSubstr("does not name the effect 'boats'"));
+  const auto floating = [&](const std::string& floats) {
+    return fault_of(scene(R"([{"model": "box.glb", "at_m": [0, 0, 0], "float": )" + floats + "}]", "\"boats\""));
+  };
+  EXPECT_THAT(floating("{}"), HasSubstr("box: nobody says how heavy it is"));
+  EXPECT_THAT(floating("7"), HasSubstr("objects[0].float: 7 is not an object"));
+  EXPECT_THAT(floating(R"({"mass_kg": 0})"), HasSubstr("float.mass_kg: 0 is out of range"));
+  EXPECT_THAT(floating(R"({"level": "raft"})"), HasSubstr("float.level: 'raft' is no level"));
+  EXPECT_THAT(floating(R"({"throttle": 2})"), HasSubstr("float.throttle: 2 is out of range"));
+  EXPECT_THAT(floating(R"({"velocity_mps": [1]})"), HasSubstr("float.velocity_mps"));
+  EXPECT_THAT(floating(R"({"moored_m": [[1, 2], 3]})"), HasSubstr("float.moored_m"));
+  EXPECT_THAT(floating(R"({"anchored": true})"), HasSubstr("anchored"));
   EXPECT_THAT(fault_of(scene(R"({"model": "box.glb"})")), HasSubstr("is not a list"));
   EXPECT_THAT(fault_of(scene(R"([{"model": "box.glb", "at_m": [0, 0, 0]}])", "\"waves\"")),
               HasSubstr("add \"models\" to its \"effects\""));
