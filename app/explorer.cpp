@@ -117,6 +117,10 @@ void Explorer::keep(const std::string& what, const std::string& stem, const std:
 }
 
 void Explorer::set_travel(Travel travel) {
+  if (crew_.body())
+    return look_from_boat(travel == Travel::fly    ? BoatView::deck
+                          : travel == Travel::walk ? BoatView::chase
+                                                   : BoatView::fixed);
   camera_.set_travel(travel);
   tell(fmt::format("travel: {}", travel_name(travel)));
 }
@@ -253,6 +257,7 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   record(input_, viewpoint.viewer);
   draw_frame(*experience_, frame, viewpoint, sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
+  tell_of_bodies();
   patches_ = experience_->ocean().selection()->patches.size();
   const bool keeps = std::exchange(screenshot_wanted_, false);
   if (keeps || (mirror_ && mirror_->wants_copy()))

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/boats/crew.h"
 #include "app/comfort.h"
 #include "app/explore_camera.h"
 #include "app/hands_in_water.h"
@@ -29,6 +30,9 @@ struct LeftOff {
   double sea_elapsed_s = 0.0;  // since time.start_s
   bool paused = false;
 };
+
+// Of mouse travel, times the vertical field of view: a picture's height turns 2 fields.
+inline constexpr double degrees_a_pixel = 0.0025;
 
 class Explorer {
  public:
@@ -61,6 +65,12 @@ class Explorer {
   void move(const Input& input, double dt_s);
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
+  void board();  // or steps off
+  void step_ashore(const Pose& was);
+  void look_from_boat(BoatView view);
+  void sail(const Input& input, double dt_s);
+  Pose carrier_aboard() const;
+  void tell_of_bodies();
   void record(const Input& input, const Pose& head);
   void show_hands(const Input& input);
   std::array<std::optional<Pose>, 2> hands(const Input& input) const;  // in the world
@@ -89,7 +99,7 @@ class Explorer {
   void load(const std::string& name, std::function<Scene()> read);
   std::unique_ptr<Experience> loaded_scene();
   void take(std::unique_ptr<Experience> loaded);
-  void set_travel(Travel travel);
+  void set_travel(Travel travel);  // aboard: how one looks
   void toggle_pause();
   void scale_time(double factor);
   void next_debug_view();
@@ -122,6 +132,10 @@ class Explorer {
   std::unique_ptr<Overlay> overlay_;  // null: nowhere to show one
   Panel panel_;
   ExploreCamera camera_;
+  Crew crew_;
+  int holds_ = 0;             // of the bodies, that are told of
+  Pose eyes_aboard_;          // whose who is aboard, before he looks around
+  glm::dvec2 look_deg_{0.0};  // to the right of them, and up
   Comfort comfort_;
   HandsInWater hands_;
   Swim swim_;

@@ -15,6 +15,9 @@ void Explorer::obey(const Input& input) {
       case Action::ride:
         set_travel(Travel::ride);
         break;
+      case Action::board:
+        board();
+        break;
       case Action::pause:
         toggle_pause();
         break;

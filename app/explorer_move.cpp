@@ -11,8 +11,6 @@ namespace seascape {
 
 namespace {
 
-constexpr double degrees_a_pixel =
-    0.0025;  // of mouse travel, times the vertical field of view: a picture's height turns 2 fields
 constexpr double farthest_jump_m = 200.0;
 
 // What a hand feels: strength, and seconds.
@@ -69,6 +67,9 @@ void Explorer::soften(const Input& input, double dt_s, double water_m, CameraWis
 }
 
 void Explorer::move(const Input& input, double dt_s) {
+  hands_.follow(experience_->sea());
+  hands_.move(hands(input), sea_time_s());
+  if (crew_.body()) return sail(input, dt_s);
   CameraWish wish;
   const ComfortSettings& c = settings().comfort;
   const bool worn = display_.tracks_head();
@@ -82,8 +83,6 @@ void Explorer::move(const Input& input, double dt_s) {
       if (action == Action::snap_turn) wish.turn_deg.x += value * (c.snap_turn_deg > 0 ? c.snap_turn_deg : 30);
   }
   if (!points_at_widgets()) wish.faster_notches = input.wheel;
-  hands_.follow(experience_->sea());
-  hands_.move(hands(input), sea_time_s());
   const double water_m = water_at_camera(*experience_, head().position_m, sea_time_s()).height_m;
   if (worn) soften(input, dt_s, water_m, wish);
   if (look_by_button_ || look_by_key_)
@@ -167,11 +166,14 @@ void Explorer::record(const Input& input, const Pose& head) {
   toggle_recording();
 }
 
-Pose Explorer::carrier() const { return display_.tracks_head() ? camera_.carrier() : camera_.pose(); }
+Pose Explorer::carrier() const {
+  if (crew_.body()) return carrier_aboard();
+  return display_.tracks_head() ? camera_.carrier() : camera_.pose();
+}
 
 Pose Explorer::head() const {
-  if (!display_.tracks_head()) return camera_.pose();
-  return composed(camera_.carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
+  if (!display_.tracks_head()) return carrier();
+  return composed(carrier(), display_.head().value_or(Pose{{0.0, ExploreCamera::deck_height_m, 0.0}}));
 }
 
 // The one that points and turns, where it is tracked, or the other.

@@ -45,6 +45,8 @@ void Explorer::wait_at_sea() {
 
 // What else has to know of another experience.
 void Explorer::take_experience() {
+  if (crew_.body()) display_.set_post(Post::afoot);
+  crew_.forget();  // its boat is gone
   experience_->before_build([this] {
     if (mirror_) mirror_->let_go();
   });

@@ -284,6 +284,17 @@ std::string ObjectReader::text(std::string_view key, std::string fallback) {
   return fallback;
 }
 
+bool ObjectReader::flag(std::string_view key, bool fallback) {
+  const LocatedJson* found = optional(key);
+  if (found == nullptr) return fallback;
+  faults_.attempt([&] {
+    if (!found->is(LocatedJson::Kind::flag))
+      throw Error(place(*found), key_name(key) + ": " + described(*found) + " is neither true nor false", "write true");
+    fallback = found->flag;
+  });
+  return fallback;
+}
+
 void ObjectReader::version() {
   const LocatedJson* version = required("version", "\"version\": 1");
   faults_.attempt([&] {

@@ -49,6 +49,7 @@ class ObjectReader {
   double number(std::string_view key, double least, double most, double fallback, std::string_view unit);
   double required_number(std::string_view key, double least, double most, std::string_view unit);
   std::string text(std::string_view key, std::string fallback);
+  bool flag(std::string_view key, bool fallback);
   // "version": 1, at the start of every file of ours.
   void version();
 

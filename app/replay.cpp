@@ -1,9 +1,11 @@
 // `seascape replay`: draws a camera path frame by frame into files; its time comes from the path, never from the clock.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <optional>
 
+#include "app/boats/crew.h"
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/hands_in_water.h"
@@ -68,22 +70,34 @@ ReplayedInput acted_in(const InputTimeline& timeline, double after_s, double to_
   return acted;
 }
 
-// Has what the path's user does in a frame done to the sea.
-void act(Experience& experience, const ReplayedInput& acted, HandsInWater& hands, double scene_time_s) {
-  hands.follow(experience.sea());
-  hands.move(acted.hands, scene_time_s);
-}
+// The path's user in the sea: his hands in the water, and himself aboard.
+struct Person {
+  HandsInWater hands;
+  Crew crew;
+
+  void act(Experience& experience, const ReplayedInput& acted, const glm::dvec3& head_m, double scene_time_s) {
+    hands.follow(experience.sea());
+    hands.move(acted.hands, scene_time_s);
+    if (experience.bodies() == nullptr) return;
+    for (const Press& press : acted.pressed)
+      if (press.action == Action::board)
+        spdlog::info("{}", crew.board(experience.scene(), *experience.bodies(), head_m, scene_time_s));
+    crew.drive(*experience.bodies(), acted.values);
+  }
+};
 
 // What floats has come where it is by its own history: the frames before the first that is drawn are lived through,
 // undrawn.
 void live_through(Experience& experience, const CameraPath& path, const std::optional<InputTimeline>& acted,
-                  HandsInWater& hands, double fps, int frames) {
+                  Person& person, double fps, int frames) {
   if (experience.bodies() == nullptr || frames == 0) return;
   Progress progress("replay: frame before --start", std::size_t(frames));
   for (int frame = 0; frame < frames; ++frame) {
     const PathSample sample = path.at(frame / fps);
     const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
-    if (acted) act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), hands, time_s);
+    if (acted)
+      person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps),
+                 sample.pose.position_m, time_s);
     experience.sea()->advance(time_s, sample.pose.position_m);
     progress.step(std::size_t(frame) + 1);
   }
@@ -123,8 +137,8 @@ int run_replay(const Arguments& arguments) {
       {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
-  HandsInWater hands;
-  live_through(experience, path, acted, hands, arguments.fps, arguments.start);
+  Person person;
+  live_through(experience, path, acted, person, arguments.fps, arguments.start);
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;
@@ -136,8 +150,9 @@ int run_replay(const Arguments& arguments) {
     display.begin();
     drawn.views = display.viewpoint(sample.pose);
     if (acted) {
-      drawn.acted = acted_in(*acted, done == 0 ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
-      act(experience, *drawn.acted, hands, drawn.scene_time_s);
+      const bool first = done == 0 && (drawn.frame == 0 || experience.bodies() == nullptr);
+      drawn.acted = acted_in(*acted, first ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
+      person.act(experience, *drawn.acted, sample.pose.position_m, drawn.scene_time_s);
     }
     frame.begin();
     const auto begun = std::chrono::steady_clock::now();

@@ -159,6 +159,7 @@ class Reader {
     floats.controls.throttle = reader.number("throttle", -1.0, 1.0, 0.0, "");
     floats.controls.helm = reader.number("helm", -1.0, 1.0, 0.0, "");
     floats.controls.sheet = reader.number("sheet", 0.0, 1.0, 0.5, "");
+    floats.towed = reader.flag("towed", false);
     reader.finish();
     return floats;
   }

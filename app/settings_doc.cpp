@@ -1,5 +1,7 @@
 #include "app/settings_doc.h"
 
+#include <map>
+
 #include "app/quality.h"
 #include "app/settings.h"
 #include "ocean/effects.h"
@@ -58,12 +60,17 @@ std::string settings_document() {
   for (const std::string_view name : effect_names())
     (effect_is_built(name) ? built : planned) +=
         (effect_is_built(name) ? built : planned).empty() ? code(name) : ", " + code(name);
-  std::string bring;
+  std::map<std::string, std::string> bring;  // by what they need
   for (const std::string_view name : effect_names())
-    if (effect_is_built(name) && closure({std::string(name)}).size() > 1)
-      bring += bring.empty() ? code(name) : ", " + code(name);
-  return text + "Built: " + built + ".\nThese need `waves`, which is there with them: " + bring +
-         "; `waves.wind_speed_mps` 0 leaves out the wind sea.\nNames kept for later versions, an error today: " +
+    if (effect_is_built(name))
+      if (const auto all = closure({std::string(name)}); all.size() > 1) {
+        std::string& list = bring[all[all.size() - 2].name];
+        list += list.empty() ? code(name) : ", " + code(name);
+      }
+  text += "Built: " + built + ".\n";
+  for (const auto& [needed, list] : bring)
+    text += "Need " + code(needed) + ", which is there with them: " + list + ".\n";
+  return text + "`waves.wind_speed_mps` 0 leaves out the wind sea.\nNames kept for later versions, an error today: " +
          planned + ".\n";
 }
 

@@ -40,6 +40,7 @@ struct FloatSpec {
   glm::dvec2 velocity_mps{0.0};      // x, z
   std::vector<glm::dvec2> moored_m;  // x, z of where lines or chains are made fast
   BoatControls controls;
+  bool towed = false;  // held to its course and velocity, free to heave, pitch and roll
 };
 
 // The body of a model that is `scale` times as large, at rest at the world's middle. Inertia that the file does not say

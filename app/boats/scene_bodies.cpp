@@ -56,7 +56,10 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   }
   auto bodies =
       std::make_shared<SeaBodies>(settings, std::move(specs), std::move(boats), std::move(courses), insides_of(scene));
-  for (std::size_t n = 0; n < objects.floating.size(); ++n) bodies->ask(n, objects.floating[n].floats.controls);
+  for (std::size_t n = 0; n < objects.floating.size(); ++n) {
+    bodies->ask(n, objects.floating[n].floats.controls);
+    if (objects.floating[n].floats.towed) bodies->tow(n);
+  }
   return bodies;
 }
 

@@ -31,6 +31,7 @@ void SeaBodies::step(SeaStep& step) {
     if (courses_[n] != nullptr) keep_course(n, step.time_s);
   for (std::size_t n = 0; n < boats_.size(); ++n) boats_[n].step(bodies_, n, water_, media_, step.time_s, step.dt_s);
   bodies_.step(step.time_s, step.dt_s, water_);
+  hold_towed(step.dt_s);
   stepped_s_ = step.time_s;
   step_s_ = step.dt_s;
   for (std::size_t n = 0; n < insides_.size(); ++n)
@@ -48,6 +49,20 @@ void SeaBodies::keep_course(std::size_t n, double end_s) {
   const BodyPose pose{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)};
   const double at_rest_m3 = bodies_.spec(n).mass.mass_kg / media_.density_kg_m3;
   bodies_.resist(n, courses_[n]->forces(pose, through, state.submerged_m3 / at_rest_m3));
+}
+
+void SeaBodies::hold_towed(double dt_s) {
+  for (Towed& towed : towed_) {
+    const glm::dvec3& v = towed.as.velocity.linear;
+    towed.as.centre_m += glm::dvec3(v.x, 0.0, v.z) * dt_s;
+    BodyMotion now = bodies_.result()[towed.body].motion;
+    now.centre_m = {towed.as.centre_m.x, now.centre_m.y, towed.as.centre_m.z};
+    now.velocity.linear = {v.x, now.velocity.linear.y, v.z};
+    now.velocity.angular.y = 0.0;
+    const glm::dquat turned_off = heading(now.orientation), course = heading(towed.as.orientation);
+    now.orientation = course * glm::conjugate(turned_off) * now.orientation;
+    bodies_.place(towed.body, now);
+  }
 }
 
 void SeaBodies::hold() {

@@ -38,6 +38,9 @@ class SeaBodies final : public SeaActor {
   std::uint64_t hash() const override;
 
   std::size_t size() const { return insides_.size(); }
+  // As by a towing carriage: it keeps the velocity along the sea, the course and the heading that it has, and heaves,
+  // pitches and rolls as it likes.
+  void tow(std::size_t body) { towed_.push_back({body, bodies_.result()[body].motion}); }
   // Where a body's hull has its origin at a time (s): as the last step left it, carried on by its velocity and spin,
   // no longer than a step lasts. Held bodies stay.
   Pose pose_at(std::size_t body, double time_s) const;
@@ -55,6 +58,12 @@ class SeaBodies final : public SeaActor {
   ClipBody clip_of(std::size_t body, int hull) const;
   Bodies bodies_;
   HullMedia media_;
+  struct Towed {
+    std::size_t body;
+    BodyMotion as;  // at the end of the last step, but for heave, pitch and roll
+  };
+  void hold_towed(double dt_s);
+  std::vector<Towed> towed_;
   void keep_course(std::size_t body, double end_s);
   std::vector<Boat> boats_;
   std::vector<std::shared_ptr<const HullCourse>> courses_;

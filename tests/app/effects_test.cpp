@@ -41,8 +41,9 @@ TEST(Effects, TheNamesAreThoseOfTheDesign) {
   EXPECT_TRUE(effect_is_built("baked"));
   EXPECT_TRUE(effect_is_built("gerstner"));
   EXPECT_TRUE(effect_is_built("wave_particles"));
-  EXPECT_TRUE(effect_is_known("boats"));
-  EXPECT_FALSE(effect_is_built("boats"));
+  EXPECT_TRUE(effect_is_built("boats"));
+  EXPECT_TRUE(effect_is_known("portals"));
+  EXPECT_FALSE(effect_is_built("portals"));
   EXPECT_FALSE(effect_is_known("boat"));
 }
 

@@ -115,8 +115,8 @@ TEST(Scene, FaultsNameKeyValueRangeAndRemedy) {
       {R"({"version": 1, "title": 3})", "s.json:1: title: 3 is not text; write \"text\""},
       {R"({"version": 1, "effects": "waves"})",
        "s.json:1: effects: 'waves' is not a list; write \"effects\": [\"waves\"]"},
-      {R"({"version": 1, "effects": ["boats"]})",
-       "s.json:1: effects: the effect 'boats' is not built yet in this version; remove it"},
+      {R"({"version": 1, "effects": ["portals"]})",
+       "s.json:1: effects: the effect 'portals' is not built yet in this version; remove it"},
       {R"({"version": 1, "effects": ["waves", "waves"]})",
        "s.json:1: effects: 'waves' is given twice; remove one of the two"},
       {R"({"version": 1, "camera": {"position_m": [1, 2]}})",
@@ -168,9 +168,8 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
   } catch (const Error& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("no scene is called 'strom' (did you mean 'storm'?)"), std::string::npos) << message;
-    EXPECT_NE(message.find("baked, calm, gerstner, harbour, harbour_clip, lagoon, open_sea, rain_pool, rivers, "
-                           "still_life, storm, swell or "
-                           "whirlpool"),
+    EXPECT_NE(message.find("baked, calm, flotsam, gerstner, harbour, harbour_clip, lagoon, open_boat, open_sea, "
+                           "rain_pool, regatta, rivers, still_life, storm, swell, wake_tank or whirlpool"),
               std::string::npos)
         << message;
   }
