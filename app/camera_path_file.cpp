@@ -1,5 +1,7 @@
 #include "app/camera_path.h"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 
 #include "app/input_script_file.h"
@@ -50,6 +52,8 @@ void read_path(CameraPath& path, const LocatedJson& json, const std::string& whe
   file.version();
   file.text("title", "");
   const LocatedJson* keys = file.required("keys", "\"keys\": [{\"time_s\": 0, \"position_m\": [0, 1.7, 0]}, ...]");
+  path.on = file.text("on", "");
+  path.horizon_lock = file.number("horizon_lock", 0.0, 1.0, 0.0, "");
   const LocatedJson* actions = file.optional("actions");
   file.finish();
   if (keys != nullptr) faults.attempt([&] { read_keys(path, *keys, where, faults); });
@@ -83,7 +87,11 @@ std::string path_key_text(const PathKey& key) {
 }
 
 std::string camera_path_text(const CameraPath& path) {
-  std::string text = "{\n  \"version\": 1,\n  \"keys\": [";
+  std::string text = "{\n  \"version\": 1,\n";
+  if (!path.on.empty())
+    text +=
+        "  \"on\": " + nlohmann::json(path.on).dump() + ", \"horizon_lock\": " + text_from(path.horizon_lock) + ",\n";
+  text += "  \"keys\": [";
   for (std::size_t i = 0; i < path.keys.size(); ++i)
     text += (i == 0 ? "\n    " : ",\n    ") + path_key_text(path.keys[i]);
   text += "\n  ]";

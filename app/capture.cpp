@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/against.h"
+#include "app/boats/path_on_body.h"
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/program.h"
@@ -89,6 +90,7 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
   Device& device = *program.device;
   const RenderSettings& render = program.scene.settings.render;
   const CameraPath path = path_from(arguments, program.scene);
+  validate_rider(path, program.scene);
   const HeadlessOptions options = headless_options(arguments, render);
   const std::unique_ptr<Display> display = make_display(options, windows, device);
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
@@ -111,6 +113,7 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
   // for.
   const int all = arguments.warmup + count + Frame::slots;
   Progress progress("capture at " + program.preset + ": frame", std::size_t(all));
+  glm::dvec3 viewer_m = path.at(0.0).pose.position_m;
   std::uint64_t first_number = 0;  // of the frame loop, for the first that is measured
   for (int i = 0; i < all;) {
     const auto [number, path_time_s, before_s] = capture_moment(i, arguments.warmup, arguments.fps);
@@ -129,8 +132,10 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
     experience.resize(shown.width, shown.height);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
-    draw_frame(experience, frame, display->viewpoint(sample.pose),
-               sea_time_s(program.scene.settings, sample.scene_time_s + before_s));
+    const double time_s = sea_time_s(program.scene.settings, sample.scene_time_s + before_s);
+    const Pose pose = pose_in_world(experience, path, sample, time_s, viewer_m);
+    viewer_m = pose.position_m;
+    draw_frame(experience, frame, display->viewpoint(pose), time_s);
     display->end(frame, &experience.picture());
     const double cpu_ms = ms_since(cpu);
     if (arguments.repeat > 1) device.wait_idle();

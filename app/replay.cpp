@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/boats/crew.h"
+#include "app/boats/path_on_body.h"
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/hands_in_water.h"
@@ -72,6 +73,7 @@ ReplayedInput acted_in(const InputTimeline& timeline, double after_s, double to_
 
 // The path's user in the sea: his hands in the water, and himself aboard.
 struct Person {
+  glm::dvec3 at_m{0.0};  // in the frame before
   HandsInWater hands;
   Crew crew;
 
@@ -96,9 +98,9 @@ void live_through(Experience& experience, const CameraPath& path, const std::opt
     const PathSample sample = path.at(frame / fps);
     const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
     if (acted)
-      person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps),
-                 sample.pose.position_m, time_s);
-    experience.sea()->advance(time_s, sample.pose.position_m);
+      person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), person.at_m, time_s);
+    person.at_m = pose_in_world(experience, path, sample, time_s, person.at_m).position_m;
+    experience.sea()->advance(time_s, person.at_m);
     progress.step(std::size_t(frame) + 1);
   }
 }
@@ -117,6 +119,7 @@ int run_replay(const Arguments& arguments) {
   Program program = make_program(arguments, device_options());
   Device& device = *program.device;
   const CameraPath path = path_from(arguments, program.scene);
+  validate_rider(path, program.scene);
   std::optional<InputTimeline> acted;
   if (path.actions) acted.emplace(*path.actions);
   program.scene.actors_press = acted.has_value();
@@ -137,7 +140,7 @@ int run_replay(const Arguments& arguments) {
       {options.width, options.height, options.views, per_eye, false, arguments.format == PictureFormat::exr});
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
-  Person person;
+  Person person{path.at(0.0).pose.position_m, {}, {}};
   live_through(experience, path, acted, person, arguments.fps, arguments.start);
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
@@ -148,12 +151,14 @@ int run_replay(const Arguments& arguments) {
     drawn.scene_time_s = sea_time_s(program.scene.settings, sample.scene_time_s);
 
     display.begin();
-    drawn.views = display.viewpoint(sample.pose);
     if (acted) {
       const bool first = done == 0 && (drawn.frame == 0 || experience.bodies() == nullptr);
       drawn.acted = acted_in(*acted, first ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
-      person.act(experience, *drawn.acted, sample.pose.position_m, drawn.scene_time_s);
+      person.act(experience, *drawn.acted, person.at_m, drawn.scene_time_s);
     }
+    const Pose pose = pose_in_world(experience, path, sample, drawn.scene_time_s, person.at_m);
+    person.at_m = pose.position_m;
+    drawn.views = display.viewpoint(pose);
     frame.begin();
     const auto begun = std::chrono::steady_clock::now();
     draw_frame(experience, frame, drawn.views, drawn.scene_time_s);
