@@ -12,6 +12,7 @@
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
 #include "tests/support/gpu/settings_that_act.h"
+#include "tests/support/gpu/solid_shot.h"
 
 namespace seascape {
 
@@ -52,11 +53,7 @@ Viewpoint headset(const Pose& head, double scale = 1.0) {
 }
 
 // World direction of a pixel's middle, or of another place in it; of unit length.
-glm::dvec3 ray(const View& eye, double x, double y) {
-  const Fov& f = eye.fov;
-  return glm::normalize(eye.pose.orientation *
-                        glm::dvec3(f.left + (f.right - f.left) * x / width, f.up + (f.down - f.up) * y / height, -1.0));
-}
+glm::dvec3 ray(const View& eye, double x, double y) { return test::pixel_ray(eye, x, y, width, height); }
 
 double elevation_deg(const View& eye, double x, double y) { return glm::degrees(std::asin(ray(eye, x, y).y)); }
 

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "engine/multiview_check.h"
-#include "tests/support/gpu/frame_shapes.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
-#include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/solid_shot.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -20,18 +19,9 @@ using test::SeaShot;
 class Solids : public test::GpuTest {};
 
 constexpr std::uint32_t width = 240, height = 180;
-using Set = std::vector<std::pair<std::string, std::string>>;
 
-SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects, Set set = {}) {
-  set.insert(set.end(), look.set.begin(), look.set.end());
-  set.emplace_back("waves.resolution", "32");
-  return SeaShot({.scene = "calm",
-                  .preset = "medium",
-                  .width = width,
-                  .height = height,
-                  .set = set,
-                  .effects = {{"waves", "models"}},
-                  .objects = objects});
+SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects, const test::Set& set = {}) {
+  return SeaShot(test::solid_options(look, objects, width, height, set));
 }
 
 const std::uint8_t* texel(const Image8& picture, std::size_t x, std::size_t y) {
@@ -39,11 +29,7 @@ const std::uint8_t* texel(const Image8& picture, std::size_t x, std::size_t y) {
 }
 bool is_magenta(const std::uint8_t* p) { return p[0] > 110 && p[2] > 110 && p[1] < 70; }
 
-glm::dvec3 ray(const View& eye, double x, double y) {
-  const Fov& f = eye.fov;
-  return eye.pose.orientation *
-         glm::normalize(glm::dvec3(f.left + (f.right - f.left) * x / width, f.up - (f.up - f.down) * y / height, -1.0));
-}
+glm::dvec3 ray(const View& eye, double x, double y) { return test::pixel_ray(eye, x, y, width, height); }
 
 // How far along a ray the pile or the box begins; nothing: NaN.
 double to_pile(const glm::dvec3& from, const glm::dvec3& d, double radius) {

@@ -8,10 +8,9 @@
 #include "app/frame.h"
 #include "app/program.h"
 #include "shaders/shared/fresnel.h"
-#include "tests/support/gpu/frame_shapes.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
-#include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/solid_shot.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -19,32 +18,19 @@ namespace {
 
 using test::pose;
 using test::SeaShot;
-using Set = std::vector<std::pair<std::string, std::string>>;
 
 class SolidsInWater : public test::GpuTest {};
 
 constexpr std::uint32_t width = 240, height = 180;
 constexpr double index_of_water = gpu::water_index;
 
-SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects, Set set = {}) {
-  set.insert(set.end(), look.set.begin(), look.set.end());
-  set.emplace_back("waves.resolution", "32");
-  return SeaShot({.scene = "calm",
-                  .preset = "medium",
-                  .width = width,
-                  .height = height,
-                  .set = set,
-                  .effects = {{"waves", "models"}},
-                  .objects = objects});
+SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects, const test::Set& set = {}) {
+  return SeaShot(test::solid_options(look, objects, width, height, set));
 }
 
-const Set flat{{"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"}, {"sky.sun_elevation_deg", "50"}};
+const test::Set& flat = test::flat_water;
 
-glm::dvec3 ray(const View& eye, double x, double y) {
-  const Fov& f = eye.fov;
-  return eye.pose.orientation *
-         glm::normalize(glm::dvec3(f.left + (f.right - f.left) * x / width, f.up - (f.up - f.down) * y / height, -1.0));
-}
+glm::dvec3 ray(const View& eye, double x, double y) { return test::pixel_ray(eye, x, y, width, height); }
 
 glm::dvec3 refracted(const glm::dvec3& d) {  // Snell, at level water
   const double across = std::hypot(d.x, d.z) / index_of_water, down = std::sqrt(1.0 - across * across);
@@ -75,7 +61,7 @@ TEST_F(SolidsInWater, APlatesColourIsTheClosedForm) {
             R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0,"roughnessFactor":1}})";
         test::stand(objects, test::solid_model(test::solid_plate(40.0f), grey), Pose{{0.0, -depth_m, 0.0}});
         test::stand(none, test::solid_model(test::solid_plate(40.0f), grey), Pose{{0.0, -depth_m, 900.0}});
-        Set set = flat;
+        test::Set set = flat;
         set.emplace_back("sky.exposure_ev", "0");
         SeaShot with = shot_of(look, objects, set), without = shot_of(look, none, set);
         const Viewpoint viewpoint = with.viewpoint(pose({0.0, 3.0, ahead}, 0.0, pitch_deg));
@@ -117,7 +103,7 @@ TEST_F(SolidsInWater, ThingsAreWhereSnellPutsThem) {
       test::stand(objects, test::solid_model(test::solid_plate(float(half)), test::unlit_magenta),
                   Pose{{0.0, -depth_m, -ahead}});
       test::stand(objects, test::solid_model(test::solid_box({0.01f, 0.01f, 0.01f}), "{}"), Pose{{0.0, -18.0, -6.0}});
-      Set set = flat;
+      test::Set set = flat;
       set.emplace_back("water.chlorophyll_mg_m3", "0.03");
       SceneObjects nowhere, everywhere;
       test::stand(nowhere, objects.models.front(), Pose{{0.0, -2.0, 900.0}});

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "app/sky.h"
-#include "tests/support/gpu/frame_shapes.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
-#include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/solid_shot.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -22,42 +21,14 @@ class SunMapDrawn : public test::GpuTest {};
 constexpr std::uint32_t width = 160, height = 120;
 constexpr double reach_m = 20.0, texel_m = 2.0 * reach_m / 512.0;
 
-using Set = std::vector<std::pair<std::string, std::string>>;
-
 SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects, double sun_up_deg, const char* texels) {
-  Set set = look.set;
-  set.insert(set.end(), {{"waves.resolution", "32"},
-                         {"waves.wind_speed_mps", "0"},
-                         {"waves.swell_height_m", "0"},
-                         {"sky.sun_elevation_deg", std::to_string(sun_up_deg)},
-                         {"sky.sun_to_deg", "65"},
-                         {"models.shadow_reach_m", std::to_string(reach_m)},
-                         {"models.shadow_texels", texels}});
-  return SeaShot({.scene = "calm",
-                  .preset = "medium",
-                  .width = width,
-                  .height = height,
-                  .set = set,
-                  .effects = {{"waves", "models"}},
-                  .objects = objects});
-}
-
-// Whether a ray meets a box, as much larger or smaller (m) as said.
-bool meets(const glm::dvec3& from, const glm::dvec3& d, const glm::dvec3& middle, const glm::dvec3& half, double more) {
-  double near = -1e30, far = 1e30;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double size = std::max(half[axis] + more, 1e-4);
-    const double s = (middle[axis] - size - from[axis]) / d[axis], t = (middle[axis] + size - from[axis]) / d[axis];
-    near = std::max(near, std::min(s, t));
-    far = std::min(far, std::max(s, t));
-  }
-  return near < far && far > 0.0;
-}
-
-glm::dvec3 ray(const View& eye, std::uint32_t x, std::uint32_t y) {
-  const Fov& f = eye.fov;
-  return eye.pose.orientation *
-         glm::dvec3(f.left + (f.right - f.left) * (x + 0.5) / width, f.up - (f.up - f.down) * (y + 0.5) / height, -1.0);
+  return SeaShot(test::solid_options(look, objects, width, height,
+                                     {{"waves.wind_speed_mps", "0"},
+                                      {"waves.swell_height_m", "0"},
+                                      {"sky.sun_elevation_deg", std::to_string(sun_up_deg)},
+                                      {"sky.sun_to_deg", "65"},
+                                      {"models.shadow_reach_m", std::to_string(reach_m)},
+                                      {"models.shadow_texels", texels}}));
 }
 
 int light_of(const Image8& picture, std::uint32_t x, std::uint32_t y) {
@@ -93,15 +64,15 @@ TEST_F(SunMapDrawn, ShadowsLieWhereRaysToTheSunSay) {
           int dark = 0, lit = 0, wrong = 0;
           for (std::uint32_t y = 0; y < height; ++y)
             for (std::uint32_t x = 0; x < width; ++x) {
-              const glm::dvec3 d = ray(eye, x, y), from = eye.pose.position_m;
+              const glm::dvec3 d = test::pixel_ray(eye, x + 0.5, y + 0.5, width, height), from = eye.pose.position_m;
               const double pixel_m = 0.12;
-              if (d.y > -0.3 || meets(from, d, middle, half, pixel_m)) continue;
+              if (d.y > -0.3 || test::meets_box(from, d, middle, half, pixel_m)) continue;
               const glm::dvec3 at = from + d * ((floor_m - from.y) / d.y);
               const int now = light_of(shaded, x, y), before = light_of(bare, x, y);
-              if (meets(at, sun, middle, half, -2.0 * texel_m)) {
+              if (test::meets_box(at, sun, middle, half, -2.0 * texel_m)) {
                 ++dark;
                 wrong += now > 0.97 * before;
-              } else if (!meets(at, sun, middle, half, 2.0 * texel_m)) {
+              } else if (!test::meets_box(at, sun, middle, half, 2.0 * texel_m)) {
                 ++lit;
                 wrong += std::abs(now - before) > 3;
               }

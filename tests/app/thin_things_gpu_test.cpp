@@ -8,6 +8,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/solid_shot.h"
 
 namespace seascape {
 
@@ -61,11 +62,7 @@ Viewpoint eyes_of(const Pose& head, double half_deg, double apart_m) {
 }
 
 // The unit direction in which a place of the picture lies, in pixels from its upper left corner.
-glm::dvec3 ray(const View& eye, double x, double y) {
-  const Fov& f = eye.fov;
-  return eye.pose.orientation *
-         glm::normalize(glm::dvec3(f.left + (f.right - f.left) * x / width, f.up - (f.up - f.down) * y / height, -1.0));
-}
+glm::dvec3 ray(const View& eye, double x, double y) { return test::pixel_ray(eye, x, y, width, height); }
 double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / degree;
 }
