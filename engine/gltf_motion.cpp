@@ -121,10 +121,12 @@ glm::dmat4 SolidNode::local() const {
   return made;
 }
 
-std::vector<glm::dmat4> placed_nodes(const SolidModel& model, const SolidAnimation* animation, double time_s) {
-  std::vector<SolidNode> moved;
-  for (const SolidNode& node : model.nodes) {
-    SolidNode& bare = moved.emplace_back();
+const std::vector<glm::dmat4>& place_nodes(const SolidModel& model, const SolidAnimation* animation, double time_s,
+                                           MovedNodes& room) {
+  room.nodes.resize(model.nodes.size());
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const SolidNode& node = model.nodes[i];
+    SolidNode& bare = room.nodes[i];
     bare.translation = node.translation;
     bare.rotation = node.rotation;
     bare.scale = node.scale;
@@ -134,18 +136,25 @@ std::vector<glm::dmat4> placed_nodes(const SolidModel& model, const SolidAnimati
     const double whole_s = animation->duration_s;
     const double at_s = whole_s > 0.0 ? time_s - whole_s * std::floor(time_s / whole_s) : 0.0;
     for (const SolidChannel& channel : animation->channels) {
-      SolidNode& node = moved[static_cast<std::size_t>(channel.node)];
+      SolidNode& node = room.nodes[static_cast<std::size_t>(channel.node)];
       node.matrix.reset();
       move(node, channel, at_s);
     }
   }
-  std::vector<glm::dmat4> placed(model.nodes.size(), glm::dmat4(1.0));
+  room.placed.assign(model.nodes.size(), glm::dmat4(1.0));
   for (const int index : model.order) {
     const std::size_t at = static_cast<std::size_t>(index);
     const int parent = model.nodes[at].parent;
-    placed[at] = (parent >= 0 ? placed[static_cast<std::size_t>(parent)] : glm::dmat4(1.0)) * moved[at].local();
+    room.placed[at] =
+        (parent >= 0 ? room.placed[static_cast<std::size_t>(parent)] : glm::dmat4(1.0)) * room.nodes[at].local();
   }
-  return placed;
+  return room.placed;
+}
+
+std::vector<glm::dmat4> placed_nodes(const SolidModel& model, const SolidAnimation* animation, double time_s) {
+  MovedNodes room;
+  place_nodes(model, animation, time_s, room);
+  return std::move(room.placed);
 }
 
 }  // namespace seascape

@@ -108,7 +108,16 @@ struct SolidModel {
 SolidModel load_solid_model(const std::filesystem::path& file);
 SolidModel load_solid_model_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
 
-// Where each node lies in the model's own axes at a time of an animation; null: as the file has them.
+// Room for where nodes are, kept from call to call.
+struct MovedNodes {
+  std::vector<SolidNode> nodes;
+  std::vector<glm::dmat4> placed;
+};
+
+// Where each node lies in the model's own axes at a time of an animation; null: as the file has them. The list is the
+// room's own; no memory is taken where it is large enough.
+const std::vector<glm::dmat4>& place_nodes(const SolidModel& model, const SolidAnimation* animation, double time_s,
+                                           MovedNodes& room);
 std::vector<glm::dmat4> placed_nodes(const SolidModel& model, const SolidAnimation* animation = nullptr,
                                      double time_s = 0.0);
 

@@ -151,10 +151,8 @@ void PlacedModel::bound() {
   half_sides_ = glm::dvec3(radius_);
 }
 
-const std::vector<glm::dmat4>& PlacedModel::nodes_at(double time_s, std::vector<glm::dmat4>& moved) const {
-  if (model_->animations.empty()) return still_;
-  moved = placed_nodes(*model_, &model_->animations.front(), time_s);
-  return moved;
+const std::vector<glm::dmat4>& PlacedModel::nodes_at(double time_s, MovedNodes& room) const {
+  return model_->animations.empty() ? still_ : place_nodes(*model_, &model_->animations.front(), time_s, room);
 }
 
 int PlacedModel::level(int node, double share) const {

@@ -42,8 +42,8 @@ class PlacedModel {
   const glm::dvec3& half_sides() const { return half_sides_; }
   // Most parts that one thing shows at a time.
   std::size_t most_parts() const { return most_parts_; }
-  // Where its nodes are at a time of its first animation, if it has one. The list is `moved` or one of its own.
-  const std::vector<glm::dmat4>& nodes_at(double time_s, std::vector<glm::dmat4>& moved) const;
+  // Where its nodes are at a time of its first animation, if it has one. The list is the room's or one of its own.
+  const std::vector<glm::dmat4>& nodes_at(double time_s, MovedNodes& room) const;
   // The level that a node shows where the ball around its own mesh covers `share` of the picture's height; past its
   // last: nothing is drawn.
   int level(int node, double share) const;
@@ -82,7 +82,7 @@ struct SolidSelection {
     glm::dmat4 world;
   };
   std::vector<Seen> seen;
-  std::vector<glm::dmat4> moved;
+  MovedNodes moved;
 };
 
 // For all eyes together, chosen by the viewer's head. `detail`: ModelSettings.

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/camera_path.h"
+#include "tests/support/allocations.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -118,6 +119,29 @@ TEST(SolidInstances, WhatTheFileMovesMoves) {
     ASSERT_EQ(selection.instances.size(), 1u);
     EXPECT_NEAR(selection.instances[0].row_x.w, 2.0 * std::fmod(time_s, 2.0), 1e-5) << time_s;
   }
+}
+
+// Once there is room, choosing what is drawn of things that move takes no memory. Control: `moved` made anew in
+// nodes_at().
+TEST(SolidInstances, WhatMovesTakesNoMemory) {
+  if (!test::AllocationCounter::counts) GTEST_SKIP() << "the sanitizer counts";
+  const char* const nodes = R"({"children":[1,2]},{"mesh":0},{"mesh":0,"translation":[0,1,0]})";
+  const PlacedModel still = test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain, nodes);
+  auto moving = std::make_shared<SolidModel>(still.model());
+  SolidChannel channel;
+  channel.node = 1;
+  channel.times_s = {0.0f, 2.0f};
+  channel.values = {glm::vec4(0.0f), glm::vec4(4.0f, 0.0f, 0.0f, 0.0f)};
+  moving->animations.push_back({"over", {channel}, 2.0});
+  const std::vector<PlacedModel> models{PlacedModel(moving)};
+  const std::vector<SolidThing> things{{0, Pose{{0.0, 0.0, -30.0}}, 1.0}, {0, Pose{{1.0, 0.0, -20.0}}, 1.0}};
+  const Viewpoint viewpoint = looking(Pose{});
+  SolidSelection selection;
+  select_solids(models, things, viewpoint, 0.0, 1.0, selection);
+  const test::AllocationCounter counter;
+  for (int i = 1; i < 50; ++i) select_solids(models, things, viewpoint, 0.1 * i, 1.0, selection);
+  EXPECT_EQ(counter.ours(), 0u);
+  EXPECT_EQ(selection.instances.size(), 4u);
 }
 
 // For what lets light through. Controls seen: near things first.
