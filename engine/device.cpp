@@ -225,6 +225,9 @@ void Device::choose_physical(const DeviceOptions& options) {
   vkGetPhysicalDeviceFormatProperties(physical_, VK_FORMAT_R32G32B32A32_SFLOAT, &format);
   facts_.float32_linear =
       (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
+  vkGetPhysicalDeviceFormatProperties(physical_, facts_.depth_format, &format);
+  facts_.depth_linear =
+      (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
 }
 
 static bool has_extensions(VkPhysicalDevice physical, std::span<const char* const> wanted) {
@@ -268,10 +271,12 @@ void Device::create_device(const DeviceOptions& options) {
     use.features.fillModeNonSolid = has.features.fillModeNonSolid;
     use.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
     use.features.sampleRateShading = has.features.sampleRateShading;
+    use.features.textureCompressionBC = has.features.textureCompressionBC;
   }
   facts_.wireframe = use.features.fillModeNonSolid;
   facts_.vertex_stores = use.features.vertexPipelineStoresAndAtomics;
   facts_.sample_shading = use.features.sampleRateShading;
+  facts_.block_textures = use.features.textureCompressionBC;
   if (use.features.samplerAnisotropy) {
     VkPhysicalDeviceProperties p;
     vkGetPhysicalDeviceProperties(physical_, &p);

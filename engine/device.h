@@ -41,6 +41,8 @@ struct DeviceFacts {
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
   bool sample_shading = false;  // pixels may ask for what lies at their samples
   bool depth_resolve = false;   // a pass can resolve its samples' depth
+  bool depth_linear = false;    // depths can be filtered where they are sampled
+  bool block_textures = false;  // textures may lie in 4 x 4 blocks: BC1 to BC5
   float max_anisotropy = 1.0f;
   int max_samples = 1;              // of a colour and depth target
   std::uint32_t sample_counts = 1;  // those that it has: a bit each, 2 | 8 say

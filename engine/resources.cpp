@@ -114,6 +114,7 @@ Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, s
   info.image = get();
   info.viewType = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
   info.format = spec_.format;
+  info.components = spec_.channels;
   info.subresourceRange = {aspect(), level, levels, layer, layers};
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device_->handle(), &info, nullptr, &view), "vkCreateImageView");

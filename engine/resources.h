@@ -61,6 +61,7 @@ struct ImageSpec {
   bool array = true;       // views are 2-D arrays even with one layer
   VkFormat mutable_as = VK_FORMAT_UNDEFINED;  // another format that views may take
   bool host = false;                          // its texels lie row after row in memory that the host sees and writes
+  VkComponentMapping channels{};              // what shaders get as red, green, blue and alpha
 };
 
 // Whether the device samples such an image, with linear filters, where the host has written it: software drivers do,

@@ -11,10 +11,8 @@ SunMap::SunMap(Device& device, int texels) {
   spec.keep_depth = true;
   target_ = RenderTarget(device, "sun map", spec);
   // Not every device filters depths; its edges are then of whole texels.
-  VkFormatProperties can{};
-  vkGetPhysicalDeviceFormatProperties(device.physical(), device.facts().depth_format, &can);
   SamplerSpec look;
-  look.linear = (can.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
+  look.linear = device.facts().depth_linear;
   look.repeat = false;
   look.compare = VK_COMPARE_OP_GREATER_OR_EQUAL;  // reversed: nearer is more
   sampler_ = make_sampler(device, "sun map", look);

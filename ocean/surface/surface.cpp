@@ -91,7 +91,11 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
         {patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture, look.anisotropy);
-  if (look.below) below_ = make_below(device, picture);
+  if (look.below) {
+    below_ = make_below(device, picture);
+    below_sampler_ =
+        make_sampler(device, "below the water", {.linear = false, .repeat = false});  // not all filter depths
+  }
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above
   // first.
   spec.facing = !spec.wireframe;
@@ -131,7 +135,8 @@ std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const 
   std::vector<Bound> list = entries;
   if (!look_.below) return list;
   list.push_back({.binding = gpu::slot_solids_in_water, .view = below_.colour().view()});
-  list.push_back({.binding = gpu::slot_depths_in_water, .view = below_.depth()->view()});
+  list.push_back(
+      {.binding = gpu::slot_depths_in_water, .view = below_.depth()->view(), .sampler = below_sampler_.get()});
   return list;
 }
 

@@ -85,7 +85,7 @@ class Surface {
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
   RenderTarget points_, below_;
   Pipeline pipeline_, light_pipeline_;
-  Owned<VkSampler> points_sampler_;
+  Owned<VkSampler> points_sampler_, below_sampler_;
   std::vector<Bindings> bindings_, light_bindings_;  // of each copy
 };
 

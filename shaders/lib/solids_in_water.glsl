@@ -4,13 +4,12 @@ layout(constant_id = value_solids_in_water) const bool solids_in_water = false;
 // As the eye would see them without water: radiance of a thing just under the water (solid_in_water()) and cover; how
 // near.
 layout(binding = slot_solids_in_water) uniform texture2DArray solids_below;
-layout(binding = slot_depths_in_water) uniform texture2DArray solids_below_depths;
+layout(binding = slot_depths_in_water) uniform sampler2DArray solids_below_depths;  // of whole texels
 
 // Between texels of one thing it lies on their plane, as depths change evenly in the picture. Around its edge it is as
 // near as the nearest, and the cover says how much of it is there. `texel`: one over the picture's sides.
 float solid_depth(vec2 pixel, vec2 texel) {
-  const vec4 four =
-      textureGather(sampler2DArray(solids_below_depths, smooth_sampler), vec3(pixel * texel, eye_index()));
+  const vec4 four = textureGather(solids_below_depths, vec3(pixel * texel, eye_index()));
   const vec2 between = fract(pixel - 0.5);
   const float least = min(min(four.x, four.y), min(four.z, four.w)),
               most = max(max(four.x, four.y), max(four.z, four.w));
@@ -40,8 +39,7 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData vie
   if (last.w < 0.5 * first.w) last = mix(first, last, 0.5 * first.w / (first.w - last.w));  // it comes towards the eye
   const vec3 begin = first.xyz / first.w, end = last.xyz / last.w;
   if (any(lessThan(max(begin.xy, end.xy), seen.xy)) || any(greaterThan(min(begin.xy, end.xy), seen.zw))) return none;
-  const vec2 size = frame.solids.reach.zw,
-             texel = 1.0 / vec2(textureSize(sampler2DArray(solids_below_depths, smooth_sampler), 0).xy);
+  const vec2 size = frame.solids.reach.zw, texel = 1.0 / vec2(textureSize(solids_below_depths, 0).xy);
   const vec3 at = vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
              to = vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z);
   const int steps = int(clamp(length(to.xy - at.xy) / 4.0, 2.0, 16.0));  // of four pixels, or longer
