@@ -234,14 +234,27 @@ void Experience::join_bodies() {
   sea_of_bodies_ = now;
 }
 
+SolidSources Experience::solid_sources() const {
+  return {scene_.objects.models, scene_.objects.things, loaded_models_.get(), solid_surroundings_.get()};
+}
+
 void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look) {
   solids_.reset();
-  if (look.solids)
-    solids_ =
-        std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, scene_.objects.models, scene_.objects.things,
-                                      SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr,
-                                                surface_->depths(), look.below ? &surface_->below() : nullptr,
-                                                look.anisotropy, 4096, sun_map_ ? &sun_map_->target() : nullptr});
+  solid_surroundings_.reset();
+  if (!look.solids) {
+    loaded_models_.reset();
+    return;
+  }
+  const bool blocks = scene_.settings.models.block_textures;
+  if (loaded_models_ == nullptr || !loaded_models_->serves(blocks)) {
+    loaded_models_.reset();
+    loaded_models_ = std::make_unique<LoadedModels>(device_, scene_.objects.models, blocks);
+  }
+  solid_surroundings_ = std::make_unique<SolidSurroundings>(device_, shaders_, light);
+  solids_ = std::make_unique<DrawnSolids>(
+      device_, shaders_, drawn, light, solid_sources(),
+      SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
+                look.below ? &surface_->below() : nullptr, look.anisotropy, sun_map_ ? &sun_map_->target() : nullptr});
 }
 
 void Experience::bind_tone() {

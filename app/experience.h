@@ -96,6 +96,10 @@ class Experience {
   const Surface& surface() const { return *surface_; }
   // Null where there are no things.
   const DrawnSolids* solids() const { return solids_.get(); }
+  // What they are drawn from, where there are any, for whoever draws them elsewhere; and the map of the sun, which may
+  // be null.
+  SolidSources solid_sources() const;
+  const SunMap* sun_map() const { return sun_map_.get(); }
   // Null where there is none, or a debug view shows something else than light.
   const DrawnSpray* spray() const { return spray_.get(); }
   // The finished picture, one layer a view, sRGB.
@@ -131,6 +135,8 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<LoadedModels> loaded_models_;  // kept while other objects are built anew
+  std::unique_ptr<SolidSurroundings> solid_surroundings_;
   std::unique_ptr<SunMap> sun_map_;  // where solid things throw shadows
   std::unique_ptr<DrawnSolids> solids_;
   std::unique_ptr<ComfortOverlay> comfort_;

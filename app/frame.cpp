@@ -69,10 +69,10 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.bodies_) place_things(e.scene_.objects, *e.bodies_, time_s);
   if (e.solids_)
     stages.time("things", [&] {
-      e.solids_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new, e.scene_.objects.things, viewpoint,
-                        time_s, e.ocean_->highest_m(), settings.models);
+      e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
+      e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), settings.models);
       e.solids_->describe(data);
-      e.solids_->cast(data, e.scene_.objects.things, viewpoint, settings.models, time_s);
+      e.solids_->cast(data, viewpoint, settings.models, time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);
   if (e.solids_) stages.time("recording", [&] { e.solids_->draw_sun_map(frame, uniform); });

@@ -7,7 +7,8 @@
 
 namespace seascape {
 
-enum class TexelKind { colour, linear, normal };  // sRGB; data; directions, which stay of unit length
+// sRGB; data; directions, which stay of unit length; data of which only the red counts.
+enum class TexelKind { colour, linear, normal, occlusion };
 
 // All levels of a picture of four channels down to one texel, the first is the picture itself. Means are of light, not
 // of sRGB's numbers.

@@ -3,14 +3,14 @@
 #include <span>
 #include <string_view>
 
-#include "app/solids/picture_levels.h"
+#include "app/solids/block_texture.h"
 #include "engine/resources.h"
 
 namespace seascape {
 
-// All levels of a picture (picture_levels) as a texture. Its larger side is at most `most_side`: levels above are left
-// out. Set-up work.
-Image make_texture(Device& device, std::string_view name, std::span<const Image8> levels, TexelKind kind,
-                   int most_side);
+// All levels of a picture (picture_levels, or block_levels where the device has them) as a texture. Set-up work.
+Image make_texture(Device& device, std::string_view name, std::span<const Image8> levels, TexelKind kind);
+Image make_block_texture(Device& device, std::string_view name, std::span<const BlockLevel> levels, BlockKind block,
+                         TexelKind kind);
 
 }  // namespace seascape

@@ -41,7 +41,9 @@ vec3 mapped_normal(vec3 n, vec2 at, bool front) {
   const vec3 t = q * uv_along.x + p * uv_across.x, b = q * uv_along.y + p * uv_across.y;
   const float longest = max(dot(t, t), dot(b, b));
   if (longest <= 0.0) return n;
-  vec3 map = 2.0 * texture(normal_texture, at).xyz - 1.0;
+  // Its z follows from the others, which are all that textures in blocks keep.
+  vec3 map = vec3(2.0 * texture(normal_texture, at).xy - 1.0, 0.0);
+  map.z = sqrt(max(1.0 - dot(map.xy, map.xy), 0.0));
   map.xy *= front ? material.surface.z : -material.surface.z;
   return normalize((t * map.x - b * map.y) * inversesqrt(longest) + n * max(map.z, 1e-3));
 }
