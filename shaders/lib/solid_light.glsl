@@ -62,6 +62,8 @@ vec3 surroundings(vec3 d, float rough) {
 struct SolidPoint {
   vec4 base;
   vec3 emissive, normal;  // radiance over exposure; towards the eye's side
+  vec3 smooth_normal;     // the same without the normal map
+  vec3 flat_normal;       // of its triangle
   float metallic, rough, occlusion;
 };
 
@@ -72,13 +74,28 @@ SolidPoint solid_point(bool front) {
   const vec3 surface_map = texture(metallic_roughness_texture, place_in(solid_metallic_roughness)).rgb;
   const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
   p.emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
-  p.normal = normalize(normal) * (front ? 1.0 : -1.0);
+  p.normal = p.smooth_normal = normalize(normal) * (front ? 1.0 : -1.0);
+  p.flat_normal = cross(dFdx(relative), dFdy(relative));
+  p.flat_normal *= sign(dot(p.flat_normal, p.normal)) / max(length(p.flat_normal), 1e-12);
   if (material.kind.y != 0) p.normal = mapped_normal(p.normal, place_in(solid_normal), front);
   if (p.base.a < material.emissive_cutoff.w) discard;
   p.metallic = material.surface.x * surface_map.b;
   p.rough = max(material.surface.y * surface_map.g, 0.045);
   p.occlusion = 1.0 + material.surface.w * (occlusion_map - 1.0);
   return p;
+}
+
+// How much of the sun's light the map of the sun leaves. A round thing's triangles turn from the sun before its normals
+// do, or after, and hide from it what those have lit: a jagged band. So where a triangle is turned from the sun no
+// farther than it is from its round shape, the shape counts (the shadow terminator: Woo, Pearce and Ouellette 1996).
+float sun_reaches_thing(SolidPoint p) {
+  const vec3 at = flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w), l = frame.sun.xyz;
+  const float reaches = sun_reaches(at, p.smooth_normal);
+  const float apart = length(p.flat_normal - p.smooth_normal);
+  if (apart < 0.01) return reaches;
+  const float turned = 1.0 - clamp(dot(p.flat_normal, l) / apart, 0.0, 1.0),
+              round = clamp(10.0 * dot(p.smooth_normal, l) / apart, 0.0, 1.0);
+  return max(reaches, turned * round);
 }
 
 // Radiance towards the eye, haze included, exposed, and how much of what lies behind it hides. Discards what its
@@ -108,9 +125,7 @@ vec4 solid_light(bool front) {
   const float nl = dot(n, l);
   if (nl > 0.0) {
     float reaches = 1.0;
-    if (sun_map_there)
-      reaches = sun_reaches(flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w),
-                            normalize(normal) * (front ? 1.0 : -1.0));
+    if (sun_map_there) reaches = sun_reaches_thing(p);
     const vec3 h = normalize(v + l);
     const float nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
     const vec3 f = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
@@ -137,9 +152,7 @@ vec3 solid_in_water(bool front) {
   // What the water around sends back comes from below, through the surface as radiance_from_below() has it.
   const vec3 back = 3.14159265 * frame.water_reflectance.rgb * (water_index * water_index / 0.98) * (sun + sky);
   float reaches = 1.0;
-  if (sun_map_there)
-    reaches = sun_reaches(flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w),
-                          normalize(normal) * (front ? 1.0 : -1.0));
+  if (sun_map_there) reaches = sun_reaches_thing(p);
   vec3 there = sun * (reaches * max(dot(p.normal, l), 0.0) / l.y) + sky * of_sky_in_water(p.normal.y);
   there += back * (0.5 - 0.5 * p.normal.y);
   vec3 lit = p.base.rgb * there * (p.occlusion / 3.14159265) * light.exposure.x + p.emissive;
