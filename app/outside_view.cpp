@@ -38,8 +38,17 @@ OutsideView::OutsideView(Device& device, ShaderLibrary& shaders, Experience& exp
   look.deferred = deferred_;
   look.anisotropy = std::min(float(settings.water.anisotropy), device.facts().max_anisotropy);
   Sky& sky = experience.sky();
-  const SurfaceLight light{&frame.ring(), sky.map().view(), sky.sampler(), &sky.light()};
+  SurfaceLight light{&frame.ring(), sky.map().view(), sky.sampler(), &sky.light()};
+  if (const SunMap* map = experience.sun_map()) {
+    light.sun_map = map->target().depth()->view();
+    light.sun_map_sampler = map->sampler();
+  }
+  look.solids = experience.solids() != nullptr;
   surface_ = std::make_unique<Surface>(device, shaders, picture_, experience.ocean().pieces(), light, look);
+  if (look.solids)
+    solids_ = std::make_unique<DrawnSolids>(device, shaders, picture_, light, experience.solid_sources(),
+                                            SolidLook{true, deferred_ ? &surface_->target(picture_) : nullptr,
+                                                      surface_->depths(), nullptr, look.anisotropy, nullptr});
   if (deferred_) return;
   GraphicsSpec behind;
   behind.vertex = "sky.vert";
@@ -57,26 +66,39 @@ OutsideView::OutsideView(Device& device, ShaderLibrary& shaders, Experience& exp
 
 void OutsideView::draw(Frame& frame, Experience& e, const Viewpoint& viewpoint) {
   Ocean& ocean = e.ocean();
-  lod_ = low(e.scene().settings).lod;
+  Settings settings = low(e.scene().settings);
+  lod_ = settings.lod;
   held_ = ocean.waves_held();
   const SurfaceSelection& selection = ocean.select(viewpoint, mesher_, lod_);
-  Settings settings = e.scene().settings;
+  const ModelSettings things = settings.models;
+  settings = e.scene().settings;
   settings.render.debug = DebugView::none;
   gpu::FrameData data = frame_data(settings, viewpoint, picture_.spec().height);
   ocean.describe(data, viewpoint, selection);
+  if (solids_) {
+    solids_->update(frame, viewpoint, e.sea()->time_s(), ocean.highest_m(), things);
+    e.solids()->describe_sun(data, viewpoint.viewer.position_m);
+  }
   const std::uint32_t uniform = frame.upload_uniform(data);
   Uses uses{use(e.sky().map(), Access::surface_read), use(e.sky().light(), Access::surface_read)};
   ocean.add_uses(uses);
+  if (solids_) solids_->add_uses(uses);
+  if (const SunMap* map = e.sun_map()) uses.add(use(*map->target().depth(), Access::fragment_sample));
   frame.draw_pass("outside", surface_->target(picture_), uses, [&](Commands& c) {
     surface_->draw(c, frame, selection, uniform, settings.render.facing_only && ocean.eyes_in_air(viewpoint));
+    if (solids_) solids_->draw(c, uniform);
     if (deferred_) return;
     c.bind(sky_pipeline_, sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
+    if (solids_) solids_->draw_blended(c, uniform);
   });
   if (!deferred_) return;
   surface_->add_points(uses);
-  frame.draw_pass("outside light", picture_, uses, [&](Commands& c) { surface_->light(c, uniform); });
+  frame.draw_pass("outside light", picture_, uses, [&](Commands& c) {
+    surface_->light(c, uniform);
+    if (solids_) solids_->draw_blended(c, uniform);
+  });
 }
 
 }  // namespace seascape

@@ -14,7 +14,8 @@ class OutsideView {
   OutsideView(Device& device, ShaderLibrary& shaders, Experience& experience, const Frame& frame, VkExtent2D size);
 
   // Draws the sea as it was in the experience's last frame, which has been submitted, in the quality `low` but for the
-  // waves, which are those of that frame. Without spray. Foam and windows lie around the experience's own viewer.
+  // waves, which are those of that frame. Without spray, and without what of things is under water. Foam, windows and
+  // shadows of things lie around the experience's own viewer.
   void draw(Frame& frame, Experience& experience, const Viewpoint& viewpoint);
   // What it drew has left the GPU: the sea may have back what was held for it.
   void release() { held_ = {}; }
@@ -26,6 +27,7 @@ class OutsideView {
   RenderTarget picture_;
   bool deferred_;
   std::unique_ptr<Surface> surface_;
+  std::unique_ptr<DrawnSolids> solids_;  // where the experience draws any
   Pipeline sky_pipeline_;  // where the sky is not lit with the sea
   Bindings sky_bindings_;
   SeaView held_;
