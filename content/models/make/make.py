@@ -20,7 +20,8 @@ MODELS = {"rowing_boat": ("rowing_boat", "build"), "buoy_lateral_port": ("buoys"
           "barrel": ("cargo", "barrel"), "pier": ("pier", "build"), "lighthouse": ("shore", "lighthouse"),
           "breakwater": ("shore", "breakwater"),
           "fishing_boat": ("fishing_boat", "build"), "yacht": ("yacht", "build"),
-          "rib": ("rib", "build"), "wreck": ("wreck", "build"), "wigley": ("wigley", "build")}
+          "rib": ("rib", "build"), "wreck": ("wreck", "build"), "wigley": ("wigley", "build"),
+          "harbour_lines": ("moorings", "build")}
 
 
 def make(name, folder):
