@@ -225,11 +225,13 @@ void Experience::build() {
 // Bodies stay where they are while their effect is off, and go on from there in whatever sea there is then.
 void Experience::join_bodies() {
   if (bodies_ == nullptr) bodies_ = scene_bodies(scene_);
+  if (bodies_ != nullptr && boat_shapes_ == nullptr) boat_shapes_ = std::make_unique<BoatShapes>(scene_.objects);
   const std::shared_ptr<Sea> before = sea_of_bodies_.lock();
   const std::shared_ptr<Sea> now = bodies_ != nullptr && calls_for(scene_.effects, "boats") ? sea_ : nullptr;
   if (bodies_ != nullptr) bodies_->take(body_media(scene_.settings));
   if (before == now) return;
   if (before != nullptr) before->take_away(*bodies_);
+  if (now == nullptr) bodies_->hold();
   if (now != nullptr) now->add(bodies_);
   sea_of_bodies_ = now;
 }

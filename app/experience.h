@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/boats/boat_shape.h"
 #include "app/boats/scene_bodies.h"
 #include "app/comfort_overlay.h"
 #include "app/drawn_hands.h"
@@ -129,6 +130,7 @@ class Experience {
   std::unique_ptr<Frame> frame_;
   std::shared_ptr<Sea> sea_;
   std::shared_ptr<SeaBodies> bodies_;
+  std::unique_ptr<BoatShapes> boat_shapes_;  // with the bodies
   std::weak_ptr<Sea> sea_of_bodies_;  // whose actor they are
   std::string sea_key_;               // of the scene that it was made of, or has grown into
   std::unique_ptr<Ocean> ocean_;

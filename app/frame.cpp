@@ -66,7 +66,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
-  if (e.bodies_) place_things(e.scene_.objects, *e.bodies_, time_s);
+  if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);

@@ -63,9 +63,4 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   return bodies;
 }
 
-void place_things(SceneObjects& objects, const SeaBodies& bodies, double time_s) {
-  for (std::size_t n = 0; n < objects.floating.size(); ++n)
-    objects.things[objects.floating[n].thing].pose = bodies.pose_at(n, time_s);
-}
-
 }  // namespace seascape

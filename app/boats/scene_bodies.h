@@ -15,7 +15,4 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene);
 // What bodies are told of sea and air: its gravity, and the wind that makes the waves.
 HullMedia body_media(const Settings& settings);
 
-// Has the things that float where their bodies are at a time (s).
-void place_things(SceneObjects& objects, const SeaBodies& bodies, double time_s);
-
 }  // namespace seascape

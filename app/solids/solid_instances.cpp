@@ -223,10 +223,13 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
       return a.range_m != b.range_m ? a.range_m > b.range_m : a.thing < b.thing;
     });
-    const std::vector<glm::dmat4>& nodes = model.nodes_at(time_s, selection.moved);
+    const std::vector<glm::dmat4>& usual = model.nodes_at(time_s, selection.moved);
+    const auto node_at = [&](const SolidSelection::Seen& one, int node) -> const glm::dmat4& {
+      return (one.thing->nodes.empty() ? usual : one.thing->nodes)[std::size_t(node)];
+    };
     const auto shown_level = [&](int node, const SolidSelection::Seen& one) {
       const glm::dvec4& ball = model.ball(node);
-      const glm::dmat4 world = one.world * nodes[std::size_t(node)];
+      const glm::dmat4 world = one.world * node_at(one, node);
       const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(world))));
       const double range = glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)) - viewer);
       const double share = 2.0 * ball.w * scale / (std::max(range, 1e-3) * tall);
@@ -238,7 +241,7 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
       SolidDraw draw{m, p, selection.instances.size()};
       for (const SolidSelection::Seen& one : seen) {
         if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
-        const glm::dmat4 world = one.world * nodes[std::size_t(part.node)];
+        const glm::dmat4 world = one.world * node_at(one, part.node);
         const glm::dvec4& ball = model.ball(part.node);
         const double longest = std::max(
             {glm::length(glm::dvec3(world[0])), glm::length(glm::dvec3(world[1])), glm::length(glm::dvec3(world[2]))});

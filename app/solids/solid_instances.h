@@ -17,6 +17,7 @@ struct SolidThing {
   std::size_t model = 0;
   Pose pose;
   double scale = 1.0;
+  std::vector<glm::dmat4> nodes;  // where its nodes lie in the model's own axes; empty: as the model has them
 };
 
 // A mesh of a model, where it hangs on a node, and at which level of detail of which node it is drawn.
@@ -32,6 +33,7 @@ class PlacedModel {
  public:
   explicit PlacedModel(std::shared_ptr<const SolidModel> model);
   const SolidModel& model() const { return *model_; }
+  const std::shared_ptr<const SolidModel>& shared_model() const { return model_; }
   const std::vector<SolidPart>& parts() const { return parts_; }
   // What holds no water, in its own axes (app/solids/inside_hulls.h).
   const std::vector<std::shared_ptr<const Model>>& insides() const { return insides_; }
