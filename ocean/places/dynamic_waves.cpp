@@ -17,7 +17,7 @@ namespace {
 
 void require(const WaveSource& s, std::size_t index) {
   const double all =
-      s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps;
+      s.place_m.x + s.place_m.y + s.velocity_mps.x + s.velocity_mps.y + s.length_m + s.head_m + s.rise_mps + s.depth_m;
   const std::string name = "source " + std::to_string(index);
   if (!std::isfinite(all)) throw Error(name, "has a number that is not finite", "push the water with finite numbers");
   if (!(s.length_m > 0.0))

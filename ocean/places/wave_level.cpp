@@ -21,8 +21,6 @@ double smooth(double x) {
 
 double fades_in(double texels_a_wave) { return smooth(std::log(texels_a_wave / 8.0) / std::log(1.5)); }
 
-double after(double value, int n) { return value - n * std::floor(value / n); }
-
 }  // namespace
 
 double wave_share(double texels_a_wave, bool coarsest, int samples) {
@@ -35,9 +33,10 @@ WaveLevel::WaveLevel(int samples)
     : n_(samples),
       band_(samples / 4),
       to_texels_(make_fft_plan(samples, samples / 4)),
-      to_waves_(make_fft_plan(samples, samples)) {
+      to_waves_(make_fft_plan(samples, samples)),
+      sums_(samples) {
   const std::size_t waves = std::size_t(band_) * std::size_t(band_), texels = std::size_t(n_) * std::size_t(n_ + 16);
-  for (auto* list : {&modes_, &turn_, &half_turn_, &head_, &rise_}) list->resize(waves);
+  for (auto* list : {&modes_, &turn_, &half_turn_, &pushed_.head, &pushed_.rise}) list->resize(waves);
   for (auto* list : {&share_, &frequency_}) list->resize(waves);
   for (auto* list : {&row_first_, &row_end_}) list->resize(std::size_t(band_));
   for (auto* list : {&spectrum_re_, &spectrum_im_}) list->resize(waves);
@@ -49,6 +48,7 @@ void WaveLevel::shape(double texel_m, bool coarsest, double gravity, double dept
   texel_m_ = texel_m;
   depth_m_ = depth;
   table_dt_ = -1.0;
+  sums_.shape(texel_m, coarsest ? 0.25 * n_ : 24.0);
   const double side = texel_m * n_;
   for (int j = 0; j < band_; ++j)
     for (int i = 0; i < band_; ++i) {
@@ -84,79 +84,8 @@ void WaveLevel::turn_table(double dt, double damping) {
   }
 }
 
-// The Fourier coefficients of a Gaussian, exact: no texel cuts it short. Gives whether there is anything of it.
-bool WaveLevel::gather(const WaveSource& s, double dt, LodIndex first) {
-  const glm::dvec2 at = s.place_m / texel_m_ - 0.5;  // in texels
-  double inside = 1.0;
-  for (int axis = 0; axis < 2; ++axis)
-    inside *= smooth(std::min(at[axis] - double(first[axis]), double(first[axis]) + n_ - 1 - at[axis]) / (n_ / 8));
-  const double area = inside * s.length_m * s.length_m / (pi * texel_m_ * texel_m_ * n_ * n_), head = area * s.head_m,
-               rise = area * s.rise_mps * dt;
-  if (!(std::abs(head) + std::abs(rise) > 0.0)) return false;
-  const std::size_t from = sources_.head.size() * std::size_t(band_), half = std::size_t(band_ / 2);
-  sources_.head.push_back(head);
-  sources_.rise.push_back(rise);
-  const double x = after(at.x, n_), z = after(at.y, n_);
-  for (std::size_t i = 0; i < half; ++i) {  // the first has no opposite, and carries nothing
-    const double m = double(i), part = std::exp(-std::pow(m * s.length_m / (texel_m_ * n_), 2));
-    const std::complex<double> of_x = std::polar(part, -2.0 * pi * m * x / n_),
-                               of_z = std::polar(part, -2.0 * pi * m * z / n_);
-    sources_.x_re[from + half + i] = sources_.x_re[from + half - i] = of_x.real();
-    sources_.z_re[from + half + i] = sources_.z_re[from + half - i] = of_z.real();
-    sources_.x_im[from + half + i] = of_x.imag(), sources_.x_im[from + half - i] = -of_x.imag();
-    sources_.z_im[from + half + i] = of_z.imag(), sources_.z_im[from + half - i] = -of_z.imag();
-  }
-  return true;
-}
-
-// Of what real sources come to, waves of opposite numbers are conjugate: half of them are summed up (mirror).
-void WaveLevel::spread(bool& heads, bool& rises) {
-  const std::size_t count = sources_.head.size(), band = std::size_t(band_);
-  for (auto* list : {&head_, &rise_}) {
-    const std::vector<double>& strength = list == &head_ ? sources_.head : sources_.rise;
-    bool& any = list == &head_ ? heads : rises;
-    if (std::all_of(strength.begin(), strength.end(), [](double one) { return one == 0.0; })) continue;
-    if (!any) std::fill(list->begin(), list->end(), 0.0);
-    any = true;
-    for (std::size_t j = 1; j <= band / 2; ++j) {
-      for (std::size_t s = 0; s < count; ++s) {
-        sources_.row_re[s] = strength[s] * sources_.z_re[s * band + j];
-        sources_.row_im[s] = strength[s] * sources_.z_im[s * band + j];
-      }
-      const std::size_t begin = std::size_t(row_first_[j]), end = std::size_t(row_end_[j]);
-      add_products({list->data() + j * band + begin, end - begin}, {sources_.row_re.data(), count},
-                   {sources_.row_im.data(), count}, sources_.x_re.data() + begin, sources_.x_im.data() + begin, band_);
-    }
-  }
-  sources_.head.clear();
-  sources_.rise.clear();
-}
-
-void WaveLevel::mirror(std::vector<std::complex<double>>& list) const {
-  const std::size_t band = std::size_t(band_);
-  for (std::size_t j = 1; j < band / 2; ++j)
-    for (std::size_t i = std::max(std::size_t(row_first_[j]), std::size_t(1)); i < std::size_t(row_end_[j]); ++i)
-      list[(band - j) * band + band - i] = std::conj(list[j * band + i]);
-}
-
-void WaveLevel::add_sources(std::span<const WaveSource> sources, double dt, LodIndex first, bool& heads, bool& rises) {
-  constexpr std::size_t together = 16;
-  if (sources.empty()) return;
-  for (auto* list : {&sources_.x_re, &sources_.x_im, &sources_.z_re, &sources_.z_im})
-    list->resize(together * std::size_t(band_));
-  for (auto* list : {&sources_.row_re, &sources_.row_im}) list->resize(together);
-  for (auto* list : {&sources_.head, &sources_.rise}) list->reserve(together);
-  for (WaveSource s : sources) {
-    s.place_m -= s.velocity_mps * (0.5 * dt);
-    if (gather(s, dt, first) && sources_.head.size() == together) spread(heads, rises);
-  }
-  spread(heads, rises);
-  if (heads) mirror(head_);
-  if (rises) mirror(rise_);
-}
-
 // As a source of that shape: its waves are those of the texels' Fourier sum.
-void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool& heads) {
+void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m) {
   const std::size_t n = std::size_t(n_), stride = n + 16;
   const auto inside = [&](std::int64_t w, std::int64_t begin) {
     return float(smooth(std::min(double(w - begin), double(begin + n_ - 1 - w)) / (n_ / 8)));
@@ -172,18 +101,21 @@ void WaveLevel::add_pressure(LodIndex first, std::span<const float> head_m, bool
   }
   forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
                workspace_);
-  if (!heads) std::fill(head_.begin(), head_.end(), 0.0);
-  heads = true;
+  if (!pushed_.heads) std::fill(pushed_.head.begin(), pushed_.head.end(), 0.0);
+  pushed_.heads = true;
   const double scale = 1.0 / (double(n_) * n_);
-  for (std::size_t i = 0; i < head_.size(); ++i)
-    head_[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
+  for (std::size_t i = 0; i < pushed_.head.size(); ++i)
+    pushed_.head[i] += scale * std::complex<double>(spectrum_re_[i], spectrum_im_[i]);
 }
 
 void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const WaveSource> sources,
                      std::span<const float> head_m) {
-  bool heads = false, rises = false;
-  add_sources(sources, dt, first, heads, rises);
-  if (!head_m.empty()) add_pressure(first, head_m, heads);
+  pushed_.heads = pushed_.rises = false;
+  if (!sources.empty())
+    sums_.add(sources, dt, first, row_first_, row_end_,
+              {to_waves_, re_, im_, spectrum_re_, spectrum_im_, workspace_, n_ + 16}, pushed_);
+  if (!head_m.empty()) add_pressure(first, head_m);
+  const bool heads = pushed_.heads, rises = pushed_.rises;
   if (heads || rises) still_ = false;
   if (still_) return;
   turn_table(dt, damping);
@@ -193,9 +125,9 @@ void WaveLevel::turn(double dt, double damping, LodIndex first, std::span<const 
   };
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (!(share_[i] > 0.0)) continue;
-    const std::complex<double> head = heads ? share_[i] * head_[i] : 0.0;
+    const std::complex<double> head = heads ? share_[i] * pushed_.head[i] : 0.0;
     modes_[i] = loss * (times(turn_[i], modes_[i] + head) - head);
-    if (rises) modes_[i] += share_[i] * times(half_turn_[i], rise_[i]);
+    if (rises) modes_[i] += share_[i] * times(half_turn_[i], pushed_.rise[i]);
   }
 }
 

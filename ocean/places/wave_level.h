@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "ocean/places/lod_windows.h"
+#include "ocean/places/source_sums.h"
 #include "ocean/waves/fft.h"
 
 namespace seascape {
-
-// A push on the water with the profile exp(-pi^2 r^2 / length^2) (Darmon, Benzaquen and Raphael 2014).
-struct WaveSource {
-  glm::dvec2 place_m{0.0};  // its middle at the end of the time that is advanced by
-  glm::dvec2 velocity_mps{0.0};
-  double length_m = 1.0;
-  double head_m = 0.0;    // pressure on its middle, in metres of water
-  double rise_mps = 0.0;  // water that is added there (above 0) or taken away, as a speed of the level
-};
 
 // What lengths of waves a level carries, in texels: all from 8 to 12 on, fading in, to 16 to 24, fading out as the next
 // level's fade in; the coarsest to a quarter of its window. Weights of neighbouring levels are 1 in sum, so that a wave
@@ -70,31 +62,22 @@ class WaveLevel {
     return modes_;
   }
   std::span<const std::complex<double>> modes() const { return modes_; }
+  SourceSums& sums() { return sums_; }
   std::span<const double> share() const { return share_; }
   std::span<const double> frequency() const { return frequency_; }
 
  private:
   void turn_table(double dt, double damping_per_s);
-  void add_pressure(LodIndex first, std::span<const float> head_m, bool& heads);
-  // What sources come to in wave numbers, each a product of its two axes: a few sources at a time, so that all they
-  // need stays in the cache while every row of waves takes them.
-  struct Sources {
-    std::vector<double> x_re, x_im, z_re, z_im;  // [source][m + band / 2]
-    std::vector<double> head, rise;              // strengths
-    std::vector<double> row_re, row_im;
-  };
-  void add_sources(std::span<const WaveSource> sources, double dt, LodIndex first, bool& heads, bool& rises);
-  bool gather(const WaveSource& source, double dt, LodIndex first);
-  void spread(bool& heads, bool& rises);
-  void mirror(std::vector<std::complex<double>>& list) const;
+  void add_pressure(LodIndex first, std::span<const float> head_m);
   int n_, band_;
   double texel_m_ = 0.0, depth_m_ = 0.0, longest_speed_ = 0.0, table_dt_ = -1.0, table_damping_ = -1.0;
   bool still_ = true;
   FftPlan to_texels_, to_waves_;
-  std::vector<std::complex<double>> modes_, turn_, half_turn_, head_, rise_;
+  std::vector<std::complex<double>> modes_, turn_, half_turn_;
   std::vector<double> share_, frequency_;
   std::vector<int> row_first_, row_end_;  // of the waves that a row carries, in whole groups of 8
-  Sources sources_;
+  SourceSums sums_;
+  SourceWaves pushed_;
   mutable std::vector<float> re_, im_, spectrum_re_, spectrum_im_, workspace_;
 };
 

@@ -1,5 +1,6 @@
 #include "ocean/places/wave_level_simd.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
@@ -61,6 +62,28 @@ void products(double* to, std::ptrdiff_t count, const double* of_re, const doubl
   }
 }
 
+void outer_product(float* to, std::ptrdiff_t n, std::ptrdiff_t stride, const TexelPatch& patch, const float* of_x,
+                   const float* of_z, float by) {
+  const Lanes d;
+  // Whole groups of 16, the first from a multiple of it.
+  const std::ptrdiff_t begin = patch.x_first / 16 * 16,
+                       past = std::min(std::ptrdiff_t(patch.x_first) + patch.x_count, begin + n),
+                       end = std::min(past, n), wrapped = past - n;
+  for (std::ptrdiff_t j = 0; j < patch.z_count; ++j) {
+    const std::ptrdiff_t z = (patch.z_first + j) % n;
+    float* row = to + z * stride;
+    const auto across = hn::Set(d, by * of_z[z]);
+    const auto add = [&](std::ptrdiff_t x) HWY_ATTR {
+      hn::StoreU(hn::Add(hn::LoadU(d, row + x), hn::Mul(across, hn::LoadU(d, of_x + x))), d, row + x);
+    };
+    constexpr std::ptrdiff_t group = 16;
+    for (std::ptrdiff_t x = begin; x < end; x += group)
+      for (std::ptrdiff_t i = 0; i < group; i += std::ptrdiff_t(hn::Lanes(d))) add(x + i);
+    for (std::ptrdiff_t x = 0; x < wrapped; x += group)
+      for (std::ptrdiff_t i = 0; i < group; i += std::ptrdiff_t(hn::Lanes(d))) add(x + i);
+  }
+}
+
 void multiply(float* re, float* im, std::ptrdiff_t n, std::ptrdiff_t stride, const float* along_x, const float* along_z,
               const float* open) {
   const Lanes d;
@@ -89,6 +112,7 @@ namespace seascape {
 HWY_EXPORT(to_floats);
 HWY_EXPORT(add_modes);
 HWY_EXPORT(products);
+HWY_EXPORT(outer_product);
 HWY_EXPORT(multiply);
 
 void floats_from_modes(std::span<const std::complex<double>> modes, float* re, float* im) {
@@ -110,6 +134,12 @@ void add_products(std::span<std::complex<double>> to, std::span<const double> of
   HWY_DYNAMIC_DISPATCH(products)
   (reinterpret_cast<double*>(to.data()), std::ptrdiff_t(to.size()), of_re.data(), of_im.data(),
    std::ptrdiff_t(of_re.size()), along_re, along_im, stride);
+}
+
+void add_outer_product(float* to, int n, int stride, const TexelPatch& patch, const float* of_x, const float* of_z,
+                       float by) {
+  assert(n % 16 == 0);
+  HWY_DYNAMIC_DISPATCH(outer_product)(to, n, stride, patch, of_x, of_z, by);
 }
 
 void multiply_by_loss(float* re, float* im, int n, int stride, const float* along_x, const float* along_z,

@@ -18,11 +18,10 @@ double wet_height(double depth_m) {
 }
 
 // A source that gives so much water a second (m^3/s): its profile exp(-pi^2 r^2 / length^2) has an area of length^2 /
-// pi. What gives it at a depth raises the surface by exp(-k depth) of it (Airy 1845).
+// pi.
 WaveSource source(const glm::dvec2& at_m, const glm::dvec2& velocity_mps, double flow_m3ps, double depth_m,
                   double length) {
-  const double reaches = std::exp(-2.0 * pi / length * std::max(0.0, depth_m));
-  return {at_m, velocity_mps, length, 0.0, flow_m3ps * reaches * pi / (length * length)};
+  return {at_m, velocity_mps, length, 0.0, flow_m3ps * pi / (length * length), depth_m};
 }
 
 }  // namespace

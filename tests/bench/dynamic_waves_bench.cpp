@@ -71,8 +71,43 @@ BENCHMARK(dynamic_waves)
     ->Args({256, 5, 1})
     ->Args({256, 7, 1})
     ->Args({512, 5, 1})
-    ->Args({256, 5, 10})
-    ->Args({256, 5, 100})
+    ->Iterations(60)
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+
+// What sources add to a step of 6 windows: resolution, sources, and how they are summed (0 wave by wave, 1 through a
+// texture, 2 as the program does), on so many threads. They lie around the viewer as the stations of boats' hulls do.
+void wave_sources(benchmark::State& state) {
+  DynamicWavesSettings s;
+  s.windows.resolution = int(state.range(0));
+  s.idle_m = 0.0;
+  DynamicWaves waves(s), without(s);
+  std::vector<WaveSource> sources;
+  for (int i = 0; i < int(state.range(1)); ++i)
+    sources.push_back({.place_m = {0.3 * (i % 32) - 4.5, 0.3 * (i / 32 % 32) - 4.5},
+                       .velocity_mps = {1.0, 0.0},
+                       .length_m = 1.0,
+                       .rise_mps = 0.02 * (i % 3 - 1.5),
+                       .depth_m = i % 2 == 0 ? 0.3 : 0.0});
+  for (int i = 0; i < waves.levels(); ++i) waves.level(i).sums().by = state.range(2) == 2 ? -1 : int(state.range(2));
+  const LodPlacement placement = lod_placement(s.windows, {0.0, 0.0}, {});
+  double step = 1e30, still = 1e30;
+  tbb::task_arena arena(int(state.range(3)));
+  arena.execute([&] {
+    without.advance(1.0 / s.rate_hz, placement, {sources.data(), 1});
+    waves.advance(1.0 / s.rate_hz, placement, sources);
+    for (auto _ : state) {
+      take(step, [&] { waves.advance(1.0 / s.rate_hz, placement, sources); });
+      take(still, [&] { without.advance(1.0 / s.rate_hz, placement, {}); });
+    }
+  });
+  state.counters["step_us"] = step;
+  state.counters["sources_us"] = step - still;
+}
+BENCHMARK(wave_sources)
+    ->ArgNames({"n", "sources", "by", "threads"})
+    ->ArgsProduct({{128, 256}, {1, 2, 4, 8, 10}, {0, 1}, {1}})
+    ->ArgsProduct({{128, 256}, {1, 10, 100, 1000}, {2}, {1, 2}})
     ->Iterations(60)
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();

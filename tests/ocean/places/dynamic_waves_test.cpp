@@ -252,7 +252,7 @@ TEST(DynamicWaves, WhatIsNoNumberIsRefusedOrGone) {
   const WaveSource good{.place_m = {0.0, 0.0}, .length_m = 3.0, .rise_mps = 0.1};
   waves.advance(0.1, placement, {&good, 1});
   const double before = waves.energy_m2();
-  for (int i = 0; i < 7; ++i) {
+  for (int i = 0; i < 8; ++i) {
     WaveSource bad = good;
     const double nan = i % 2 ? std::nan("") : std::numeric_limits<double>::infinity();
     (i == 0   ? bad.place_m.x
@@ -261,6 +261,7 @@ TEST(DynamicWaves, WhatIsNoNumberIsRefusedOrGone) {
      : i == 3 ? bad.velocity_mps.y
      : i == 4 ? bad.length_m
      : i == 5 ? bad.head_m
+     : i == 6 ? bad.depth_m
               : bad.rise_mps) = nan;
     const WaveSource two[] = {good, bad};
     EXPECT_NE(test::error_of([&] { waves.advance(0.1, placement, two); }).find("source 1"), std::string::npos) << i;
@@ -326,18 +327,19 @@ TEST(DynamicWaves, hard_32_calm_water_stays_calm) {
   EXPECT_FALSE(waves.take_fault());
 }
 
-// The same inputs give the same bits, on one thread and on many. Control seen: a level's first wave pushed by the
-// number of calls of the whole process (no run the same).
+// The same inputs give the same bits, on one thread and on many, summed wave by wave or through a texture. Control
+// seen: a level's first wave pushed by the number of calls of the whole process (no run the same).
 TEST(DynamicWaves, SameInputsGiveTheSameBits) {
   const DynamicWavesSettings s = quiet(64, 3, 0.25);
-  const auto run = [&](int threads) {
+  const auto run = [&](int threads, int count) {
     DynamicWaves waves(s);
     tbb::task_arena arena(threads);
     arena.execute([&] {
       for (int i = 0; i < 90; ++i) {
-        const WaveSource sources[] = {
-            {.place_m = {0.05 * i, 0.3}, .velocity_mps = {3.0, 0.0}, .length_m = 2.0, .head_m = 0.1},
-            {.place_m = {-1.0, 0.02 * i}, .length_m = 3.0, .rise_mps = 0.2}};
+        std::vector<WaveSource> sources{
+            {.place_m = {0.05 * i, 0.3}, .velocity_mps = {3.0, 0.0}, .length_m = 2.0, .head_m = 0.1}};
+        for (int j = 1; j < count; ++j)
+          sources.push_back({.place_m = {-1.0 * j, 0.02 * i}, .length_m = 3.0, .rise_mps = 0.2, .depth_m = 0.1 * j});
         waves.advance(1.0 / 72.0, lod_placement(s.windows, {0.04 * i, 0.0}, {}), sources);
       }
     });
@@ -346,9 +348,11 @@ TEST(DynamicWaves, SameInputsGiveTheSameBits) {
       all.insert(all.end(), waves.level(i).modes().begin(), waves.level(i).modes().end());
     return all;
   };
-  const std::vector<Complex> one = run(1);
-  EXPECT_EQ(one, run(1));
-  EXPECT_EQ(one, run(4));
+  for (const int count : {2, 30}) {
+    const std::vector<Complex> one = run(1, count);
+    EXPECT_EQ(one, run(1, count));
+    EXPECT_EQ(one, run(4, count));
+  }
 }
 
 // Each check was taken out in turn: "nothing was thrown".

@@ -30,11 +30,25 @@ std::vector<WaveSource> sources_of(int count, double side_m) {
   return sources;
 }
 
-std::vector<std::complex<double>> pushed(int samples, std::span<const WaveSource> sources) {
+// `by` as SourceSums has it.
+std::vector<std::complex<double>> pushed(int samples, std::span<const WaveSource> sources, int by) {
   WaveLevel level(samples);
+  level.sums().by = by;
   level.shape(0.25, false, 9.81, 5.0);
   level.turn(1.0 / 60.0, 0.1, {0, 0}, sources);
   return {level.modes().begin(), level.modes().end()};
+}
+
+double highest_of(std::span<const std::complex<double>> waves) {
+  double highest = 0.0;
+  for (const std::complex<double>& one : waves) highest = std::max(highest, std::abs(one));
+  return highest;
+}
+
+double farthest(std::span<const std::complex<double>> one, std::span<const std::complex<double>> other) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) worst = std::max(worst, std::abs(one[i] - other[i]));
+  return worst;
 }
 
 // However many push at once, the waves are the sum of those of each alone. Control seen: the last sources forgotten
@@ -43,30 +57,60 @@ TEST(WaveLevel, OfManySourcesIsTheSumOfEach) {
   for (const int samples : {64, 128})
     for (const int count : {1, 15, 16, 17, 40}) {
       const std::vector<WaveSource> sources = sources_of(count, 0.25 * samples);
-      const auto together = pushed(samples, sources);
+      const auto together = pushed(samples, sources, 0);
       std::vector<std::complex<double>> sum(together.size());
       for (const WaveSource& one : sources) {
-        const auto alone = pushed(samples, {&one, 1});
+        const auto alone = pushed(samples, {&one, 1}, 0);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += alone[i];
       }
-      double highest = 0.0, worst = 0.0;
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        highest = std::max(highest, std::abs(sum[i]));
-        worst = std::max(worst, std::abs(sum[i] - together[i]));
-      }
+      const double highest = highest_of(sum);
       EXPECT_GT(highest, 1e-8);
-      EXPECT_LE(worst, 1e-12 * highest) << samples << " texels, " << count << " sources";
+      EXPECT_LE(farthest(sum, together), 1e-12 * highest) << samples << " texels, " << count << " sources";
     }
 }
 
-// Sources are taken in memory that is there: a shower is a thousand of them a step. Control seen: two lists for each
-// (74 allocations).
+// Through the texture that sources share, each wave is that of the plain sum within 5e-7 of the strongest source's,
+// wherever in the window they lie, across its wrapped edges too, long or short, deep or not, heads alone and rises
+// alone. Controls: a widening that is not undone; texels that do not wrap around; profiles cut off at exp(-9);
+// rises that are not parted from heads. All seen.
+TEST(WaveLevel, SourcesShareATextureAndLoseNothing) {
+  for (const int samples : {64, 128, 256})
+    for (int kind = 0; kind < 5; ++kind) {
+      std::vector<WaveSource> sources = sources_of(kind == 0 ? 1 : 40, 0.25 * samples);
+      for (std::size_t i = 0; i < sources.size(); ++i) {
+        WaveSource& s = sources[i];
+        s.place_m += 0.3 * 0.25 * samples * glm::dvec2(double(i % 2) - 1.0, double(i % 3) * 0.5);
+        if (kind == 1) s.head_m = 0.0;
+        if (kind == 2) s.rise_mps = 0.0;
+        if (kind == 3) s.length_m = i % 2 ? 0.01 : 12.0 + 0.2 * double(i);
+        if (kind == 4) s.depth_m = 0.1 * double(i);
+      }
+      // Windows around them, not beginning at 0.
+      WaveLevel one_by_one(samples), shared(samples);
+      for (WaveLevel* level : {&one_by_one, &shared}) {
+        level->shape(0.25, kind % 2 == 0, 9.81, 5.0);
+        level->sums().by = level == &shared;
+        level->turn(1.0 / 60.0, 0.1, {-samples / 4, samples / 16}, sources);
+      }
+      double strongest = 0.0;
+      for (const WaveSource& s : sources)
+        strongest = std::max(strongest, s.length_m * s.length_m / (std::numbers::pi * 0.0625 * samples * samples) *
+                                            std::max(std::abs(s.head_m), std::abs(s.rise_mps) / 60.0));
+      EXPECT_GT(highest_of(one_by_one.modes()), 1e-3 * (kind == 3 ? 1e-6 : 1.0) * strongest);
+      const double off = farthest(one_by_one.modes(), shared.modes());
+      EXPECT_LE(off, 5e-7 * strongest) << samples << " texels, kind " << kind;
+      EXPECT_GT(off, 0.0) << "the two are two ways";
+    }
+}
+
+// Sources are taken in memory that is there: a shower is a thousand of them a step. Control seen: a list of their own
+// each step (1 allocation).
 TEST(WaveLevel, PushesWithoutAllocating) {
   if (!test::AllocationCounter::counts) GTEST_SKIP() << "nothing is counted";
   const std::vector<WaveSource> sources = sources_of(40, 16.0);
   WaveLevel level(64);
   level.shape(0.25, false, 9.81, 5.0);
-  level.turn(1.0 / 60.0, 0.1, {0, 0}, {sources.data(), 1});
+  level.turn(1.0 / 60.0, 0.1, {0, 0}, sources);
   const test::AllocationCounter allocations;
   level.turn(1.0 / 60.0, 0.1, {0, 0}, sources);
   EXPECT_EQ(allocations.ours(), 0u);
@@ -100,6 +144,32 @@ TEST(WaveLevel, ASourceIsAGaussianInEveryWaveItCarries) {
       carried += level.share()[at] > 0.0;
     }
   EXPECT_GT(carried, 600);
+}
+
+// Of water given at a depth, each wave has exp(-k depth) of it (Airy 1845): within 0.7 % of all of it in a level's
+// octave, within 4 % in the coarsest of 256 texels a side. Controls: one term where two are asked for
+// (4 % and 17 %); half the width; both seen.
+TEST(WaveLevel, WhatActsAtADepthRaisesLongWavesMore) {
+  for (const bool coarsest : {false, true}) {
+    const double bound = coarsest ? 0.04 : 0.007;
+    double worst = 0.0;
+    for (const double depth_m :
+         {-1.0, 0.0, 0.003, 0.02, 0.05, 0.1, 0.15, 0.25, 0.4, 0.7, 1.0, 1.5, 2.5, 4.0, 8.0, 20.0}) {
+      WaveSource source{.place_m = {31.3, 33.9}, .length_m = 1e-3, .rise_mps = 1.0, .depth_m = depth_m};
+      WaveLevel deep(256), shallow(256);
+      for (WaveLevel* level : {&deep, &shallow}) {
+        level->shape(0.25, coarsest, 9.81, 1e6);
+        level->turn(1.0 / 60.0, 0.0, {0, 0}, {&source, 1});
+        source.depth_m = 0.0;
+      }
+      for (std::size_t i = 0; i < deep.modes().size(); ++i) {
+        if (!(deep.share()[i] > 0.01)) continue;
+        const double w = deep.frequency()[i], felt = std::exp(-w * w / 9.81 * std::max(depth_m, 0.0));
+        worst = std::max(worst, std::abs(deep.modes()[i] / shallow.modes()[i] - felt));
+      }
+    }
+    EXPECT_LT(worst, bound) << coarsest;
+  }
 }
 
 }  // namespace
