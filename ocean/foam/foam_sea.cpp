@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/inputs/soft_edge.h"
+#include "ocean/foam/foam_rows.h"
 #include "ocean/places/jump_steps.h"
 #include "ocean/places/place_fields.h"
 
@@ -19,12 +19,6 @@ constexpr double settling_step_s = 0.25;
 // A step is over when this share of the time until the next one has gone. It starts one frame after it is due: in that
 // frame spray takes its whole step.
 constexpr double step_share = 2.0 / 3.0;
-// Empties a list that is to hold as many at most, so that no later row makes it grow.
-template <class T>
-void with_room(std::vector<T>& list, std::size_t most) {
-  list.clear();
-  list.reserve(most);
-}
 // A shore foams in full where the significant height of its waves (4 deviations) is a fifth of the depth that foams.
 constexpr float wash_heights = 4.0f / 0.2f;
 // Rows refreshed per update after the water changes; at most 3 ms.
@@ -54,9 +48,13 @@ FoamSea::FoamSea(const FoamSpec& spec, Sea& sea, std::shared_ptr<const ShoreLine
 }
 
 void FoamSea::take_flow() {
-  foam_.set_flow([this](glm::dvec2 place,
-                        double texel) { return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz); },
-                 spec_.flow->still());
+  for (Foam* foam : {&foam_, trail_ ? &*trail_ : nullptr})
+    if (foam)
+      foam->set_flow(
+          [this](glm::dvec2 place, double texel) {
+            return flow_at(spec_, place, texel, double(tick_) / spec_.settings.rate_hz);
+          },
+          spec_.flow->still());
 }
 
 void FoamSea::take_sea() {
@@ -89,7 +87,8 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
   if ((waves || wakes) && s.breaking > 0.0) add_breaking(row, per_s, time_s, waves, wakes, moved);
   if (still_water_) add_shores(row, per_s, moved);
   if (spec_.inputs && !spec_.inputs->empty()) add_inputs(row, per_s, time_s, moved);
-  if (!discs_.empty()) add_discs(row, per_s, moved);
+  if (!discs_.empty()) add_discs(row, per_s, moved, discs_);
+  if (trail_) add_trail(row, per_s);
 }
 
 void FoamSea::add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves,
@@ -199,23 +198,6 @@ void FoamSea::add_shores(const FoamRow& row, std::span<float> per_s, Moved along
   }
 }
 
-// Where the water of some of a row's texels stands, in the world; until the next call of this thread.
-std::span<const glm::dvec2> FoamSea::standing(const FoamRow& row, std::span<const int> texels, Moved along) const {
-  thread_local std::vector<glm::dvec2> places;
-  thread_local std::vector<glm::vec3> displaced;
-  const auto most = std::size_t(foam_.field().side());
-  with_room(places, most), with_room(displaced, most);
-  for (const int i : texels) places.push_back(row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0));
-  displaced.resize(places.size());
-  breaking_.displace(row.slice, places, displaced);
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    glm::dvec3 d(displaced[n]);
-    if (!along.empty()) d += along[std::size_t(texels[n])].displacement;
-    places[n] += glm::dvec2(d.x, d.z);
-  }
-  return places;
-}
-
 double FoamSea::largest_shift_m() const { return shift_m() + (shore_ ? shore_->largest_shift_m() : 0.0); }
 
 void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along) {
@@ -243,40 +225,11 @@ void FoamSea::add_inputs(const FoamRow& row, std::span<float> per_s, double time
   }
 }
 
-// Discs cover what they do of a texel's side, as inputs do.
-void FoamSea::add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const {
-  struct Near {
-    const FoamDisc* disc;
-    double per_s, reach_m;
-  };
-  thread_local std::vector<Near> near;
-  near.clear();
-  for (const FoamDisc& disc : discs_) {
-    const double reach = disc.radius_m + soft_reach(disc.feather_m, row.texel_m) + largest_shift_m();
-    if (std::abs(disc.at_m.y - row.first_m.y) < reach)
-      near.push_back({&disc, disc.per_s * disc_factor(disc.radius_m, disc.feather_m, row.texel_m), reach});
-  }
-  if (near.empty()) return;
-  thread_local std::vector<int> texels;
-  with_room(texels, per_s.size());
-  for (std::size_t i = 0; i < per_s.size(); ++i) {
-    const double x = row.first_m.x + double(i) * row.texel_m;
-    if (std::any_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))
-      texels.push_back(int(i));
-  }
-  const std::span<const glm::dvec2> places = standing(row, texels, along);
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    for (const Near& n : near)
-      per_s[std::size_t(texels[i])] +=
-          float(n.per_s *
-                soft_share(n.disc->radius_m - glm::distance(places[i], n.disc->at_m), n.disc->feather_m, row.texel_m));
-}
-
 bool FoamSea::any_source(bool wakes) const {
   const FoamSettings& s = spec_.settings;
   return (s.breaking > 0.0 && ((s.simulated && breaking_.ever()) || wakes)) ||
-         (spec_.inputs && !spec_.inputs->empty()) || !discs_.empty() ||
-         (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
+         (spec_.inputs && !spec_.inputs->empty()) || !discs_.empty() || !lasting_.empty() ||
+         (trail_ && trail_->any()) || (still_water_ && (s.shore_per_s > 0.0 || s.breaking > 0.0));
 }
 
 void FoamSea::begin_step() {
@@ -288,6 +241,7 @@ void FoamSea::begin_step() {
   wakes_ = sea_.dynamic_waves() != nullptr && !settling_;
   discs_.clear();
   if (!settling_) sea_.foam().append(step_time_s() - step_s_, step_time_s(), discs_);
+  take_lasting();
   gains_ = any_source(wakes_);
   if (coarse_left_ > 0)
     --coarse_left_;
@@ -297,6 +251,7 @@ void FoamSea::begin_step() {
 
 std::uint32_t FoamSea::step_slice(int slice) {
   ++slices_stepped_;
+  step_trail(slice);
   if (!gains_) return foam_.step_slice(slice, step_s_, nullptr);
   const DynamicSurface* pressed = wakes_ ? breaking_.view().dynamic() : nullptr;
   const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, step_time_s(), pressed); };
@@ -319,6 +274,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   const LodPlacement placement = lod_placement(s.windows, {viewer.x, viewer.z}, lod_scale(s.windows, viewer.y));
   changed_ = foam_.follow(placement, fresh_);
   if (spared_) spared_->follow(placement);
+  if (trail_) trail_->follow(placement, 0.0f);
   follow(placement, now);
   if (jumps && !anew) go_on(now);
   due_ = now;
@@ -326,6 +282,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   steps_left_ = std::min<std::int64_t>(now - tick_, most_steps);
   if (!anew) return;
   begun_ = first_ = true;
+  trail_.reset();
   changed_ |= (1u << s.windows.slices) - 1u;
   foam_.fill(0.0f);
   // Long steps first, then those of the rate.

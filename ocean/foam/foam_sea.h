@@ -47,6 +47,8 @@ bool keeps_foam(const FoamSpec& spec, bool shores, bool wakes, bool actors);
 // Inputs join, by their blends, the gain that is there of breaking waves and shores. What they leave of the gain of a
 // breaking wave they leave of the whitecaps that are drawn while waves break (spared()).
 //
+// What actors make lasting is kept besides, and foam falls to that instead of to none.
+//
 // Shores take the water's height above the bed beneath its rest position: the edge of the foam runs up and down with
 // the waves.
 class FoamSea {
@@ -104,7 +106,10 @@ class FoamSea {
                     Moved along) const;
   void add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const;
   void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along);
-  void add_discs(const FoamRow& row, std::span<float> per_s, Moved along) const;
+  void add_discs(const FoamRow& row, std::span<float> per_s, Moved along, std::span<const FoamDisc> discs) const;
+  void take_lasting();
+  void step_trail(int slice);
+  void add_trail(const FoamRow& row, std::span<float> per_s) const;
   void take_flow();
   std::span<const glm::dvec2> standing(const FoamRow& row, std::span<const int> texels, Moved along) const;
   double largest_shift_m() const;
@@ -117,7 +122,8 @@ class FoamSea {
   std::optional<LodField<glm::vec3>> still_water_;  // depth (m), share of the waves' height, surf; none without a bed
   std::optional<FoamShore> shore_;                  // none where no waves run along curves
   std::optional<LodField<float>> spared_;
-  std::vector<FoamDisc> discs_;  // of actors, in the step that runs
+  std::vector<FoamDisc> discs_, lasting_;  // of actors, in the step that runs
+  std::optional<Foam> trail_;              // what lasts of them, below foam_; none until something makes one
   float fresh_ = 0.0f;
   double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
   std::int64_t next_ticks() const;

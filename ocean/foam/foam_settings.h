@@ -22,6 +22,10 @@ struct FoamSettings {
 // The share of the water that foam comes to cover in a second where it breaks all over.
 inline constexpr double foam_breaking_per_s = 2.0;
 
+// In which the trail behind a hull falls to 1/e: fine bubbles that stay 30 to 60 s behind small boats, and minutes
+// behind ships.
+inline constexpr double foam_trail_life_s = 45.0;
+
 // Throws Error naming the setting.
 void validate(const FoamSettings& settings);
 

@@ -12,6 +12,7 @@ struct FoamDisc {
   double radius_m = 1.0;
   double per_s = 1.0;      // share of its water that foam comes to cover in a second
   double feather_m = 0.0;  // width of its soft edge, which lies inside
+  bool lasting = false;    // it stays as a ship's trail does (foam_trail_life_s), not as a whitecap
 };
 
 inline constexpr std::size_t most_foam_discs = 256;  // in one step of the sea

@@ -3,7 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <vector>
 
+#include "ocean/bodies/hull_wake.h"
 #include "tests/support/body_waves.h"
 
 namespace seascape {
@@ -54,6 +56,34 @@ void step(benchmark::State& state) {
 BENCHMARK(step)
     ->Name("bodies/step")
     ->ArgsProduct({{0, 1, 2}, {1, 10, 100, 1000}})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+
+// The sources of hulls of so many sections, on waves of a formula, each hull of 300 triangles.
+void wakes(benchmark::State& state) {
+  const HullWake wake(test::wigley_hull(6.0, 2.0, 0.6, 0.5, 12, 5), int(state.range(0)));
+  HullMotion motion;
+  motion.velocity = {{0.3, 0.1, -4.0}, {0.1, 0.05, 0.0}};
+  std::vector<HullSection> cut(std::size_t(wake.sections()));
+  std::vector<WaveSource> sources;
+  for (auto _ : state) {
+    sources.clear();
+    for (int i = 0; i < int(state.range(1)); ++i) {
+      motion.pose.centre_m.x = 10.0 * i;
+      wake.cut(
+          motion, [](const glm::dvec2& at) { return 0.1 * (at.x * 0.1 - std::floor(at.x * 0.1)); }, cut);
+      wake.add_sources(motion, cut, 1.0, sources);
+    }
+    benchmark::DoNotOptimize(sources.data());
+  }
+  state.counters["sources"] = double(sources.size());
+  state.counters["time/hull"] = benchmark::Counter(double(state.iterations()) * double(state.range(1)),
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(wakes)
+    ->Name("bodies/wakes")
+    ->ArgNames({"sections", "hulls"})
+    ->ArgsProduct({{12, 20}, {1, 10, 100, 1000}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 
