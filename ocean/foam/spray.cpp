@@ -7,35 +7,14 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "engine/require.h"
+#include "ocean/foam/spray_chance.h"
 #include "ocean/places/jump_steps.h"
 #include "ocean/waves/spectrum.h"
 
 namespace seascape {
-
-// Numbers of a place and a step of their own (SplitMix64: Steele, Lea and Flood 2014).
-class Spray::Chance {
- public:
-  explicit Chance(std::uint64_t key) : key_(key) {}
-  Chance of(std::int64_t part) const { return Chance(mixed(key_ ^ mixed(std::uint64_t(part) + golden))); }
-  double next() { return double(mixed(key_ += golden) >> 11) * 0x1p-53; }  // in [0, 1)
-  double normal() {
-    const double r = std::sqrt(-2.0 * std::log(1.0 - next()));
-    return r * std::cos(2.0 * std::numbers::pi * next());
-  }
-
- private:
-  static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t key_;
-};
 
 namespace {
 
@@ -46,18 +25,11 @@ constexpr double place_texel_m = 1.0;               // for which the still water
 constexpr double fine_m = 0.25, least_m = 0.05;  // footprint of what breaks; height above the water where a puff begins
 constexpr double least_wind_mps = 7.0, usual_wind_mps = 15.0;
 constexpr double gust_s = 0.5, most_gust = 4.0;
-constexpr double finest_m = 6e-5, coarsest_m = 2e-3, seen_from_m = 5e-4,
-                 seen_by_m = 1.2e-3;      // diameters; of drops that are told apart
 constexpr double full_share = 2.0 / 3.0;  // of the range in which nothing is thinned
 // Half of a puff's size over its distance: to where all of it is seen, and from where nothing. Mist that is nearer lies
 // about the eye and not before it.
 constexpr double full_to = 0.1, seen_to = 0.3;
 constexpr double most_streak = 4.0;  // half of the way that a puff is drawn out along, in its radii
-
-double smooth(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 // The trials of a cell in a step: as many as its puffs would be if all of it broke, more while a gust passes.
 using Chance = Spray::Chance;
@@ -209,11 +181,12 @@ double Spray::cell_share(const Cell& c, const glm::dvec3& viewer, const WaveFiel
   const SeaSample sea = breaking_.field().sea(breaking_.tiles(), rest, coarse);
   const glm::dvec3 d = sea.displacement;
   const double height = 4.0 * std::sqrt(sea_.statistics().height_variance);
-  const double out = height > 0.0 ? smooth(0.0, 0.2, d.y / height) * (1.0 - smooth(0.75, 1.0, sea.jacobian())) : 0.0;
+  const double out =
+      height > 0.0 ? smooth_between(0.0, 0.2, d.y / height) * (1.0 - smooth_between(0.75, 1.0, sea.jacobian())) : 0.0;
   if (!(out > 0.0)) return 0.0;
   const double still = water({rest.x + d.x, rest.y + d.z}).height_m;
   const double distance = glm::length(glm::dvec3(rest.x + d.x, still + d.y, rest.y + d.z) - viewer);
-  return out * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m));
+  return out * (1.0 - smooth_between(full_share, 1.0, distance / settings_.range_m));
 }
 
 StillWater Spray::water(glm::dvec2 place) const { return breaking_.view().still_water(place, place_texel_m); }
@@ -293,8 +266,8 @@ void Spray::throw_up(std::int64_t tick, const glm::dvec3& viewer) {
         p.velocity_mps.y = water.y + up * (0.6 + 0.4 * chance.next());
         p.rising_mps = p.velocity_mps.y - water.y;
         p.eddy_mps = eddy + this->eddy(chance, 0.8);
-        p.diameter_m = finest_m * std::pow(coarsest_m / finest_m, std::pow(chance.next(), 1.5));
-        p.drops = smooth(seen_from_m, seen_by_m, p.diameter_m);
+        p.diameter_m = finest_drop_m * std::pow(coarsest_drop_m / finest_drop_m, std::pow(chance.next(), 1.5));
+        p.drops = smooth_between(drop_seen_from_m, drop_seen_by_m, p.diameter_m);
         p.radius_m = settings_.size * (1.0 - 0.65 * p.drops) * (0.16 + 0.2 * chance.next());
         p.life_s = settings_.life_s * (0.35 + 0.65 * chance.next());
         p.shape = chance.next();
@@ -310,9 +283,11 @@ void Spray::step() {
   const double time_s = double(++tick_) / settings_.rate_hz;
   feel_wind();
   const bool throws = per_m2_s() > 0.0 && std::abs(viewer_.y) < settings_.range_m + sea_.statistics().largest_height_m;
-  if (!throws && puffs_.empty()) return;
+  take_throws(time_s);
+  if (!throws && puffs_.empty() && throws_.empty()) return;
   breaking_.evaluate(ticks_from_seconds(time_s));
   land();
+  throw_made(tick_);
   if (!throws) return;
   find_breakers(tick_, viewer_);
   throw_up(tick_, viewer_);
@@ -359,14 +334,14 @@ std::optional<gpu::SprayPuff> Spray::seen(const Puff& puff, double since, const 
                closer = p.radius_m / radius, thin = closer * std::sqrt(closer);
   // Half of how long an eye's picture is of; the wind draws mist out along its way by more than that, and eddies tear
   // it before it is a line.
-  const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth(0.0, 0.5, p.age_s),
+  const double seen_for_s = 0.02 + 0.05 * (1.0 - p.drops) * smooth_between(0.0, 0.5, p.age_s),
                way = seen_for_s * glm::length(p.velocity_mps);
   const glm::dvec3 streak = seen_for_s * std::min(most_streak * radius / std::max(way, 1e-9), 1.0) * p.velocity_mps;
   const double across = glm::length(glm::cross(streak, from)) / std::max(distance, 1e-9);
   double hides = (0.4 + 0.4 * p.drops) * thin * (1.0 - old * old) * (1.0 - old * old);
-  hides *= smooth(0.0, 0.08, p.age_s) * (1.0 - smooth(full_share, 1.0, distance / settings_.range_m)) *
-           (1.0 - smooth(full_to, seen_to, (radius + across) / std::max(distance, 1e-9)));
-  if (p.rising_mps < 0.0) hides *= smooth(0.0, 0.2, p.above_m);
+  hides *= smooth_between(0.0, 0.08, p.age_s) * (1.0 - smooth_between(full_share, 1.0, distance / settings_.range_m)) *
+           (1.0 - smooth_between(full_to, seen_to, (radius + across) / std::max(distance, 1e-9)));
+  if (p.rising_mps < 0.0) hides *= smooth_between(0.0, 0.2, p.above_m);
   if (!(hides > 0.004)) return std::nullopt;
   return gpu::SprayPuff{glm::vec4(float(from.x), float(p.place_m.y), float(from.z), float(radius)),
                         glm::vec4(glm::vec3(streak), float(hides)), glm::vec2(float(p.shape), float(p.drops))};

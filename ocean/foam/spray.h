@@ -29,8 +29,9 @@ namespace seascape {
 // jumps by half the range, begin anew a life before: a moment has the very puffs of one that was come to step by step.
 // Where the sea goes on (Sea::go_on), what is aloft flies on, but for what such a viewer has left behind.
 //
-// Left out: spray that is thrown up without wind, as by surf; what flow and dynamic waves do to the water; splashes of
-// hulls.
+// What actors throw (SeaStep::spray) flies likewise, in any wind, from the step after they did.
+//
+// Left out: spray that is thrown up without wind, as by surf; what flow and dynamic waves do to the water.
 class Spray {
  public:
   struct Puff {
@@ -95,6 +96,8 @@ class Spray {
   double expected() const;  // puffs thrown together of a cell that breaks all over, in a step
   void find_breakers(std::int64_t tick, const glm::dvec3& viewer);
   void throw_up(std::int64_t tick, const glm::dvec3& viewer);
+  void take_throws(double time_s);
+  void throw_made(std::int64_t tick);
   // A cell of the world's grid around the viewer.
   struct Cell {
     std::int64_t x, z;
@@ -117,6 +120,11 @@ class Spray {
   void feel_wind();
   void lay_cells();
   std::vector<Puff> puffs_;
+  struct Thrown {
+    SprayThrow from;
+    double puffs;
+  };
+  std::vector<Thrown> throws_;  // of actors, in the step that runs
   std::vector<glm::dvec2> places_;
   std::vector<QueryAnswer> answers_;
   std::vector<std::uint8_t> aloft_;  // which of them stay in the air

@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "ocean/sea/step_made.h"
+
 namespace seascape {
 
 // Water around a place that foam comes to cover.
@@ -25,25 +27,17 @@ class ActorFoam {
   // Adds to the step that runs. Gives false, and leaves it out, where the step has no room for more or a number is out
   // of the range of inputs (1e7 m, 1e6 m, 100 a second).
   bool add(const FoamDisc& disc);
-  // The step ends, at end_s, that was length_s long.
-  void end_step(double end_s, double length_s);
-  // Steps are missing: what was before is no more.
-  void clear();
-  // Steps that ended before this time are not asked for any more.
-  void forget_before(double time_s);
+  // As StepMade does.
+  void end_step(double end_s, double length_s) { discs_.end_step(end_s, length_s); }
+  void clear() { discs_.clear(); }
+  void forget_before(double time_s) { discs_.forget_before(time_s); }
 
-  // Appends the discs of a step of foam, with what they give on average from `from_s` to `to_s`. Those of a step of the
-  // sea count from its end on for as long as it was, so that all of them are known in any frame at or after `to_s`.
+  // Appends the discs of a step of foam, with what they give on average from `from_s` to `to_s`.
   void append(double from_s, double to_s, std::vector<FoamDisc>& discs) const;
 
  private:
-  struct Kept {
-    double end_s, length_s;
-    FoamDisc disc;
-  };
   bool taken_;
-  std::vector<Kept> kept_;  // in order of their steps
-  std::size_t ended_ = 0;   // how many of them are of steps that have ended
+  StepMade<FoamDisc> discs_;
 };
 
 }  // namespace seascape

@@ -93,6 +93,7 @@ const SeaView& SeaStep::felt() {
 
 bool SeaStep::clip(const ClipBody& body) { return sea_.bodies_.add(*actor_, body); }
 bool SeaStep::foam(const FoamDisc& disc) { return sea_.foam_.add(disc); }
+bool SeaStep::spray(const SprayThrow& thrown) { return sea_.spray_.add(thrown); }
 
 void Sea::take_away(const SeaActor& actor) {
   bodies_.take_away(actor);
@@ -113,6 +114,7 @@ void Sea::step_actors(double end_s, double dt_s, std::vector<WaveSource>& presse
   }
   bodies_.end_step(end_s);
   foam_.end_step(end_s, dt_s);
+  spray_.end_step(end_s, dt_s);
 }
 
 void Sea::advance(double time_s, const glm::dvec3& viewer) {
@@ -127,9 +129,11 @@ void Sea::advance(double time_s, const glm::dvec3& viewer) {
   // Foam has been stepped up to the last advance, but for less than its longest step.
   constexpr double longest_foam_step_s = 1.0;
   foam_.forget_before(time_s_ - longest_foam_step_s - 2.0 / rate);
+  spray_.forget_before(time_s_ - longest_foam_step_s - 2.0 / rate);
   if (anew) {
     bodies_.hold();
     foam_.clear();
+    spray_.clear();
     for (const auto& actor : actors_) actor->hold();
   }
   begun_ = true;

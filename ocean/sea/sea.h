@@ -97,6 +97,7 @@ class Sea {
   std::shared_ptr<const ClipVolumes> clip_volumes() { return volumes_of(now()); }
   // The foam that actors made in the steps of the last advance and of a second before it.
   const ActorFoam& foam() const { return foam_; }
+  const ActorSpray& spray() const { return spray_; }  // likewise
   // What went wrong in the dynamic waves since the last call, once.
   std::optional<std::string> take_fault() { return dynamic_ ? dynamic_->take_fault() : std::nullopt; }
 
@@ -138,6 +139,7 @@ class Sea {
   std::vector<std::shared_ptr<SeaActor>> actors_;
   ActorBodies bodies_;
   ActorFoam foam_;
+  ActorSpray spray_;
   double time_s_ = 0.0;
   std::int64_t step_ = 0;  // the last that was taken, where there are no dynamic waves
   bool begun_ = false, goes_on_ = false;

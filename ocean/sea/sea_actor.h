@@ -7,6 +7,7 @@
 #include "ocean/places/wave_level.h"
 #include "ocean/sea/actor_bodies.h"
 #include "ocean/sea/actor_foam.h"
+#include "ocean/sea/actor_spray.h"
 #include "ocean/sea/sea_view.h"
 
 namespace seascape {
@@ -34,6 +35,9 @@ class SeaStep {
   // Foam comes to cover this disc while the step lasts, to be seen one step later. Gives false, and leaves it out,
   // where foam of actors is not kept (SeaSpec::actors_foam) or as ActorFoam::add() does.
   bool foam(const FoamDisc& disc);
+  // Puffs fly off while the step lasts, to be seen one step later, where there is spray. Gives false, and leaves it
+  // out, as ActorSpray::add() does.
+  bool spray(const SprayThrow& thrown);
 
  private:
   friend class Sea;
