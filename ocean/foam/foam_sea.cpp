@@ -73,7 +73,7 @@ float FoamSea::mean_cover() const {
   return float(gain / (gain + 1.0 / spec_.settings.life_s));
 }
 
-void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes) {
+void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const SeaView* pressed) {
   const FoamSettings& s = spec_.settings;
   const bool waves = s.simulated && s.breaking > 0.0 && breaking_.ever();  // or else what breaks is drawn while it does
   thread_local std::vector<FoamShore::Moved> along;
@@ -84,7 +84,7 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
                     flow_phase(time_s, spec_.place.flow_period_s), along))
       moved = along;
   }
-  if ((waves || wakes) && s.breaking > 0.0) add_breaking(row, per_s, time_s, waves, wakes, moved);
+  if ((waves || pressed) && s.breaking > 0.0) add_breaking(row, per_s, time_s, waves, pressed, moved);
   if (still_water_) add_shores(row, per_s, moved);
   if (spec_.inputs && !spec_.inputs->empty()) add_inputs(row, per_s, time_s, moved);
   if (!discs_.empty()) add_discs(row, per_s, moved, discs_);
@@ -92,7 +92,7 @@ void FoamSea::add_gain(const FoamRow& row, std::span<float> per_s, double time_s
 }
 
 void FoamSea::add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves,
-                           const DynamicSurface* wakes, Moved along) const {
+                           const SeaView* pressed, Moved along) const {
   thread_local std::array<std::vector<float>, 8> buffers;
   std::size_t used = 0;
   const auto buffer = [&](float value) {
@@ -124,17 +124,22 @@ void FoamSea::add_breaking(const FoamRow& row, std::span<float> per_s, double ti
     if (flows) water.flow_x = x, water.flow_z = z;
   }
   const glm::dvec2 viewer = foam_.field().placement().viewer;
+  const DynamicSurface* const dynamic = pressed ? pressed->dynamic() : nullptr;
+  const WakeSurface* const wakes = pressed ? pressed->wakes() : nullptr;
   double reach = 0.0;
-  for (int i = 0; wakes && i < wakes->levels(); ++i)
-    if (!wakes->still(i)) reach = double(wakes->windows(viewer).reach.y);
-  if (of_shore || std::abs(row.first_m.y - viewer.y) < reach) {
+  for (int i = 0; dynamic && i < dynamic->levels(); ++i)
+    if (!dynamic->still(i)) reach = double(dynamic->windows(viewer).reach.y);
+  const bool around = std::abs(row.first_m.y - viewer.y) < reach,
+             of_bodies = wakes && wakes->near(row.first_m, row.first_m + glm::dvec2(double(count) * row.texel_m, 0.0));
+  if (of_shore || around || of_bodies) {
     float *const xx = buffer(0.0f), *const zz = buffer(0.0f), *const xz = buffer(0.0f);
     bool moves = false;
     for (std::size_t i = 0; i < count; ++i) {
       const glm::dvec2 rest = row.first_m + glm::dvec2(double(i) * row.texel_m, 0.0);
       glm::dvec3 gradient(0.0);
       if (double(gpu::lod_distance(glm::vec2(rest - viewer))) < reach)
-        gradient = wakes->sea(rest, row.texel_m).shift_gradient;
+        gradient = dynamic->sea(rest, row.texel_m).shift_gradient;
+      if (of_bodies) gradient += wakes->sea(rest, row.texel_m).shift_gradient;
       if (of_shore) gradient += along[i].shift_gradient;
       xx[i] = float(gradient.x), zz[i] = float(gradient.y), xz[i] = float(gradient.z);
       moves = moves || gradient != glm::dvec3(0.0);
@@ -238,7 +243,7 @@ void FoamSea::begin_step() {
   step_s_ = double(ticks) / spec_.settings.rate_hz;
   stepped_ = 0;
   // Of the time that settles neither dynamic waves nor actors are known.
-  wakes_ = sea_.dynamic_waves() != nullptr && !settling_;
+  wakes_ = (sea_.dynamic_waves() != nullptr || sea_.wakes() != nullptr) && !settling_;
   discs_.clear();
   if (!settling_) sea_.foam().append(step_time_s() - step_s_, step_time_s(), discs_);
   take_lasting();
@@ -253,7 +258,8 @@ std::uint32_t FoamSea::step_slice(int slice) {
   ++slices_stepped_;
   step_trail(slice);
   if (!gains_) return foam_.step_slice(slice, step_s_, nullptr);
-  const DynamicSurface* pressed = wakes_ ? breaking_.view().dynamic() : nullptr;
+  const SeaView& view = breaking_.view();
+  const SeaView* const pressed = wakes_ && (view.dynamic() || view.wakes()) ? &view : nullptr;
   const auto gain = [&](const FoamRow& row, std::span<float> per_s) { add_gain(row, per_s, step_time_s(), pressed); };
   return foam_.step_slice(slice, step_s_, std::cref(gain));  // by reference: nothing is allocated
 }

@@ -101,8 +101,8 @@ class FoamSea {
   double step_time_s() const { return double(tick_) / spec_.settings.rate_hz; }
   void follow(const LodPlacement& placement, std::int64_t tick);
   using Moved = std::span<const FoamShore::Moved>;  // of a row's texels by waves along curves; empty: not at all
-  void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const DynamicSurface* wakes);
-  void add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves, const DynamicSurface* wakes,
+  void add_gain(const FoamRow& row, std::span<float> per_s, double time_s, const SeaView* pressed);
+  void add_breaking(const FoamRow& row, std::span<float> per_s, double time_s, bool waves, const SeaView* pressed,
                     Moved along) const;
   void add_shores(const FoamRow& row, std::span<float> per_s, Moved along) const;
   void add_inputs(const FoamRow& row, std::span<float> per_s, double time_s, Moved along);

@@ -1,5 +1,5 @@
 // Sampling the dynamic waves at a rest position, with the lines that sample all tiles.
-#include <algorithm>
+#include <array>
 
 #include "ocean/places/dynamic_surface.h"
 
@@ -14,41 +14,36 @@ HWY_BEFORE_NAMESPACE();
 namespace seascape {
 namespace HWY_NAMESPACE {
 
-void sample_levels(const DynamicSurface& surface, glm::dvec2 rest, double footprint, DynamicSample& to) {
+void sample_levels(const DynamicSurface& surface, glm::dvec2 rest, std::span<const double> weights, double share,
+                   DynamicSample& to) {
   const hn::FixedTag<double, 1> d;
   const hn::FixedTag<float, 1> df;
   const hn::FixedTag<std::int32_t, 1> di;
   const hn::FixedTag<float, 4> d4;
-  const gpu::LodWindows windows = surface.windows(surface.viewer());
-  const float distance = gpu::lod_distance(glm::vec2(rest - surface.viewer()));
   const int size = surface.samples();
   for (int i = 0; i < surface.levels(); ++i) {
-    if (surface.still(i)) continue;
-    const double texel_m = surface.texel_m(i);
-    double weight =
-        gpu::lod_present(windows.reach, i, distance) * std::clamp(2.0 - footprint / (4.0 * texel_m), 0.0, 1.0);
-    if (i == 0) weight *= 1.0 - double(windows.reach.z);
-    if (!(weight > 0.0)) continue;
+    const double weight = weights[std::size_t(i)], texel_m = surface.texel_m(i);
+    if (surface.still(i) || !(weight > 0.0)) continue;
     const auto at = in_tile(d, hn::Set(d, 1.0), hn::Set(d, 0.0), hn::Set(d, 1.0 / (texel_m * size)), hn::Set(d, rest.x),
                             hn::Set(d, rest.y));
     const auto before = texel_before(d, at, hn::Set(d, double(size)), hn::Set(d, size - 0.5));
     const auto four = four_texels(df, hn::Set(di, size - 1), hn::Set(di, size),
                                   Spot<hn::FixedTag<float, 1>>{before.x, before.z, before.part_x, before.part_z},
                                   hn::Set(df, float(weight)));
-    alignas(16) const float weights[] = {hn::GetLane(four.left_above), hn::GetLane(four.right_above),
-                                         hn::GetLane(four.left_below), hn::GetLane(four.right_below)};
+    alignas(16) const float four_weights[] = {hn::GetLane(four.left_above), hn::GetLane(four.right_above),
+                                              hn::GetLane(four.left_below), hn::GetLane(four.right_below)};
     const auto read = [&](std::span<const glm::vec4> plane) HWY_ATTR {
       hn::Vec<Texels> texels[parts];
       read_texels(&plane.data()->x, hn::GetLane(four.upper), hn::GetLane(four.lower), size - 1, texels);
-      for (int part = 0; part < parts; ++part) texels[part] = hn::Mul(weights_of(weights, part), texels[part]);
+      for (int part = 0; part < parts; ++part) texels[part] = hn::Mul(weights_of(four_weights, part), texels[part]);
       alignas(16) float sum[4];
       hn::Store(add_texels(texels), d4, sum);
       return glm::dvec4(sum[0], sum[1], sum[2], sum[3]);
     };
     const glm::dvec4 shift = read(surface.shift(i)), slope = read(surface.slope(i));
-    to.displacement += glm::dvec3(surface.share() * shift.x, shift.y, surface.share() * shift.z);
+    to.displacement += glm::dvec3(share * shift.x, shift.y, share * shift.z);
     to.height_gradient += glm::dvec2(slope.x, slope.y);
-    to.shift_gradient += surface.share() * glm::dvec3(slope.z, slope.w, shift.w);
+    to.shift_gradient += share * glm::dvec3(slope.z, slope.w, shift.w);
   }
 }
 
@@ -61,9 +56,21 @@ namespace seascape {
 
 HWY_EXPORT(sample_levels);
 
+void DynamicSurface::add(glm::dvec2 rest, std::span<const double> weights, double share, DynamicSample& to) const {
+  HWY_DYNAMIC_DISPATCH(sample_levels)(*this, rest, weights, share, to);
+}
+
 DynamicSample DynamicSurface::sea(glm::dvec2 rest, double footprint) const {
+  const gpu::LodWindows around = windows(viewer());
+  const float distance = gpu::lod_distance(glm::vec2(rest - viewer()));
+  std::array<double, gpu::max_lod_slices> weights;
+  for (int i = 0; i < levels(); ++i) {
+    double& weight = weights[std::size_t(i)];
+    weight = gpu::lod_present(around.reach, i, distance) * kept(footprint, texel_m(i));
+    if (i == 0) weight *= 1.0 - double(around.reach.z);
+  }
   DynamicSample sum;
-  HWY_DYNAMIC_DISPATCH(sample_levels)(*this, rest, footprint, sum);
+  add(rest, weights, share(), sum);
   return sum;
 }
 

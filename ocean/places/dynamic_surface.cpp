@@ -56,7 +56,8 @@ void DynamicSurface::evaluate(const WaveLevel& waves, Level& level, double borde
   // The most that the water is squeezed in any direction; the fading of the window adds at most the shift over its
   // width.
   level.squeeze = double(most.squeeze) + double(most.shift_m) / border_m;
-  level.extent = {most.height_m, most.shift_m, double(most.slope_step) / level.texel_m, most.slope_moments};
+  level.extent = {most.height_m, most.shift_m, double(most.squeeze), double(most.slope_step) / level.texel_m,
+                  most.slope_moments};
 }
 
 void DynamicSurface::evaluate(const DynamicWaves& waves, double ahead_s, bool velocity) {

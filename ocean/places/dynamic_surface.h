@@ -3,6 +3,7 @@
 #pragma once
 #include <tbb/cache_aligned_allocator.h>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -38,12 +39,19 @@ class DynamicSurface {
   // its shortest wave. Between texels linearly, which takes 5.6 % (rms) of a wave of 8 texels. Slopes leave out that of
   // the fading, waves' height over an eighth of a window.
   DynamicSample sea(glm::dvec2 rest_xz_m, double footprint_m) const;
+  // Adds the levels there, each times its weight (0 or more), and of the sideways displacement this share.
+  void add(glm::dvec2 rest_xz_m, std::span<const double> weights, double share, DynamicSample& to) const;
+  // What a footprint leaves of a level with such texels.
+  static double kept(double footprint_m, double texel_m) {
+    return std::clamp(2.0 - footprint_m / (4.0 * texel_m), 0.0, 1.0);
+  }
 
   double share() const { return share_; }  // of the sharpening that could be had
   // What a level's texels come to.
   struct Extent {
     double height_m = 0.0,
            shift_m = 0.0;           // nowhere more, to what straight lines between texels have; the shift after `share`
+    double squeeze = 0.0;           // how much the water is squeezed in any direction, before `share` and any fading
     double bent_per_m = 0.0;        // of the height along any line, from texel to texel
     glm::dvec3 slope_moments{0.0};  // means of (dh/dx)^2, (dh/dz)^2, product
   };

@@ -320,6 +320,12 @@ void DynamicWaves::calm() {
   owed_s_ = viewer_speed_ = 0.0;
 }
 
+void DynamicWaves::calm_at(const LodPlacement& placement) {
+  assert(placement.scale.octave == placement_.scale.octave);
+  calm();
+  place(placement, 0.0);
+}
+
 double DynamicWaves::energy_m2() const {
   double sum = 0.0;
   for (const WaveLevel& level : levels_) sum += level.energy_m2();

@@ -63,6 +63,8 @@ class DynamicWaves {
   void apply(const DynamicWavesSettings& settings);
   // All waves gone, as at first; depths, obstacles and the place stay.
   void calm();
+  // The same, and the windows are there from now on, of the same octave. A level that is added to then begins there.
+  void calm_at(const LodPlacement& placement);
 
   bool active() const { return active_; }
   int levels() const { return int(levels_.size()); }

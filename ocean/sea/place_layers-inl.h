@@ -71,6 +71,49 @@ HWY_INLINE Dual<V, count> dynamic_share(const PlacedLayer& layer, const Dual<V, 
   return times(clamped(times(inside, layer.per_border)), layer.counts);
 }
 
+// How much there is of each window's waves of the level whose windows' half side this is, at the rest positions of
+// points i to i + lanes - 1 (wake_present and wake_share in shaders/shared/wake_windows.h).
+template <class V, int count>
+struct WakeShares {
+  float half_m = 0.0f;
+  std::array<Dual<V, count>, gpu::max_wake_windows> of;
+};
+template <int count, class D, class V = hn::Vec<D>>
+HWY_INLINE void weigh_wakes(D d, const PlacePlan& plan, const Places& at, const Dual<V, count>& way_x,
+                            const Dual<V, count>& way_z, float half_m, int i, WakeShares<V, count>& shares) {
+  shares.half_m = half_m;
+  constexpr float per_fade = 1.0f / (gpu::wake_end - gpu::wake_whole);
+  const auto zero = constant<count>(hn::Zero(d)), three = constant<count>(hn::Set(d, 3.0f)),
+             end = constant<count>(hn::Set(d, gpu::wake_end * per_fade));
+  const auto along = [&](const Dual<V, count>& from) HWY_ATTR {
+    const auto size = select(hn::Lt(from.value, zero.value), zero - from, from);
+    const auto t = clamped(end - times(size, per_fade / half_m));
+    return t * t * (three - (t + t));
+  };
+  Dual<V, count> sum = zero, all = zero;
+  for (std::size_t w = 0; w < std::size_t(plan.wakes.count); ++w) {
+    const auto from_x = constant<count>(hn::Load(d, at.from_body_x[w] + i)) + way_x,
+               from_z = constant<count>(hn::Load(d, at.from_body_z[w] + i)) + way_z;
+    shares.of[w] = times(along(from_x) * along(from_z), plan.wakes.presence[w]);
+    sum = sum + shares.of[w];
+    all = all + shares.of[w] - shares.of[w] * all;
+  }
+  const auto share = only(hn::Gt(sum.value, zero.value), all / sum);
+  for (std::size_t w = 0; w < std::size_t(plan.wakes.count); ++w) shares.of[w] = shares.of[w] * share;
+}
+
+// How much there is of a window's level, around the viewer or around a body.
+template <int count, class D, class V = hn::Vec<D>>
+HWY_INLINE Dual<V, count> window_share(D d, const PlacePlan& plan, const Places& at, const PlacedLayer& layer,
+                                       const Dual<V, count>& way_x, const Dual<V, count>& way_z, int i,
+                                       WakeShares<V, count>& wakes) {
+  if (layer.kind == PlacedLayer::dynamic)
+    return dynamic_share(layer, constant<count>(hn::Load(d, at.from_viewer_x + i)) + way_x,
+                         constant<count>(hn::Load(d, at.from_viewer_z + i)) + way_z);
+  if (layer.end_m != wakes.half_m) weigh_wakes<count>(d, plan, at, way_x, way_z, layer.end_m, i, wakes);
+  return times(wakes.of[std::size_t(layer.share)], layer.counts);
+}
+
 // A layer at the rest positions of a vector of points: where its pattern is taken (m), from the places asked; what it
 // is to be multiplied with; and what of that its Dx and Dz have.
 template <class V, int count>
@@ -151,12 +194,11 @@ HWY_INLINE void spread(D d, const PlacePlan& plan, const Group& g, Places& at, i
   Carried<N> by;
   if (plan.flow) by = carried(flow_x, flow_z, plan.phase);
   const auto not_x = hn::Neg(flow_x.value), not_z = hn::Neg(flow_z.value);
+  WakeShares<V, count> wakes;
   for (int l = 0; l < plan.curved;) {
     const PlacedLayer& layer = plan.placed[std::size_t(l)];
-    if (layer.kind == PlacedLayer::dynamic) {
-      const N from_x = constant<count>(hn::Load(d, at.from_viewer_x + i)),
-              from_z = constant<count>(hn::Load(d, at.from_viewer_z + i));
-      put(l++, Laid<V, count>{way_x, way_z, dynamic_share(layer, from_x + way_x, from_z + way_z),
+    if (layer.kind != PlacedLayer::waves) {
+      put(l++, Laid<V, count>{way_x, way_z, window_share<count>(d, plan, at, layer, way_x, way_z, i, wakes),
                               constant<count>(hn::Set(d, layer.sharpened)), zero.value, zero.value, zero.value});
       continue;
     }

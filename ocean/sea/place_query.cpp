@@ -124,11 +124,28 @@ void place_layers(PlacePlan& plan, const QueryLayer& layer, PlacedLayer placed, 
   }
 }
 
+// A level of dynamic waves as a query reads it.
+QueryLayer dynamic_layer(const DynamicSurface& dynamic, int level) {
+  const double texel = dynamic.texel_m(level);
+  const int size = dynamic.samples();
+  QueryLayer layer{};
+  layer.cosine = 1.0;
+  layer.inverse_side = 1.0 / (texel * size);
+  layer.size = size;
+  layer.first = size - 0.5;
+  layer.cosine_a_texel = float(1.0 / texel);
+  layer.mask = size - 1;
+  layer.stride = size;
+  layer.share = 1.0f;
+  layer.shift = &dynamic.shift(level).data()->x;
+  layer.velocity = dynamic.has_velocity() ? &dynamic.velocity(level).data()->x : nullptr;
+  return layer;
+}
+
 void place_dynamic(PlacePlan& plan, const DynamicSurface& dynamic, double footprint_m) {
   const gpu::LodWindows windows = dynamic.windows(plan.viewer);
-  const int size = dynamic.samples();
   for (int i = 0; i < dynamic.levels(); ++i) {
-    const double texel = dynamic.texel_m(i), kept = std::clamp(2.0 - footprint_m / (4.0 * texel), 0.0, 1.0);
+    const double kept = DynamicSurface::kept(footprint_m, dynamic.texel_m(i));
     if (dynamic.still(i) || !(kept > 0.0)) continue;
     const auto at = std::size_t(plan.waves.count++);
     const float end = std::min(windows.reach.x * float(1 << i), windows.reach.y);
@@ -144,19 +161,40 @@ void place_dynamic(PlacePlan& plan, const DynamicSurface& dynamic, double footpr
                        .per_border = 1.0f / (gpu::lod_border * end),
                        .counts = float(kept * (i == 0 ? 1.0 - double(windows.reach.z) : 1.0)),
                        .sharpened = float(dynamic.share())};
-    QueryLayer& layer = plan.waves.layers[at];
-    layer = {};
-    layer.cosine = 1.0;
-    layer.inverse_side = 1.0 / (texel * size);
-    layer.size = size;
-    layer.first = size - 0.5;
-    layer.cosine_a_texel = float(1.0 / texel);
-    layer.mask = size - 1;
-    layer.stride = size;
-    layer.share = 1.0f;
-    layer.shift = &dynamic.shift(i).data()->x;
-    layer.velocity = dynamic.has_velocity() ? &dynamic.velocity(i).data()->x : nullptr;
+    plan.waves.layers[at] = dynamic_layer(dynamic, i);
   }
+}
+
+// All windows but that of the body `without`.
+void place_wakes(PlacePlan& plan, const WakeSurface& wakes, double footprint_m, std::uint64_t without) {
+  std::array<const WakeSurface::Part*, gpu::max_wake_windows> parts;
+  for (const WakeSurface::Part& part : wakes.parts()) {
+    if (without != 0 && part.body == without) continue;
+    const auto window = std::size_t(plan.wakes.count++);
+    parts[window] = &part;
+    plan.wakes.middle_m[window] = part.middle_m;
+    plan.wakes.presence[window] = float(part.presence);
+  }
+  for (int i = 0; i < wakes.levels(); ++i)
+    for (int window = 0; window < plan.wakes.count; ++window) {
+      const DynamicSurface& surface = parts[std::size_t(window)]->surface;
+      const double kept = DynamicSurface::kept(footprint_m, surface.texel_m(i));
+      if (surface.still(i) || !(kept > 0.0)) continue;
+      const auto at = std::size_t(plan.waves.count++);
+      plan.placed[at] = {.kind = PlacedLayer::wake,
+                         .share = std::int8_t(window),
+                         .bent = -1,
+                         .runs_up = false,
+                         .even = wakes.share() == 1.0,
+                         .pattern = -1,
+                         .decay = glm::vec3(0.0f),
+                         .laid = 1.0f,
+                         .end_m = float(wakes.half_m(i)),
+                         .per_border = 0.0f,
+                         .counts = float(kept),
+                         .sharpened = float(wakes.share())};
+      plan.waves.layers[at] = dynamic_layer(surface, i);
+    }
 }
 }  // namespace
 
@@ -223,6 +261,7 @@ PlacePlan PlaceSea::plan(const WaveField& field, const WaveTiles& tiles, const Q
     plan.viewer = beside.dynamic->viewer();
     place_dynamic(plan, *beside.dynamic, options.footprint_m);
   }
+  if (beside.wakes != nullptr) place_wakes(plan, *beside.wakes, options.footprint_m, options.without_window_of);
   plan.curved = plan.waves.count;
   if (!plan.shore) return plan;
   const WaveField::Place& place = field.curved_place();
@@ -252,7 +291,7 @@ void PlaceSea::query(const WaveField& field, const WaveTiles& tiles, std::span<c
     tbb::parallel_for(std::size_t{0}, (places.size() + block - 1) / block,
                       [&](std::size_t n) { answer(n * block, std::min(block, places.size() - n * block)); });
   };
-  if (!moves() && beside.dynamic == nullptr) {
+  if (!moves() && beside.dynamic == nullptr && beside.wakes == nullptr) {
     seascape::query(field, tiles, places, answers, options, beside.left_out_m);
   } else {
     const PlacePlan plan = this->plan(field, tiles, options, beside);

@@ -17,6 +17,11 @@ namespace seascape {
 namespace HWY_NAMESPACE {
 namespace {
 
+// So many bits from the lowest on.
+constexpr std::uint64_t first_bits(int count) {
+  return count < 64 ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+}
+
 // Where the water is taken away over a bed, the ground is the surface.
 HWY_INLINE void dry(const PlacePlan& plan, const Group& g, const float* bed, float* shift, int point) {
   float* const s = shift + 4 * point;
@@ -30,7 +35,7 @@ HWY_INLINE void dry(const PlacePlan& plan, const Group& g, const float* bed, flo
 template <class D>
 HWY_INLINE void displace(D d, const PlacePlan& plan, Group& g, Places& at, std::uint64_t left, int count, Sums& sums) {
   const int lanes = int(hn::Lanes(d));
-  const std::uint64_t some = (std::uint64_t{1} << lanes) - 1, uncurved = (std::uint64_t{1} << plan.curved) - 1;
+  const std::uint64_t some = (std::uint64_t{1} << lanes) - 1, uncurved = first_bits(plan.curved);
   if (plan.pages != nullptr) {
     for (std::uint64_t rest = plan.seen != nullptr ? left : 0; rest != 0; rest &= rest - 1) {
       const int point = std::countr_zero(rest);
@@ -73,7 +78,7 @@ template <int derivatives, bool moving, class D>
 HWY_INLINE void differentiate(D d, const PlacePlan& plan, Group& g, Places& at, Sums& sums, Sums& moved, int count,
                               float* with_time) {
   const int lanes = int(hn::Lanes(d)), padded = (count + lanes - 1) / lanes * lanes;
-  const std::uint64_t uncurved = (std::uint64_t{1} << plan.curved) - 1;
+  const std::uint64_t uncurved = first_bits(plan.curved);
   for (int point = 0; plan.pages != nullptr && point < count; ++point) read<true>(plan, at, point);
   for (int i = 0; i < count; i += lanes) {
     arrange(d, plan, at, i, true);
@@ -156,6 +161,11 @@ HWY_INLINE void begin_placed(D d, const PlacePlan& plan, const glm::dvec2* place
     at.texel_m[0][i] = 0.0;
     choose_texels(plan.reading.read, fine_m, at, i);
   }
+  for (int w = 0; w < plan.wakes.count; ++w)
+    for (int i = 0; i < padded; ++i) {
+      at.from_body_x[w][i] = float(g.x[i] - plan.wakes.middle_m[std::size_t(w)].x);
+      at.from_body_z[w][i] = float(g.z[i] - plan.wakes.middle_m[std::size_t(w)].y);
+    }
   at.slot[0] = at.slot[1] = 0;
   // What is never read is computed with all the same.
   for (auto& texel : at.texel)

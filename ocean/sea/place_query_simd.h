@@ -10,6 +10,7 @@
 #include "ocean/places/place_pages.h"
 #include "ocean/places/place_reader.h"
 #include "ocean/sea/query_simd.h"
+#include "shaders/shared/wake_windows.h"
 
 namespace seascape {
 
@@ -41,9 +42,10 @@ struct PlaceNumbers {
 
 // What a layer of a PlacePlan is multiplied with and where it is taken.
 struct PlacedLayer {
-  enum Kind : std::uint8_t { waves, curved, dynamic };
+  enum Kind : std::uint8_t { waves, curved, dynamic, wake };
   Kind kind;
-  std::int8_t share;    // which of a bed's shares: a cascade's number, gpu::max_cascades for other sources
+  std::int8_t share;    // which of a bed's shares: a cascade's number, gpu::max_cascades for other sources; of wakes
+                        // which window
   std::int8_t bent;     // which of the shifts; -1: none
   bool runs_up;         // its height has the run-up's share besides
   bool even;            // its sideways displacement is multiplied with the same as its height
@@ -51,14 +53,22 @@ struct PlacedLayer {
   glm::vec3 decay;      // PatternMoments::decay_per_m2 times (T / 2)^2 for a current's period T, s^2/m^2
   float laid;           // QueryLayer::share, times the size that it is laid in
   // Of dynamic waves: the end of its window, one over the border in which it fades (m), what it counts for, and of that
-  // what its sideways displacement does.
+  // what its sideways displacement does. Of wakes half of a window's side, m, and the last two.
   float end_m, per_border, counts, sharpened;
 };
 
+// Windows of waves that belong to bodies.
+struct PlacedWakes {
+  int count = 0;
+  std::array<glm::dvec2, gpu::max_wake_windows> middle_m;
+  std::array<float, gpu::max_wake_windows> presence;
+};
+
 struct PlacePlan {
-  QueryPlan waves;  // layers: those of waves and of the dynamic waves; then the curved ones
+  QueryPlan waves;  // layers: those of waves, of the dynamic waves and of wakes; then the curved ones
   std::array<PlacedLayer, most_query_layers> placed;
-  int curved = 0;  // the first of those that run along curves
+  PlacedWakes wakes;  // of each level all windows' layers, one after the other
+  int curved = 0;     // the first of those that run along curves
   const PlaceSea* places = nullptr;
   const PlacePages* pages = nullptr;  // null: only dynamic waves
   PlaceNumbers numbers;

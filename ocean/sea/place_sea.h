@@ -10,6 +10,7 @@
 #include "ocean/places/place_pages.h"
 #include "ocean/places/place_reader.h"
 #include "ocean/places/shore_field.h"
+#include "ocean/places/wake_surface.h"
 #include "ocean/sea/query.h"
 #include "ocean/sea/still_water.h"
 #include "ocean/sea/water_side.h"
@@ -55,6 +56,7 @@ class PlaceSea {
   // What questions have beside the waves.
   struct Beside {
     const DynamicSurface* dynamic = nullptr;  // null: no dynamic waves
+    const WakeSurface* wakes = nullptr;       // null: none
     const ClipVolumes* volumes = nullptr;     // with the bodies of actors; null: the scene's alone
     double finest_m = 0.0;                    // no texels of places finer than this are read; 0: than windows have
     double left_out_m = 0.0;                  // SeaView::left_out_m

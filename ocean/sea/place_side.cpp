@@ -21,7 +21,7 @@ struct Reach {
   double height_m = 0.0, shift_m = 0.0, shear = 0.0, finest_m = 1e9;
 };
 
-Reach reach_of(const WaveField& field, const PlacePlan& plan, double most_share, const DynamicSurface* dynamic) {
+Reach reach_of(const WaveField& field, const PlacePlan& plan, double most_share, const PlaceSea::Beside& beside) {
   const SeaStatistics& waves = field.statistics();
   Reach reach{waves.largest_height_m, waves.largest_shift_m,
               field.state().chop * std::sqrt(waves.slope_moments.x + waves.slope_moments.y)};
@@ -36,14 +36,18 @@ Reach reach_of(const WaveField& field, const PlacePlan& plan, double most_share,
   // These bounds hold but for one wave in a million.
   reach.height_m *= 1.5 * share;
   reach.shift_m *= 1.5 * share;
-  for (int i = 0; dynamic != nullptr && i < dynamic->levels(); ++i) {
-    if (dynamic->still(i)) continue;
-    const DynamicSurface::Extent extent = dynamic->extent(i);
-    reach.height_m += extent.height_m;
-    reach.shift_m += extent.shift_m;
-    reach.shear += std::sqrt(extent.slope_moments.x + extent.slope_moments.y);
-    reach.finest_m = std::min(reach.finest_m, dynamic->texel_m(i));
-  }
+  const auto add = [&](const auto* levels) {
+    for (int i = 0; levels != nullptr && i < levels->levels(); ++i) {
+      if (levels->still(i)) continue;
+      const DynamicSurface::Extent extent = levels->extent(i);
+      reach.height_m += extent.height_m;
+      reach.shift_m += extent.shift_m;
+      reach.shear += std::sqrt(extent.slope_moments.x + extent.slope_moments.y);
+      reach.finest_m = std::min(reach.finest_m, levels->texel_m(i));
+    }
+  };
+  add(beside.dynamic);
+  add(beside.wakes);
   if (plan.pages != nullptr) reach.finest_m = std::min(reach.finest_m, plan.reading.fine_texel_m());
   return reach;
 }
@@ -96,7 +100,7 @@ WaterSide PlaceSea::side(const WaveField& field, const WaveTiles& tiles, const g
     side.height_m = at_m.y;  // air, with no surface of its own
     return side;
   }
-  bool dynamic = false;
+  bool dynamic = beside.wakes != nullptr;
   for (int i = 0; beside.dynamic != nullptr && i < beside.dynamic->levels(); ++i)
     dynamic = dynamic || !beside.dynamic->still(i);
   if (!moves() && !dynamic) return water_side(field, tiles, at_m);
@@ -109,7 +113,7 @@ WaterSide PlaceSea::side(const WaveField& field, const WaveTiles& tiles, const g
   };
   PlacePlan plan = this->plan(field, tiles, {}, beside);
   plan.waves.velocity = false;
-  const Reach reach = reach_of(field, plan, most_share(), beside.dynamic);
+  const Reach reach = reach_of(field, plan, most_share(), beside);
   if (std::abs(place.x) + std::abs(place.y) > farthest_m) {
     by_query(1, false);
     return side;

@@ -50,7 +50,8 @@ struct Places {
   // What is read there, four floats a point, and the same number by number; then what it grows by along x and z.
   alignas(64) float texel[3][vectors][4 * group];
   alignas(64) float number[3][4 * vectors][group];
-  alignas(64) float from_viewer_x[group], from_viewer_z[group];  // of the places asked
+  alignas(64) float from_viewer_x[group], from_viewer_z[group];  // of the places asked, and from the windows' bodies
+  alignas(64) float from_body_x[gpu::max_wake_windows][group], from_body_z[gpu::max_wake_windows][group];
   // Of waves along curves, where forward is, and its derivatives.
   alignas(64) float forward_x[3][group], forward_z[3][group];
   // Which layers there are at all, a bit for each, and what Dx and Dz of those that are not even are multiplied with

@@ -1,5 +1,6 @@
 // Where the displaced surface stands at a place: the inverse of the sea's horizontal displacement.
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -54,8 +55,14 @@ struct QueryOptions {
   // Answers of a moment ago for the same objects, in the same order, near where they are asked now; empty: none. The
   // search starts from their displacements, and saves a step or two. May be the memory of the new answers.
   std::span<const QueryAnswer> previous = {};
-  // Whether dynamic waves and the bodies of actors are in the answers, which depend on what came before (SeaView).
+  // Whether dynamic waves, wakes and the bodies of actors are in the answers, which depend on what came before
+  // (SeaView).
   bool history = true;
+  // Whether the dynamic waves around the viewer are, which depend on the camera. What bodies feel leaves them out.
+  bool viewer_waves = true;
+  // The window that belongs to this body is left out of wakes (WakeWindows): what it stirs up itself, but for what lies
+  // in windows of others, and all else that its own window knows. 0: none is.
+  std::uint64_t without_window_of = 0;
   unsigned fields = query_all;  // what is found; the rest of an answer is as of calm water, and not clipped
   // Has what belongs to places as a picture with these windows shows it, coarser with distance; it has to outlive the
   // call. Null: in the finest texels that the footprint leaves, wherever the place is.

@@ -10,8 +10,11 @@
 
 namespace seascape {
 
-// Two levels of each place's tile, of two patterns each where a current carries them, and the dynamic waves' levels.
-inline constexpr int most_query_layers = 4 * WaveField::most_places + gpu::max_dynamic_levels;
+// Two levels of each place's tile, of two patterns each where a current carries them, the dynamic waves' levels, and
+// those of the windows of bodies.
+inline constexpr int most_query_layers =
+    4 * WaveField::most_places + gpu::max_dynamic_levels + gpu::max_wake_windows * gpu::max_wake_levels;
+static_assert(most_query_layers <= 64);  // a bit each
 
 // One mip level of one tile in one place as a query samples it.
 struct QueryLayer {

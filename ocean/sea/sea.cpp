@@ -26,6 +26,11 @@ std::unique_ptr<DynamicSea> dynamic_of(const SeaSpec& spec) {
   return spec.dynamic_waves ? std::make_unique<DynamicSea>(*spec.dynamic_waves, spec.pressure) : nullptr;
 }
 
+WakeSettings stepped(WakeSettings wakes, const DynamicSea* dynamic_waves) {
+  wakes.waves.rate_hz = dynamic_waves ? dynamic_waves->rate_hz() : rate_without_dynamic_waves_hz;
+  return wakes;
+}
+
 double rate_of(const DynamicSea* dynamic_waves) {
   return dynamic_waves ? dynamic_waves->rate_hz() : rate_without_dynamic_waves_hz;
 }
@@ -38,6 +43,7 @@ Sea::Sea(SeaSpec spec)
       seed_(spec_.state.seed),
       waves_of_(spec_.state),
       dynamic_(dynamic_of(spec_)),
+      wakes_(spec_.wakes ? std::make_unique<WakeWindows>(stepped(*spec_.wakes, dynamic_.get())) : nullptr),
       bodies_(spec_.place.volumes, 1.0 / rate_of(dynamic_.get())),
       foam_(spec_.actors_foam) {
   std::erase_if(spec_.sources, [](const auto& source) { return source->still(); });
@@ -72,14 +78,22 @@ SeaView Sea::view(std::int64_t ticks, SeaDetail detail) {
     places_->renew();
   }
   return SeaView(moments_.moment({ticks, detail, spec_.velocity(detail), waves_version_}, fields_[i], places_,
-                                 {surface_of(ticks), volumes_of(ticks)}, left_out_m_[i]));
+                                 now_at(ticks), left_out_m_[i]));
 }
 
-std::shared_ptr<const DynamicSurface> Sea::surface_of(std::int64_t ticks) {
-  if (dynamic_ == nullptr || !begun_) return nullptr;
-  // Foam and spray ask of steps that lie within the last frame: of these the dynamic waves are known as they are now.
+// Foam and spray ask of steps that lie within the last frame: of these dynamic waves and wakes are known as they are
+// now.
+bool Sea::knows_steps(std::int64_t ticks) const {
   const std::int64_t within = ticks_from_seconds(1.0);
-  return ticks <= now() && ticks > now() - within ? dynamic_->shared_surface() : nullptr;
+  return begun_ && ticks <= now() && ticks > now() - within;
+}
+
+SeaNow Sea::now_at(std::int64_t ticks) {
+  SeaNow now{.volumes = volumes_of(ticks)};
+  if (!knows_steps(ticks)) return now;
+  now.dynamic = dynamic_surface();
+  now.wakes = wake_surface();
+  return now;
 }
 
 std::shared_ptr<const ClipVolumes> Sea::volumes_of(std::int64_t ticks) {
@@ -91,6 +105,9 @@ const SeaView& SeaStep::felt() {
   return felt_;
 }
 
+bool SeaStep::wake(const WakeBody& body, std::span<const WaveSource> sources) {
+  return sea_.wakes_ && sea_.wakes_->add(body, sources);
+}
 bool SeaStep::clip(const ClipBody& body) { return sea_.bodies_.add(*actor_, body); }
 bool SeaStep::foam(const FoamDisc& disc) { return sea_.foam_.add(disc); }
 bool SeaStep::spray(const SprayThrow& thrown) { return sea_.spray_.add(thrown); }
@@ -112,6 +129,7 @@ void Sea::step_actors(double end_s, double dt_s, std::vector<WaveSource>& presse
     }
     stepping_.reset();
   }
+  if (wakes_) wakes_->step(dt_s);
   bodies_.end_step(end_s);
   foam_.end_step(end_s, dt_s);
   spray_.end_step(end_s, dt_s);
@@ -135,7 +153,9 @@ void Sea::advance(double time_s, const glm::dvec3& viewer) {
     foam_.clear();
     spray_.clear();
     for (const auto& actor : actors_) actor->hold();
+    if (wakes_ && !goes_on_) wakes_->calm();
   }
+  if (wakes_ && now != step_) wakes_->look_ahead(0.0);  // within steps they are those of the step before
   begun_ = true;
   if (dynamic_) {
     const auto push = [this](double end_s, double dt_s, auto& presses) { step_actors(end_s, dt_s, presses); };
@@ -149,6 +169,8 @@ void Sea::advance(double time_s, const glm::dvec3& viewer) {
   }
   step_ = now;
   time_s_ = time_s;
+  const double since_s = time_s - double(now) / rate;
+  if (wakes_) wakes_->look_ahead(since_s > 1e-6 ? since_s : 0.0);  // what a sum of frame times loses is no time
   if (changing()) follow_change(ticks);
 }
 
@@ -245,7 +267,8 @@ bool Sea::takes(const SeaSpec& spec) const {
          (spec.place.shore == nullptr) == (spec_.place.shore == nullptr) &&
          spec.dynamic_waves.has_value() == spec_.dynamic_waves.has_value() &&
          (!spec.dynamic_waves || fit(spec.dynamic_waves->waves, spec_.dynamic_waves->waves)) &&
-         spec.actors_foam == spec_.actors_foam;
+         spec.wakes.has_value() == spec_.wakes.has_value() &&
+         (!spec.wakes || fit(spec.wakes->waves, spec_.wakes->waves)) && spec.actors_foam == spec_.actors_foam;
 }
 
 void Sea::apply(SeaSpec spec, MakePlace place) {
@@ -256,6 +279,10 @@ void Sea::apply(SeaSpec spec, MakePlace place) {
     spec_.dynamic_waves = spec.dynamic_waves;
     step_ = dynamic_->tick();
     bodies_.set_step(1.0 / dynamic_->rate_hz());
+  }
+  if (wakes_) {
+    wakes_->apply(stepped(*spec.wakes, dynamic_.get()));
+    spec_.wakes = spec.wakes;
   }
   std::erase_if(spec.sources, [](const auto& source) { return source->still(); });
   const PlaceSettings &now = spec.place.settings, &was = spec_.place.settings;
@@ -328,7 +355,9 @@ void Sea::know_velocity(SeaDetail detail, bool known) {
 }
 
 void Sea::know_dynamic_velocity() {
-  if (dynamic_) dynamic_->know_velocity(spec_.drawn_velocity || spec_.crests_velocity || spec_.felt_velocity);
+  const bool known = spec_.drawn_velocity || spec_.crests_velocity || spec_.felt_velocity;
+  if (dynamic_) dynamic_->know_velocity(known);
+  if (wakes_) wakes_->know_velocity(known);
 }
 
 void Sea::keep_drawn_in(std::span<const WaveTiles::Lent> memories, const WaveTileLayout& layout) {
@@ -341,6 +370,7 @@ std::uint64_t Sea::hash() const {
   for (int i = 0; dynamic_ && i < dynamic_->waves().levels(); ++i)
     for (const std::complex<double>& mode : dynamic_->waves().level(i).modes())
       hash = mixed(mixed(hash, mode.real()), mode.imag());
+  if (wakes_) wakes_->each_number([&](auto number) { hash = mixed(hash, number); });
   for (const auto& actor : actors_) hash = mixed(hash, actor->hash());
   return bodies_.mixed_into(hash);
 }

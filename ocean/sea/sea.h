@@ -7,6 +7,7 @@
 
 #include "ocean/places/dynamic_sea.h"
 #include "ocean/places/shallows_mix.h"
+#include "ocean/places/wake_windows.h"
 #include "ocean/sea/sea_actor.h"
 #include "ocean/sea/sea_change.h"
 #include "ocean/sea/sea_moment.h"
@@ -16,9 +17,9 @@
 namespace seascape {
 
 // Time runs in steps of dynamic_waves.rate_hz (60 a second), on whole multiples of one: in each the actors ask, move
-// and press, then the dynamic waves advance. A frame sees the dynamic waves carried on from the last step to its own
-// time, and bodies of actors likewise. What a step does depends on the steps before it alone: not on frames, the
-// picture's detail or how many threads there are. The windows of the dynamic waves lie around the viewer.
+// and press, then wakes and dynamic waves advance. A frame sees both carried on from the last step to its own time, and
+// bodies of actors likewise. What a step does depends on the steps before it alone: not on frames, the picture's detail
+// or how many threads there are. The windows of the dynamic waves lie around the viewer, those of wakes around bodies.
 //
 // Only its owner changes a sea, between frames. Views may be asked by anybody at any time, and outlive changes.
 class Sea {
@@ -38,9 +39,9 @@ class Sea {
   void go_on();
   bool goes_on() const { return goes_on_; }
 
-  // The waves of any time in a detail. They know the dynamic waves, as they are now, where the time is that of the last
-  // advance or at most a second before; and the bodies of actors where it is that of the last advance. The owner's
-  // thread asks for views; what they answer any thread may ask.
+  // The waves of any time in a detail. They know dynamic waves and wakes, as they are now, where the time is that of
+  // the last advance or at most a second before; and the bodies of actors where it is that of the last advance. The
+  // owner's thread asks for views; what they answer any thread may ask.
   SeaView view(std::int64_t ticks, SeaDetail detail);
   SeaView view_at(double time_s, SeaDetail detail) { return view(ticks_from_seconds(time_s), detail); }
 
@@ -92,21 +93,29 @@ class Sea {
   const DynamicSea* dynamic_waves() const { return dynamic_.get(); }
   // Their surface as of the last advance; null where there are none.
   std::shared_ptr<const DynamicSurface> dynamic_surface() { return dynamic_ ? dynamic_->shared_surface() : nullptr; }
+  // Windows of waves that belong to bodies; null where the scene has none. Steps move them on, with dynamic waves or
+  // without.
+  const WakeWindows* wakes() const { return wakes_.get(); }
+  // Their surface as of the last advance; null where there are none, or all rest.
+  std::shared_ptr<const WakeSurface> wake_surface() { return wakes_ ? wakes_->shared_surface() : nullptr; }
   // What clips as of the last advance, bodies of actors and all; null where the scene has neither volumes nor room for
   // bodies. The same object for as long as nothing changes.
   std::shared_ptr<const ClipVolumes> clip_volumes() { return volumes_of(now()); }
   // The foam that actors made in the steps of the last advance and of a second before it.
   const ActorFoam& foam() const { return foam_; }
   const ActorSpray& spray() const { return spray_; }  // likewise
-  // What went wrong in the dynamic waves since the last call, once.
-  std::optional<std::string> take_fault() { return dynamic_ ? dynamic_->take_fault() : std::nullopt; }
+  // What went wrong in the dynamic waves and in wakes since the last call, once.
+  std::optional<std::string> take_fault() {
+    std::optional<std::string> fault = dynamic_ ? dynamic_->take_fault() : std::nullopt;
+    return fault || !wakes_ ? fault : wakes_->take_fault();
+  }
 
   // How often tiles of a detail have been computed.
   std::uint64_t made(SeaDetail detail) const { return moments_.made(detail); }
   // Has each computation reported (MomentStore::report_to). Not while anybody asks.
   void report_tiles_to(MomentStore::Report report) { moments_.report_to(std::move(report)); }
-  // Differs where the state that steps depend on does: dynamic waves, actors and their bodies, and the time of the last
-  // step.
+  // Differs where the state that steps depend on does: dynamic waves, wakes, actors and their bodies, and the time of
+  // the last step.
   std::uint64_t hash() const;
 
  private:
@@ -119,7 +128,8 @@ class Sea {
   void draw_other_waves();
   void know_dynamic_velocity();
   std::int64_t now() const { return stepping_ ? *stepping_ : ticks_from_seconds(time_s_); }
-  std::shared_ptr<const DynamicSurface> surface_of(std::int64_t ticks);
+  bool knows_steps(std::int64_t ticks) const;
+  SeaNow now_at(std::int64_t ticks);
   std::shared_ptr<const ClipVolumes> volumes_of(std::int64_t ticks);
   void step_actors(double end_s, double dt_s, std::vector<WaveSource>& presses);
   SeaSpec spec_;
@@ -136,6 +146,7 @@ class Sea {
   std::shared_ptr<PlaceSea> places_;
   MomentStore moments_;
   std::unique_ptr<DynamicSea> dynamic_;
+  std::unique_ptr<WakeWindows> wakes_;
   std::vector<std::shared_ptr<SeaActor>> actors_;
   ActorBodies bodies_;
   ActorFoam foam_;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ocean/places/wave_level.h"
+#include "ocean/places/wake_windows.h"
 #include "ocean/sea/actor_bodies.h"
 #include "ocean/sea/actor_foam.h"
 #include "ocean/sea/actor_spray.h"
@@ -21,12 +21,16 @@ class SeaStep {
   SeaStep(Sea& sea, double end_s, double length_s, std::vector<WaveSource>& presses)
       : time_s(end_s), dt_s(length_s), sea_(sea), presses_(presses) {}
   const double time_s, dt_s;  // the step's end, and how long it is
-  // The water at the step's end, with the dynamic waves as the step before left them, and the bodies carried on from
-  // there.
+  // The water at the step's end, with dynamic waves and wakes as the step before left them, and the bodies carried on
+  // from there.
   const SeaView& felt();
   // Presses the water from the step's beginning to its end (DynamicWaves); without dynamic waves it yields to nothing.
   void press(const WaveSource& source) { presses_.push_back(source); }
 
+  // A body that makes waves, and what it does to the water from the step's beginning to its end, in windows of its own
+  // (WakeWindows): beside the viewer's dynamic waves, which these sources do not press. At each step anew, with no
+  // sources too: else its window is let go. Gives false where the sea has no wakes, or as WakeWindows::add() does.
+  bool wake(const WakeBody& body, std::span<const WaveSource> sources);
   // There is no water within this body, whose pose is that of the step's end. Frames carry it on by its velocity and
   // spin until the next step, in which it is gone unless the actor says it again. Gives false, and leaves it out, where
   // the scene has no clip, the sea has room for no more bodies (ClipRoom) or a number is out of range

@@ -21,11 +21,13 @@
 namespace seascape {
 
 class DynamicSurface;  // ocean/places/dynamic_surface.h
+class WakeSurface;     // ocean/places/wake_surface.h
 class MomentStore;
 
 // What steps of the sea have made and who holds a moment keeps, as it is now.
 struct SeaNow {
   std::shared_ptr<const DynamicSurface> dynamic;  // null: none, or of another time
+  std::shared_ptr<const WakeSurface> wakes;       // null: none, or all rest, or of another time
   std::shared_ptr<const ClipVolumes> volumes;     // with the bodies of actors, or of another time the scene's; null:
                                                   // none
   bool operator==(const SeaNow&) const = default;

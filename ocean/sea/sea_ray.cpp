@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/places/dynamic_surface.h"
+#include "ocean/places/wake_surface.h"
 #include "ocean/sea/sea_view.h"
 
 namespace seascape {
@@ -47,6 +47,10 @@ SeaBounds SeaView::bounds() const {
     const DynamicSurface::Extent extent = dynamic()->extent(i);
     result.height_m += extent.height_m;
     result.shift_m += extent.shift_m;
+  }
+  for (int i = 0; wakes() != nullptr && i < wakes()->levels(); ++i) {
+    result.height_m += wakes()->extent(i).height_m;
+    result.shift_m += wakes()->extent(i).shift_m;
   }
   return result;
 }

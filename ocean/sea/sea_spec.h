@@ -6,6 +6,7 @@
 
 #include "ocean/places/dynamic_sea_settings.h"
 #include "ocean/places/place_fields.h"
+#include "ocean/places/wake_settings.h"
 #include "ocean/waves/sea_state.h"
 #include "ocean/waves/tile_source.h"
 
@@ -28,6 +29,7 @@ struct SeaSpec {
   PlaceInputs place;
   std::optional<DynamicSeaSettings> dynamic_waves;  // none: the effect is not called for
   std::shared_ptr<const Inputs> pressure;           // on dynamic waves; null for none
+  std::optional<WakeSettings> wakes;                // likewise
   bool actors_foam = false;                         // whether foam of actors is kept, and has foam simulated
 
   WaveQuality drawn;

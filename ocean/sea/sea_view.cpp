@@ -13,6 +13,7 @@ SeaSample SeaView::at(glm::dvec2 rest, double footprint) const {
 
 PlaceSea::Beside SeaView::beside() const {
   return {.dynamic = dynamic(),
+          .wakes = wakes(),
           .volumes = volumes(),
           .finest_m = detail() == SeaDetail::felt ? felt_place_texel_m : 0.0,
           .left_out_m = left_out_m()};
@@ -20,7 +21,8 @@ PlaceSea::Beside SeaView::beside() const {
 
 void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> answers, QueryOptions options) const {
   PlaceSea::Beside beside = this->beside();
-  if (!options.history) beside.dynamic = nullptr, beside.volumes = nullptr;
+  if (!options.history) beside.dynamic = nullptr, beside.wakes = nullptr, beside.volumes = nullptr;
+  if (!options.viewer_waves) beside.dynamic = nullptr;
   places().query(field(), tiles(), points, answers, options, beside);
 }
 

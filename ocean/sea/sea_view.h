@@ -65,6 +65,7 @@ class SeaView {
   void prepare(double share) const { moment_->prepare(share); }
   const PlaceSea& places() const { return *moment_->places; }
   const DynamicSurface* dynamic() const { return moment_->now.dynamic.get(); }
+  const WakeSurface* wakes() const { return moment_->now.wakes.get(); }  // null where all rest
   // With the bodies of actors as of the last advance, where the view is of its time; null where nothing clips.
   const ClipVolumes* volumes() const { return moment_->now.volumes.get(); }
   // Which of the lent memories its tiles lie in (Sea::keep_drawn_in); -1: none.

@@ -1,0 +1,138 @@
+// Windows of dynamic waves that belong to bodies and follow them, wherever the viewer is: what bodies feel of each
+// other's waves never depends on a camera.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/places/dynamic_waves.h"
+#include "ocean/places/wake_settings.h"
+#include "ocean/places/wake_surface.h"
+
+namespace seascape {
+
+// A body as it is at a step's end.
+struct WakeBody {
+  std::uint64_t id = 0;  // that no other body of the sea has; not 0
+  glm::dvec2 place_m{0.0}, velocity_mps{0.0};
+  double length_m = 1.0;  // of its waterline, above 0: what presses is sought no farther from its place
+};
+
+// How much water sources move, m^3/s: what they add and take away, and pressures that move: a head over its area
+// length^2 / pi is pushed aside over half its length.
+double push_m3ps(std::span<const WaveSource> sources);
+
+// At most four windows, the same at every preset. A body asks for one while it moves or pushes enough, and half of that
+// keeps it; of more bodies than windows those have them that push hardest, averaged over a second. A body takes
+// another's window when for a second it has pushed half as hard again, and a window whose body has stopped is kept
+// until its waves rest or another body asks. A window fades in and out over a second. Where it comes to lie it begins
+// with the waves that other windows have there: all texels are parts of one grid.
+//
+// A source presses every window that it lies in. A body outside all windows makes no waves.
+//
+// Errors: what DynamicWaves says. Two windows differ where one does not know what came into the other before it lay
+// there, or from beyond its border; between them waves then fade as the weights do (wake_windows.h).
+class WakeWindows {
+ public:
+  static constexpr int most = gpu::max_wake_windows;
+  static constexpr double fade_s = 1.0, average_s = 1.0, waits_s = 1.0, harder = 1.5;
+  // Throws as validate() does.
+  explicit WakeWindows(const WakeSettings& settings);
+
+  // What bodies say in a step. Gives false, and leaves the body out, where a number of it is not finite or out of range
+  // or its id is taken; sources that are no numbers, or have no length, are left out.
+  bool add(const WakeBody& body, std::span<const WaveSource> sources);
+  // Ends a step of so many seconds: gives windows to bodies, and moves all waves on.
+  void step(double dt_s);
+  // From here on the surface is that of the last step, carried on by this time.
+  void look_ahead(double ahead_s);
+  // All windows go: of a jump of the time.
+  void calm();
+
+  // Waves that there are; null where all windows rest. It stays as it is, whatever steps follow.
+  std::shared_ptr<const WakeSurface> shared_surface();
+  // Counts up whenever the surface changes, from 1.
+  std::uint64_t version() const { return version_; }
+  void know_velocity(bool known) { velocity_ = known; }
+  // Takes other settings of the same windows, gravity and depth. Throws as validate() does, and stays as it was then.
+  void apply(const WakeSettings& settings);
+  const WakeSettings& settings() const { return settings_; }
+
+  // What a window does, for tests and for plans.
+  enum class State : std::uint8_t { free, held, kept, leaving };
+  State state(int window) const { return windows_[std::size_t(window)].state; }
+  std::uint64_t body(int window) const { return windows_[std::size_t(window)].body; }  // 0: none
+  const DynamicWaves& waves(int window) const { return windows_[std::size_t(window)].waves; }
+  double presence(int window) const;  // 0 to 1, smooth over time
+  bool active() const;                // whether any window has waves
+
+  // Every number that steps depend on, for a hash: take(an integer, or a double).
+  template <class Take>
+  void each_number(const Take& take) const;
+  std::optional<std::string> take_fault();
+
+ private:
+  struct Window {
+    explicit Window(const DynamicWavesSettings& settings) : waves(settings) {}
+    State state = State::free;
+    std::uint64_t body = 0;
+    glm::dvec2 place_m{0.0};
+    double faded = 0.0;  // along the way from 0 to 1
+    DynamicWaves waves;
+    std::vector<WaveSource> sources;  // of a step
+    void release() {
+      waves.calm();
+      state = State::free, body = 0, faded = 0.0;
+    }
+  };
+  struct Body {
+    WakeBody is;
+    double heads_m3 = 0.0, push = 0.0, average = 0.0, waits = 0.0;
+    bool said = false, asks = false;
+  };
+  struct Said {
+    WakeBody body;
+    std::size_t first, count;  // of sources_
+  };
+  void hear(double dt_s);
+  void follow();
+  void hand_out(double dt_s);
+  void give(Window& window);
+  void fade(double dt_s);
+  void move_on(double dt_s);
+  Body* known(std::uint64_t id);
+  Window* of(std::uint64_t id);
+  LodPlacement placement(glm::dvec2 place_m) const;
+  WakeSettings settings_;
+  std::vector<Window> windows_;
+  std::vector<Body> bodies_;  // by id
+  std::vector<Said> said_;
+  std::vector<WaveSource> sources_;
+  std::vector<std::shared_ptr<WakeSurface>> surfaces_;  // the current one, and those that somebody keeps
+  std::size_t current_ = 0;
+  std::uint64_t version_ = 1;
+  double ahead_s_ = 0.0;
+  bool stale_ = true, velocity_ = false;
+  std::string fault_;
+};
+
+template <class Take>
+void WakeWindows::each_number(const Take& take) const {
+  for (const Body& body : bodies_) {
+    take(body.is.id);
+    for (const double number : {body.heads_m3, body.average, body.waits}) take(number);
+  }
+  for (const Window& window : windows_) {
+    take(std::uint64_t(window.state));
+    take(window.body);
+    for (const double number : {window.faded, window.place_m.x, window.place_m.y}) take(number);
+    for (int i = 0; window.waves.active() && i < window.waves.levels(); ++i)
+      for (const std::complex<double>& mode : window.waves.level(i).modes()) take(mode.real()), take(mode.imag());
+  }
+}
+
+}  // namespace seascape
