@@ -35,6 +35,7 @@ Ocean::Ocean(Device& device, ShaderLibrary& shaders, Sea& sea, const OceanSettin
     sources_.push_back(add(std::make_unique<DrawnSource>(device, source, waves().half_storage())));
   measure_sources();
   if (sea.dynamic_waves()) dynamic_waves_ = add(std::make_unique<DrawnDynamicWaves>(device, *spec.dynamic_waves));
+  if (sea.wakes()) wakes_ = add(std::make_unique<DrawnWakes>(device, *spec.wakes));
   if (!spec.place.empty()) place_ = add(std::make_unique<DrawnPlace>(device, sea));
   if (wants_foam(settings)) {
     if (before.foam != nullptr && &before.foam->sea() == &sea &&
@@ -90,6 +91,13 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   step_together(foam_ != nullptr ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
   const DrawnMoment moment{sea_, water_, time_s, viewer_m};
   for (const auto& piece : pieces_) stages.time(piece->stage(), [&] { piece->update(frame, moment); });
+  near_.clear();
+  const auto add_near = [&](const auto* drawn) {
+    if (drawn) near_.insert(near_.end(), drawn->mesh_errors().begin(), drawn->mesh_errors().end());
+  };
+  add_near(dynamic_waves_);
+  add_near(wakes_);
+  std::stable_sort(near_.begin(), near_.end(), [](const auto& a, const auto& b) { return a.reach_m < b.reach_m; });
 }
 
 void Ocean::take(SeaSpec spec) {
@@ -114,7 +122,7 @@ WaterReach Ocean::others_reach() const {
   }
   return reach;
 }
-bool Ocean::waves_alone() const { return sources_.empty() && !dynamic_waves_ && !place_; }
+bool Ocean::waves_alone() const { return sources_.empty() && !dynamic_waves_ && !wakes_ && !place_; }
 double Ocean::most_share() const { return place_ && sea_.shallows() ? sea_.shallows().most_share() : 1.0; }
 double Ocean::land_m() const { return place_ ? place_->land_m() : 0.0; }
 
@@ -140,7 +148,7 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   }
   if (waves_alone()) return result;
   result.mesh_error = source_error_.with(result.mesh_error);
-  if (dynamic_waves_) result.near = dynamic_waves_->mesh_errors();
+  result.near = near_;
   if (!result.below) return result;
   // Water anywhere may be off by all that the others do, and shallow water stands anywhere between none of its waves
   // and the most that a bed makes of them.
@@ -195,7 +203,7 @@ bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
 
 bool Ocean::wants_foam(const OceanSettings& settings) const {
   return settings.foam &&
-         keeps_foam(*settings.foam, bool(sea_.shallows()), dynamic_waves_ != nullptr, sea_.spec().actors_foam);
+         keeps_foam(*settings.foam, bool(sea_.shallows()), dynamic_waves_ || wakes_, sea_.spec().actors_foam);
 }
 
 bool Ocean::takes(const OceanSettings& settings) const {

@@ -8,6 +8,7 @@
 #include "ocean/drawn/drawn_foam.h"
 #include "ocean/drawn/drawn_place.h"
 #include "ocean/drawn/drawn_source.h"
+#include "ocean/drawn/drawn_wakes.h"
 #include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
 #include "ocean/mesh/mesher.h"
@@ -95,6 +96,7 @@ class Ocean {
   std::span<const DrawnSource* const> sources() const { return sources_; }
   // Null where the scene has none, or nothing that could ever push the water.
   const DrawnDynamicWaves* dynamic_waves() const { return dynamic_waves_; }
+  const DrawnWakes* wakes() const { return wakes_; }
   // Null where no foam is kept, but at most what breaks at the moment is drawn.
   const DrawnFoam* foam() const { return foam_; }
   // Null where the scene has none, or none is wished.
@@ -114,6 +116,8 @@ class Ocean {
   DrawnWaves* waves_ = nullptr;
   std::vector<const DrawnSource*> sources_;
   DrawnDynamicWaves* dynamic_waves_ = nullptr;
+  DrawnWakes* wakes_ = nullptr;
+  std::vector<NearMeshError> near_;  // of both, nearest first, as of the last update
   DrawnPlace* place_ = nullptr;
   DrawnFoam* foam_ = nullptr;
   std::unique_ptr<Spray> spray_;

@@ -5,8 +5,7 @@ void add_dynamic_slope(inout SeaSlopes s, int i, vec2 rest, float distance, floa
   const float there = dynamic_present(i, distance, 0.0), present = dynamic_present(i, distance, 2.0 * blur);
   s.variance += (there - present) * frame.sea.dynamic.level[i].xyz;
   if (present <= 0.0) return;
-  const vec4 d = present * textureLod(sampler2DArray(dynamic_slope, smooth_sampler),
-                                      vec3(lod_coordinates(frame.sea.dynamic.windows.slice[i], rest), float(i)), 0.0);
+  const vec4 d = present * window_texel(dynamic_slope, frame.sea.dynamic.windows.slice[i], i, rest);
   s.gradient += d.xy;
   s.shift.xy += frame.sea.dynamic.share.x * d.zw;  // its shear the vertices carry
 }

@@ -1,20 +1,16 @@
 // What dynamic waves add to sea_displacement(). Part of lib/sea.glsl; the C++ twin is ocean/places/dynamic_surface.cpp.
 
-// How much of a level there is at a distance from the viewer for a footprint in metres, which fades it from four to
-// eight of its texels: half and all of its shortest wave.
+// How much of a level there is at a distance from the viewer for a footprint in metres.
 float dynamic_present(int i, float distance, float footprint) {
-  const float texel = frame.sea.dynamic.windows.slice[i].w;
   return frame.sea.dynamic.level[i].w * lod_present(frame.sea.dynamic.windows.reach, i, distance) *
-         clamp(2.0 - footprint / (4.0 * texel), 0.0, 1.0);
+         window_kept(frame.sea.dynamic.windows.slice[i].w, footprint);
 }
 
 void add_dynamic_level(inout vec4 sum, int i, vec2 rest, float distance, float footprint) {
   const float present = dynamic_present(i, distance, footprint);
   if (present <= 0.0) return;
   const vec4 share = vec4(frame.sea.dynamic.share.x, 1.0, frame.sea.dynamic.share.xx);
-  sum += present * share *
-         textureLod(sampler2DArray(dynamic_shift, smooth_sampler),
-                    vec3(lod_coordinates(frame.sea.dynamic.windows.slice[i], rest), float(i)), 0.0);
+  sum += present * share * window_texel(dynamic_shift, frame.sea.dynamic.windows.slice[i], i, rest);
 }
 
 void add_dynamic_displacement(inout vec4 sum, vec2 rest, float footprint) {

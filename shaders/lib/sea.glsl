@@ -49,6 +49,11 @@ layout(constant_id = value_dynamic_levels) const int dynamic_levels = 0;
 layout(binding = slot_dynamic_shift) uniform texture2DArray dynamic_shift;  // as those of displacement,
 layout(binding = slot_dynamic_slope) uniform texture2DArray dynamic_slope;  // and of derivatives
 
+// Windows of waves that belong to bodies: so many levels each; 0: there are none, and nothing of them is left here.
+layout(constant_id = value_wake_levels) const int wake_levels = 0;
+layout(binding = slot_wake_shift) uniform texture2DArray wake_shift;  // as those above
+layout(binding = slot_wake_slope) uniform texture2DArray wake_slope;
+
 // Data of places; false: there is none, and nothing of it is left here.
 layout(constant_id = value_level) const bool sea_level = false;
 layout(binding = slot_level) uniform texture2DArray sea_level_windows;  // the still water's height, m; its slopes
@@ -123,7 +128,9 @@ float near_viewer(vec2 rest) {
   return clamp(2.0 - 2.0 * length(rest - frame.viewer.xy) * frame.sea.footprint.y, 0.0, 1.0);
 }
 
+#include "lib/wave_windows.glsl"
 #include "lib/dynamic_waves.glsl"
+#include "lib/wake_waves.glsl"
 
 #include "lib/water_clip.glsl"
 
@@ -155,6 +162,7 @@ vec4 sea_displacement(SeaPlace place, float footprint) {
                      footprint);
   if (shore_waves) add_shore_displacement(sum, place, footprint);
   if (dynamic_levels > 0) add_dynamic_displacement(sum, place.rest, footprint);
+  if (wake_levels > 0) add_wake_displacement(sum, place.rest, footprint);
   if (sea_level) sum.y += place.level.x;
   if (sea_bed) sum = sea_bed_land(place, sum);
   if (sea_bed && water_clip && water_clip_dries(place.rest, vec3(place.rest.x + sum.x, sum.y, place.rest.y + sum.z)))
@@ -295,6 +303,7 @@ void add_near(inout SeaSlopes s, SeaSlopes part, CascadeData c, float near) {
 
 #include "lib/shore_slopes.glsl"
 #include "lib/dynamic_slopes.glsl"
+#include "lib/wake_slopes.glsl"
 
 // What vertices carry of the slopes, and for which footprint and blur (see sea_carried).
 struct CarriedSlopes {
@@ -332,6 +341,7 @@ SeaSlopes sea_slopes(SeaPlace place, SeaFootprint over, CarriedSlopes have) {
     add_slopes(s, particle_derivatives, particle_moments, frame.sea.particles[2], 5, 0.0, place, over, 1.0);
   if (shore_waves) add_shore_slopes(s, place, over);
   if (dynamic_levels > 0) add_dynamic_slopes(s, place.rest, over.blur);
+  if (wake_levels > 0) add_wake_slopes(s, place.rest, over.blur);
   if (sea_level) s.gradient += place.level.yz;
   return s;
 }

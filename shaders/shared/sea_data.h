@@ -4,6 +4,7 @@
 #include "gpu_types.h"
 #include "lod_windows.h"
 #include "pattern_warp.h"
+#include "wake_windows.h"
 #include "wave_bin.h"
 #include "wave_particles.h"
 SEASCAPE_SHARED_BEGIN
@@ -60,6 +61,7 @@ struct SeaData {
   CascadeData shore;                            // of those that run along curves, and
   CascadeData particles[max_particle_layings];  // of wave particles; nothing is there without the effect
   DynamicData dynamic;                          // of dynamic waves
+  WakeData wakes;                               // of windows that belong to bodies
   PlaceData place;                              // of what belongs to places
   WarpData warp;   // of the first cascade's pattern; nothing is there where it lies straight
   vec4 tail;       // slope moments xx, zz, xz of waves shorter than the last cascade's; w: chop

@@ -15,6 +15,7 @@ SEASCAPE_CONST int slot_longest_tile = 1, slot_tiles = 9;
 SEASCAPE_CONST int slot_particles = 12, slot_gerstner = 19, slot_baked = 22, slot_shore = 44;
 SEASCAPE_CONST int slot_shore_lines = 47, slot_shore_ways = 48;
 SEASCAPE_CONST int slot_dynamic_shift = 25, slot_dynamic_slope = 26;
+SEASCAPE_CONST int slot_wake_shift = 66, slot_wake_slope = 67;
 SEASCAPE_CONST int slot_level = 27, slot_bed = 15, slot_bed_waves = 28, slot_flow = 29;
 SEASCAPE_CONST int slot_clip = 30, slot_clip_nodes = 38, slot_clip_volumes = 39, slot_clip_hulls = 40;
 SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;
@@ -34,7 +35,7 @@ SEASCAPE_CONST int value_tile_shape = 2, value_debug = 4, value_sky_ray = 6;
 SEASCAPE_CONST int value_deferred = 10, value_anisotropy = 5, value_probe = 1;
 SEASCAPE_CONST int value_cascades = 7, value_warp = 20;
 SEASCAPE_CONST int value_particles = 8, value_gerstner = 11, value_baked = 12, value_shore_waves = 28;  // layings
-SEASCAPE_CONST int value_dynamic_levels = 13;
+SEASCAPE_CONST int value_dynamic_levels = 13, value_wake_levels = 32;
 SEASCAPE_CONST int value_level = 14, value_bed = 15, value_flow = 16;
 SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 9;
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;

@@ -45,6 +45,10 @@ Viewpoint SeaShot::viewpoint(const Pose& head) const {
 }
 
 void SeaShot::draw(const Viewpoint& eyes, double time_s) {
+  if (options_.actor != nullptr && acted_on_.lock() != experience_->sea()) {
+    acted_on_ = experience_->sea();
+    experience_->sea()->add(options_.actor());
+  }
   Frame& frame = experience_->frame();
   frame.begin();
   draw_frame(*experience_, frame, eyes, time_s);

@@ -25,6 +25,8 @@ struct ShotOptions {
   SceneObjects objects = {};                             // likewise
   ClipRoom clip_room = {};
   bool actors_foam = false;
+  // Makes who acts on the sea, in whichever sea there is from the next frame on; null: nobody does.
+  std::shared_ptr<SeaActor> (*actor)() = nullptr;
 };
 
 // A pose from metres and degrees.
@@ -56,6 +58,7 @@ class SeaShot {
   Device& device_;
   ShotOptions options_;
   std::unique_ptr<Experience> experience_;
+  std::weak_ptr<Sea> acted_on_;
 };
 
 }  // namespace seascape::test
