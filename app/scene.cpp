@@ -171,6 +171,7 @@ Scene parse_scene(std::string_view text, const std::string& where, std::string_v
           ": a set of gerstner is for splines and there are none, so that it is nowhere; add an input to gerstner");
   });
   check("dynamic_waves", [&] { validate(scene.settings.dynamic_waves); });
+  check("wakes", [&] { validate(scene.settings.wakes); });
   check("foam", [&] { validate(scene.settings.foam); });
   check("spray", [&] { validate(scene.settings.spray); });
   for (const std::string_view effect : {"level", "flow", "clip", "albedo", "shadow"})

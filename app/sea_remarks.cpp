@@ -48,6 +48,7 @@ void add_unlooped(const Scene& scene, std::vector<std::string>& remarks) {
   std::vector<std::string_view> kept;
   const auto has = [&](std::string_view effect) { return calls_for(scene.effects, effect); };
   if (has("dynamic_waves")) kept.push_back("dynamic waves");
+  if (has("wakes")) kept.push_back("wakes");
   if (has("foam") && s.foam.simulated) kept.push_back("foam");
   if (has("spray") && s.spray.amount > 0.0) kept.push_back("spray");
   if (std::any_of(scene.inputs.begin(), scene.inputs.end(),

@@ -13,14 +13,15 @@ namespace seascape {
 
 namespace {
 // Sections of the settings that describe the sea, but for those of their rows that only its picture asks for.
-constexpr std::array<std::string_view, 9> sections{
-    "waves.", "gerstner.", "wave_particles.", "baked.", "level.", "dynamic_waves.", "flow.", "clip.", "sea_depth."};
+constexpr std::array<std::string_view, 10> sections{"waves.", "gerstner.",      "wave_particles.", "baked.",
+                                                    "level.", "dynamic_waves.", "wakes.",          "flow.",
+                                                    "clip.",  "sea_depth."};
 constexpr std::array<std::string_view, 8> of_the_picture{"waves.change_s",     "waves.resolution",  "waves.cascades",
                                                          "waves.half_storage", "waves.where",       "baked.fade_m",
                                                          "sea_depth.sand",     "sea_depth.growth_m"};
-constexpr std::array<std::string_view, 11> effects{"waves",         "gerstner", "wave_particles", "baked",
-                                                   "dynamic_waves", "level",    "flow",           "clip",
-                                                   "sea_depth",     "albedo",   "shadow"};
+constexpr std::array<std::string_view, 12> effects{"waves",         "gerstner",  "wave_particles", "baked",
+                                                   "dynamic_waves", "wakes",     "level",          "flow",
+                                                   "clip",          "sea_depth", "albedo",         "shadow"};
 }  // namespace
 
 SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
@@ -39,6 +40,11 @@ SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
     spec.dynamic_waves->waves.gravity_mps2 = s.sea.gravity_mps2;
     spec.dynamic_waves->waves.depth_m = s.sea.depth_m;
     if (!scene.actors_press && still(*spec.dynamic_waves, !spec.pressure->empty())) spec.dynamic_waves.reset();
+  }
+  if (calls_for(scene.effects, "wakes")) {
+    spec.wakes = s.wakes;
+    spec.wakes->waves.gravity_mps2 = s.sea.gravity_mps2;
+    spec.wakes->waves.depth_m = s.sea.depth_m;
   }
   spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;

@@ -19,6 +19,7 @@
 #include "ocean/mesh/lod_settings.h"
 #include "ocean/places/dynamic_sea_settings.h"
 #include "ocean/places/place_settings.h"
+#include "ocean/places/wake_settings.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/baked_settings.h"
 #include "ocean/waves/gerstner_settings.h"
@@ -36,6 +37,7 @@ struct Settings {
   GerstnerSettings gerstner;                    // keys gerstner.*
   WaveParticleSettings wave_particles;          // keys wave_particles.*
   DynamicSeaSettings dynamic_waves;             // keys dynamic_waves.*
+  WakeSettings wakes;                           // keys wakes.*
   FoamSettings foam;                            // keys foam.*
   SpraySettings spray;                          // keys spray.*
   PlaceSettings place;                          // keys place.*, level.*, flow.*, clip.*

@@ -43,6 +43,12 @@ template <auto member>
 constexpr auto dynamic_windows =
     &at<&Settings::dynamic_waves, &DynamicSeaSettings::waves, &DynamicWavesSettings::windows, member>;
 template <auto member>
+constexpr auto wakes = &at<&Settings::wakes, member>;
+template <auto member>
+constexpr auto wake_waves = &at<&Settings::wakes, &WakeSettings::waves, member>;
+template <auto member>
+constexpr auto wake_windows = &at<&Settings::wakes, &WakeSettings::waves, &DynamicWavesSettings::windows, member>;
+template <auto member>
 constexpr auto rain = &at<&Settings::dynamic_waves, &DynamicSeaSettings::rain, member>;
 template <auto member>
 constexpr auto foam = &at<&Settings::foam, member>;
@@ -512,6 +518,47 @@ const std::vector<Setting>& table() {
        -1.0, 1.0},
       {"dynamic_waves.seed", "", "Which drops fall, of the same statistics.", rain<&RainSettings::seed>, 0.0,
        4294967295.0},
+
+      {"wakes.resolution",
+       "",
+       "Texels a side of each level's window around a body that makes waves; more reach farther from it. What bodies "
+       "feel of each other's waves depends on it: it is the same at every preset.",
+       wake_windows<&LodWindowSettings::resolution>,
+       64.0,
+       256.0,
+       {"64", "128", "256"},
+       false,
+       other_images},
+      {"wakes.slices",
+       "",
+       "Levels of a body's window, each of waves and a window twice as long as the one before.",
+       wake_windows<&LodWindowSettings::slices>,
+       2.0,
+       3.0,
+       {},
+       false,
+       other_images},
+      {"wakes.texel_m",
+       "m",
+       "Texel of the finest level; the shortest waves of bodies are eight of them long.",
+       wake_windows<&LodWindowSettings::texel_m>,
+       0.02,
+       10.0,
+       {},
+       false,
+       other_texels},
+      {"wakes.damping_per_s", "1/s", "How fast bodies' waves die away: their energy falls by this share a second.",
+       wake_waves<&DynamicWavesSettings::damping_per_s>, 0.0, 10.0},
+      {"wakes.sharpening", "",
+       "Horizontal displacement that sharpens bodies' waves: 0 none, 1 as linear waves have it; never so much that the "
+       "water folds.",
+       wake_waves<&DynamicWavesSettings::sharpening>, 0.0, 2.0},
+      {"wakes.least_speed_mps", "m/s",
+       "A body that moves faster through the water asks for a window; half of it keeps one.",
+       wakes<&WakeSettings::least_speed_mps>, 0.0, 10.0},
+      {"wakes.least_push_m3ps", "m3/s",
+       "A body that moves more water asks for a window, whatever its speed; half of it keeps one.",
+       wakes<&WakeSettings::least_push_m3ps>, 0.0, 100.0},
 
       {"foam.simulated",
        "",

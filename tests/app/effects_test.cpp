@@ -23,6 +23,9 @@ TEST(Effects, TheClosureAddsWhatIsNeededAndSaysWhy) {
             (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
   EXPECT_EQ(entries({"gerstner"}), (Entries{{"waves", "gerstner needs it"}, {"gerstner", "the scene names it"}}));
   EXPECT_EQ(entries({"spray"}), (Entries{{"waves", "spray needs it"}, {"spray", "the scene names it"}}));
+  EXPECT_EQ(entries({"wakes"}), (Entries{{"models", "boats needs it"},
+                                         {"boats", "wakes needs it"},
+                                         {"wakes", "the scene names it"}}));
   EXPECT_EQ(entries({"foam", "waves"}), (Entries{{"waves", "the scene names it"}, {"foam", "the scene names it"}}));
 }
 
@@ -33,7 +36,7 @@ TEST(Effects, NothingIsThereThatNobodyAskedFor) {
 }
 
 TEST(Effects, TheNamesAreThoseOfTheDesign) {
-  EXPECT_EQ(effect_names().size(), 23u);
+  EXPECT_EQ(effect_names().size(), 24u);
   EXPECT_TRUE(effect_is_built("waves"));
   EXPECT_TRUE(effect_is_built("foam"));
   EXPECT_TRUE(effect_is_built("spray"));
@@ -42,6 +45,7 @@ TEST(Effects, TheNamesAreThoseOfTheDesign) {
   EXPECT_TRUE(effect_is_built("gerstner"));
   EXPECT_TRUE(effect_is_built("wave_particles"));
   EXPECT_TRUE(effect_is_built("boats"));
+  EXPECT_TRUE(effect_is_built("wakes"));
   EXPECT_TRUE(effect_is_known("portals"));
   EXPECT_FALSE(effect_is_built("portals"));
   EXPECT_FALSE(effect_is_known("boat"));

@@ -1,12 +1,14 @@
 // The effects that are proved to be absent where no scene calls for them: a row each.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ocean/inputs/input_spec.h"
 #include "tests/support/solid_maker.h"
+#include "tests/support/wake_maker.h"
 
 namespace seascape::test {
 
@@ -23,7 +25,13 @@ struct EffectUnderProof {
   std::string part = name;             // where only a part of the effect is meant: its name among tests and variants
   bool shown = false;                  // it is drawn in every frame, whether the clock stands or not
   SceneObjects things = {};            // of the scene, with it or without
+  std::shared_ptr<SeaActor> (*actor)() = nullptr;  // who acts on its sea, with it or without
 };
+
+inline std::shared_ptr<SeaActor> a_boat() {
+  return std::make_shared<WakeMaker>(
+      std::vector<WakeMade>{{.at_m = {-3.0, -9.0}, .velocity_mps = {2.0, 0.0}, .length_m = 3.0, .head_m = 0.3}});
+}
 
 inline InputSpec pool(InputTarget to, glm::vec4 value) {
   InputSpec spec;
@@ -66,6 +74,13 @@ inline SceneObjects a_box() {
   SceneObjects objects;
   stand(objects, solid_model(solid_box({0.5f, 0.5f, 0.5f}), "{}"), Pose{{3.0, 0.3, -8.0}});
   return objects;
+}
+
+// Away from the view.
+inline InputSpec far_pool(InputTarget to, glm::vec4 value) {
+  InputSpec spec = pool(to, value);
+  std::get<AreaInput>(spec.shape).at_m = {60.0, -90.0};
+  return spec;
 }
 
 inline const EffectUnderProof effects_under_proof[] = {
@@ -156,6 +171,20 @@ inline const EffectUnderProof effects_under_proof[] = {
      {25, 26},
      true,
      true},
+    {"wakes",
+     {"waves", "boats"},
+     {"waves", "boats", "wakes"},
+     {{"wakes.resolution", "64"}, {"wakes.slices", "2"}},
+     {"", ""},
+     {66, 67},
+     true,
+     true,
+     "wakes",
+     {far_pool(InputTarget::clip, {1.0f, 0.0f, 0.0f, 0.0f}), drum()},
+     "wakes",
+     false,
+     a_box(),
+     a_boat},
     {"level",
      {"waves"},
      {"waves", "level"},

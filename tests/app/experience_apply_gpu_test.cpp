@@ -117,6 +117,10 @@ std::uint64_t hash_of(Experience& experience) {
   if (const DynamicSea* const dynamic = experience.sea()->dynamic_waves())
     for (int i = 0; i < dynamic->waves().levels(); ++i)
       take(dynamic->waves().level(i).modes().data(), dynamic->waves().level(i).modes().size_bytes());
+  if (const WakeWindows* const wakes = experience.sea()->wakes())
+    for (int window = 0; window < WakeWindows::most; ++window)
+      for (int i = 0; wakes->waves(window).active() && i < wakes->waves(window).levels(); ++i)
+        take(wakes->waves(window).level(i).modes().data(), wakes->waves(window).level(i).modes().size_bytes());
   return hash;
 }
 

@@ -48,7 +48,7 @@ class PanelUnderTheMouse : public testing::Test {
            {"Waves",     "Gerstner", "Wave particles", "Dynamic waves", "Foam",    "Spray",           "Level",
             "Sea depth", "Flow",     "Clip",           "Place",         "Baked",   "Level of detail", "Water",
             "Sky",       "Frame",    "Stereo",         "Camera",        "Comfort", "Headset",         "Mirror",
-            "Time",      "Debug",    "Models"})
+            "Time",      "Debug",    "Models",         "Wakes"})
         ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
       ImGui::End();
     });

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/text.h"
+#include "tests/support/wake_maker.h"
 
 namespace seascape::test {
 
@@ -16,6 +17,17 @@ std::string another(const Settings& settings, const Setting& row) {
   const double value = std::clamp(wanted, row.least, row.most);
   return text_from(std::holds_alternative<RealMember>(row.member) ? value : std::floor(value));
 }
+
+namespace {
+// One that is there all the time, and two that come later: one that moves and pushes little, and one that stands and
+// pushes hard. No window reaches another of them.
+std::shared_ptr<SeaActor> boats_apart() {
+  return std::make_shared<WakeMaker>(std::vector<WakeMade>{
+      {.id = 1, .at_m = {40.0, -110.0}, .velocity_mps = {2.0, 0.0}, .length_m = 5.0, .head_m = 1.0},
+      {.id = 2, .at_m = {2.0, -5.0}, .velocity_mps = {0.0, -1.0}, .length_m = 3.0, .head_m = 0.02, .starts_s = 4.4},
+      {.id = 3, .at_m = {-60.0, -90.0}, .length_m = 6.0, .head_m = 0.0, .starts_s = 4.4, .rise_mps = 3.0}});
+}
+}  // namespace
 
 ShotOptions where_it_acts(std::string_view key) {
   const auto begins = [&](const char* with) { return key.starts_with(with); };
@@ -42,6 +54,11 @@ ShotOptions where_it_acts(std::string_view key) {
         options.set.emplace_back(of + name, value);
   }
   if (begins("wave_particles.") || begins("dynamic_waves.")) options.scene = "rain_pool";
+  if (begins("wakes.")) {
+    options.scene = "open_sea";
+    options.effects = std::vector<std::string>{"waves", "wakes"};
+    options.actor = boats_apart;
+  }
   if (key == "dynamic_waves.idle_m") set("dynamic_waves.rain_per_m2_s", "0.02");  // steps rest
   if (begins("level.") || begins("flow.")) {
     options.scene = "whirlpool";
@@ -76,6 +93,8 @@ std::string value_in(const Settings& settings, const Setting& row) {
   const std::map<std::string_view, const char*> chosen{{"lod.ocean_size_m", "300"},
                                                        {"lod.skirt_multiplier", "1"},
                                                        {"dynamic_waves.idle_m", "0.1"},
+                                                       {"wakes.least_speed_mps", "10"},
+                                                       {"wakes.least_push_m3ps", "100"},
                                                        {"waves.depth_m", "5"},
                                                        {"gerstner.set2_wavelength_m", "60"},
                                                        {"wave_particles.radius_m", "0.3"},
