@@ -46,10 +46,11 @@ SeaSpec sea_spec(const Scene& scene, const MadeBefore* before) {
     spec.wakes->waves.gravity_mps2 = s.sea.gravity_mps2;
     spec.wakes->waves.depth_m = s.sea.depth_m;
   }
-  spec.actors_foam = scene.actors_foam && calls_for(scene.effects, "foam");
+  const bool floats = calls_for(scene.effects, "boats") && !scene.objects.floating.empty();
+  spec.actors_foam = (scene.actors_foam || floats) && calls_for(scene.effects, "foam");
   spec.drawn = s.waves;
   spec.crests_velocity = calls_for(scene.effects, "spray");
-  spec.felt_velocity = calls_for(scene.effects, "boats") && !scene.objects.floating.empty();
+  spec.felt_velocity = floats;
   return spec;
 }
 

@@ -39,6 +39,9 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   settings.media = body_media(scene.settings);
   std::map<std::tuple<std::size_t, double, double>, std::shared_ptr<const HullCourse>> known;  // by model, size, mass
   std::vector<std::shared_ptr<const HullCourse>> courses;
+  const bool makes_waves = calls_for(scene.effects, "wakes") || calls_for(scene.effects, "foam");
+  std::map<std::tuple<std::size_t, double, double>, std::shared_ptr<const HullWake>> known_wakes;
+  std::vector<std::shared_ptr<const HullWake>> wakes;
   for (const FloatingThing& one : objects.floating) {
     const SolidThing& thing = objects.things[one.thing];
     std::optional<BoatModel>& model = models[thing.model];
@@ -51,6 +54,13 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
     if (course == nullptr && model->is_boat && spec.level != BodyLevel::follow)
       course = course_of(spec, settings.media);
     courses.push_back(course);
+    auto& wake = known_wakes[{thing.model, thing.scale, 0.0}];
+    if (wake == nullptr && makes_waves && model->is_boat && spec.level != BodyLevel::follow) {
+      HullMesh mesh = *spec.hull;
+      for (glm::dvec3& v : mesh.vertices) v -= spec.mass_centre_m;
+      wake = std::make_shared<const HullWake>(mesh);
+    }
+    wakes.push_back(model->is_boat ? wake : nullptr);
     specs.push_back(std::move(spec));
     boats.push_back(scaled(model->boat, thing.scale));
   }
@@ -59,6 +69,7 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   for (std::size_t n = 0; n < objects.floating.size(); ++n) {
     bodies->ask(n, objects.floating[n].floats.controls);
     if (objects.floating[n].floats.towed) bodies->tow(n);
+    if (wakes[n] != nullptr) bodies->makes_waves(n, wakes[n], 8.0 * scene.settings.wakes.waves.windows.texel_m);
   }
   return bodies;
 }

@@ -16,6 +16,7 @@ constexpr double helm_per_s = 1.2;     // of its range
 constexpr double strokes_per_s = 0.5;  // of oars
 // A stroke's ends ahead and astern of square, and what an arm bears on the blade: 60 N a side on average, with half of
 // the time under water, are about 100 W at 2.5 knots (facts of rowing boats: 100 W, 2.5 to 3 knots).
+constexpr double blade_breadth_m = 0.14;
 constexpr double catch_rad = 0.75, release_rad = -0.6, most_oar_n = 110.0;
 
 double within(double value, double least) { return std::isfinite(value) ? std::clamp(value, least, 1.0) : 0.0; }
@@ -53,6 +54,8 @@ void Boat::ask(const BoatControls& controls) {
 void Boat::step(Bodies& bodies, std::size_t n, const BodyWater& water, const HullMedia& media, double end_s,
                 double dt_s) {
   const BodyState& state = bodies.result()[n];
+  blade_count_ = 0;
+  parts_.thrust_n = 0.0;
   if (state.lost) return;
   Hull hull{bodies, n, water, media, end_s, state, glm::mat3_cast(state.motion.orientation)};
   if (asked_.throttle != 0.0 || asked_.oar_left != 0.0 || asked_.oar_right != 0.0) bodies.wake(n);
@@ -70,7 +73,7 @@ Boat::Flow Boat::flow_at(const Hull& hull, const glm::dvec3& at, double half_m) 
   const glm::dvec3 world = hull.world(at);
   const glm::dvec2 place(world.x, world.z);
   WaterHere here;
-  hull.water.ask(hull.end_s, 2.0 * half_m, {&place, 1}, {&here, 1});
+  hull.water.ask_as(hull.n, hull.end_s, 2.0 * half_m, {&place, 1}, {&here, 1});
   Flow flow;
   flow.wet = here.dry ? 0.0 : std::clamp(0.5 + 0.5 * (here.height_m - world.y) / half_m, 0.0, 1.0);
   flow.water = glm::transpose(hull.to_world) * (here.velocity_mps - hull.velocity(world));
@@ -98,6 +101,7 @@ void Boat::drive(Hull& hull, double dt) {
   parts_.propeller_rad = std::remainder(parts_.propeller_rad + 2.0 * pi * parts_.turns_per_s * dt, 2.0 * pi);
   const double thrust = force.thrust_n * flow.wet;
   hull.push(-thrust * aft, engine.at_m);
+  parts_.thrust_n = thrust;
   // Far behind its disc the water runs faster by (V + w)^2 = V^2 + 2 T / (rho A) (Rankine 1865, Froude 1889).
   const double disc = 0.25 * pi * diameter * diameter, v = std::max(past, 0.0);
   if (thrust > 0.0) hull.jet_mps = std::sqrt(v * v + 2.0 * thrust / (hull.media.density_kg_m3 * disc)) - v;
@@ -174,6 +178,12 @@ void Boat::row(Hull& hull, const BoatOar& oar, double dt) {
   const double size = glm::length(force), bears = most_oar_n * std::abs(pull);
   if (size > bears) force *= bears / size;
   hull.push(force, blade);
+  if (flow.wet > 0.0 && blade_count_ < int(blades_.size())) {
+    const glm::dvec3 place = hull.world(blade);
+    blades_[std::size_t(blade_count_++)] = {
+        place,       hull.to_world * normal, hull.to_world * slip, hull.velocity(place) + hull.to_world * swept,
+        oar.area_m2, blade_breadth_m};
+  }
 }
 
 std::uint64_t Boat::mixed_into(std::uint64_t hash) const {

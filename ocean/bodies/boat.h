@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "ocean/bodies/blade_rings.h"
 #include "ocean/bodies/bodies.h"
 #include "ocean/bodies/handling.h"
 
@@ -47,6 +49,7 @@ struct BoatControls {
 // How her parts stand, for whoever shows them.
 struct BoatParts {
   double turns_per_s = 0.0, propeller_rad = 0.0;
+  double thrust_n = 0.0;               // of the propeller in the last step, ahead positive
   double helm = 0.0;                   // -1 to 1, where rudder or outboard are by now
   std::array<double, 2> boom_rad{};    // of the first sails, to starboard positive
   std::array<double, 2> luffing{};     // 0 drawing to 1 flogging
@@ -64,6 +67,8 @@ class Boat {
   // Her parts' forces of one step on body `n`, of which she is.
   void step(Bodies& bodies, std::size_t n, const BodyWater& water, const HullMedia& media, double end_s, double dt_s);
   const BoatParts& parts() const { return parts_; }
+  // The oars' blades that are in the water as of the last step.
+  std::span<const Blade> blades() const { return {blades_.data(), std::size_t(blade_count_)}; }
   const BoatSpec& spec() const { return spec_; }
   std::uint64_t mixed_into(std::uint64_t hash) const;
 
@@ -81,6 +86,8 @@ class Boat {
   BoatSpec spec_;
   BoatControls asked_;
   BoatParts parts_;
+  std::array<Blade, 2> blades_;
+  int blade_count_ = 0;
 };
 
 }  // namespace seascape

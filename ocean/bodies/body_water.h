@@ -1,5 +1,6 @@
 // The water as bodies ask it: abstract, so that tests have waves of a formula, and a sea of its own wires in.
 #pragma once
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -29,6 +30,12 @@ class BodyWater {
   // several threads at once.
   virtual void ask(double time_s, double footprint_m, std::span<const glm::dvec2> places,
                    std::span<WaterHere> answers) const = 0;
+  // The same as one body feels it, by its number: without the waves that it makes itself, where they can be told apart.
+  virtual void ask_as(std::size_t body, double time_s, double footprint_m, std::span<const glm::dvec2> places,
+                      std::span<WaterHere> answers) const {
+    (void)body;
+    ask(time_s, footprint_m, places, answers);
+  }
   // The wave number of the sea's energy on average, 1/m; 0 without waves. Waves longer than a hull's grid fade by it.
   virtual double wave_number() const = 0;
   // Cheap: whether there are no waves within a distance of a place.

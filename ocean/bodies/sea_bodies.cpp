@@ -34,6 +34,7 @@ void SeaBodies::step(SeaStep& step) {
   hold_towed(step.dt_s);
   stepped_s_ = step.time_s;
   step_s_ = step.dt_s;
+  for (Wake& wake : wakes_) make_waves(step, wake);
   for (std::size_t n = 0; n < insides_.size(); ++n)
     for (const int hull : insides_[n].hulls) step.clip(clip_of(n, hull));
 }
@@ -43,12 +44,53 @@ void SeaBodies::keep_course(std::size_t n, double end_s) {
   if (state.asleep || state.lost || state.submerged_m3 <= 0.0) return;
   const glm::dvec2 place(state.motion.centre_m.x, state.motion.centre_m.z);
   WaterHere here;
-  water_.ask(end_s, courses_[n]->length_m(), {&place, 1}, {&here, 1});
+  water_.ask_as(n, end_s, courses_[n]->length_m(), {&place, 1}, {&here, 1});
   Vector6 through = state.motion.velocity;
   through.linear -= glm::dvec3(here.velocity_mps.x, 0.0, here.velocity_mps.z);
   const BodyPose pose{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)};
   const double at_rest_m3 = bodies_.spec(n).mass.mass_kg / media_.density_kg_m3;
   bodies_.resist(n, courses_[n]->forces(pose, through, state.submerged_m3 / at_rest_m3));
+}
+
+void SeaBodies::makes_waves(std::size_t n, std::shared_ptr<const HullWake> hull, double least_length_m) {
+  double front = 0.0, back = 0.0;
+  for (const glm::dvec3& v : bodies_.spec(n).hull->vertices) front = std::min(front, v.z), back = std::max(back, v.z);
+  const double turn = double(wakes_.size() % 10) / 10.0;  // hulls give foam one after the other
+  cut_.resize(std::max(cut_.size(), std::size_t(hull->sections())));
+  wakes_.push_back({n, std::move(hull), least_length_m, back - front, WakeFoam(turn)});
+}
+
+void SeaBodies::make_waves(SeaStep& step, Wake& wake) {
+  const std::size_t n = wake.body;
+  const BodyState& state = bodies_.result()[n];
+  if (state.asleep || state.lost) return;
+  HullMotion motion{{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)}, state.motion.velocity, {}};
+  const auto ask = [&](const glm::dvec2& place, double footprint_m) {
+    WaterHere here;
+    water_.ask_as(n, step.time_s, footprint_m, {&place, 1}, {&here, 1});
+    return here;
+  };
+  const WaterHere around = ask({state.motion.centre_m.x, state.motion.centre_m.z}, wake.length_m);
+  motion.water_mps = around.velocity_mps;
+  const std::span<HullSection> cut(cut_.data(), std::size_t(wake.hull->sections()));
+  const double part_m = wake.length_m / wake.hull->sections();
+  wake.hull->cut(
+      motion, [&](const glm::dvec2& place) { return ask(place, part_m).height_m; }, cut);
+  sources_.clear();
+  wake.hull->add_sources(motion, cut, wake.least_length_m, sources_);
+  for (const Blade& blade : boats_[n].blades())
+    add_blade_sources(blade, around.height_m, wake.least_length_m, sources_);
+  const glm::dvec3& v = state.motion.velocity.linear;
+  step.wake({n + 1, {state.motion.centre_m.x, state.motion.centre_m.z}, {v.x, v.z}, wake.length_m}, sources_);
+
+  std::optional<PropellerWash> wash;
+  if (const auto& engine = boats_[n].spec().engine)
+    wash = PropellerWash{state.at_m + motion.pose.to_world * engine->at_m, engine->propeller.diameter_m,
+                         boats_[n].parts().thrust_n};
+  made_.clear();
+  wake.foam.step(step.dt_s, motion, cut, part_m, wash, media_.gravity_mps2, media_.density_kg_m3, made_);
+  for (const FoamDisc& disc : made_.foam) step.foam(disc);
+  for (const SprayThrow& thrown : made_.spray) step.spray(thrown);
 }
 
 void SeaBodies::hold_towed(double dt_s) {
@@ -68,6 +110,7 @@ void SeaBodies::hold_towed(double dt_s) {
 void SeaBodies::hold() {
   step_s_ = 0.0;
   ++holds_;
+  for (Wake& wake : wakes_) wake.foam.forget();
 }
 
 ClipBody SeaBodies::clip_of(std::size_t n, int hull) const {
@@ -101,6 +144,7 @@ Pose SeaBodies::pose_at(std::size_t n, double time_s) const {
 std::uint64_t SeaBodies::hash() const {
   std::uint64_t hash = bodies_.hash();
   for (const Boat& boat : boats_) hash = boat.mixed_into(hash);
+  for (const Wake& wake : wakes_) hash = mixed(hash, wake.foam.hash());
   return hash;
 }
 

@@ -11,6 +11,7 @@
 #include "ocean/bodies/bodies.h"
 #include "ocean/bodies/hull_course.h"
 #include "ocean/bodies/sea_water.h"
+#include "ocean/bodies/wake_foam.h"
 #include "ocean/sea/sea_actor.h"
 
 namespace seascape {
@@ -38,6 +39,8 @@ class SeaBodies final : public SeaActor {
   std::uint64_t hash() const override;
 
   std::size_t size() const { return insides_.size(); }
+  // It makes waves, foam and spray (of its mesh about the centre of mass); no source is shorter than this (m).
+  void makes_waves(std::size_t body, std::shared_ptr<const HullWake> hull, double least_length_m);
   // As by a towing carriage: it keeps the velocity along the sea, the course and the heading that it has, and heaves,
   // pitches and rolls as it likes.
   void tow(std::size_t body) { towed_.push_back({body, bodies_.result()[body].motion}); }
@@ -63,6 +66,17 @@ class SeaBodies final : public SeaActor {
     BodyMotion as;  // at the end of the last step, but for heave, pitch and roll
   };
   void hold_towed(double dt_s);
+  struct Wake {
+    std::size_t body;
+    std::shared_ptr<const HullWake> hull;
+    double least_length_m, length_m;
+    WakeFoam foam;
+  };
+  void make_waves(SeaStep& step, Wake& wake);
+  std::vector<Wake> wakes_;
+  std::vector<HullSection> cut_;
+  std::vector<WaveSource> sources_;
+  WakeFoam::Made made_;
   std::vector<Towed> towed_;
   void keep_course(std::size_t body, double end_s);
   std::vector<Boat> boats_;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "ocean/places/wake_surface.h"
+
 namespace seascape {
 
 double mean_wave_number(const WaveBins& bins) {
@@ -41,9 +43,23 @@ void SeaWater::see(const SeaView& view) {
 }
 
 void SeaWater::ask(double, double footprint_m, std::span<const glm::dvec2> places, std::span<WaterHere> answers) const {
+  ask(std::uint64_t(0), footprint_m, places, answers);
+}
+
+void SeaWater::ask_as(std::size_t body, double, double footprint_m, std::span<const glm::dvec2> places,
+                      std::span<WaterHere> answers) const {
+  ask(std::uint64_t(body) + 1, footprint_m, places, answers);
+}
+
+void SeaWater::ask(std::uint64_t without_window_of, double footprint_m, std::span<const glm::dvec2> places,
+                   std::span<WaterHere> answers) const {
   thread_local std::vector<QueryAnswer> found;  // a thread's own memory: bodies ask in every step
   if (found.size() < places.size()) found.resize(places.size());
-  view_.query(places, {found.data(), places.size()}, {.footprint_m = footprint_m, .history = false});
+  QueryOptions options;
+  options.footprint_m = footprint_m;
+  options.viewer_waves = options.actors_bodies = false;
+  options.without_window_of = without_window_of;
+  view_.query(places, {found.data(), places.size()}, options);
   for (std::size_t n = 0; n < places.size(); ++n) {
     const QueryAnswer& water = found[n];
     WaterHere& here = answers[n];
@@ -56,9 +72,14 @@ void SeaWater::ask(double, double footprint_m, std::span<const glm::dvec2> place
   }
 }
 
-std::optional<CalmWater> SeaWater::calm(double, const glm::dvec2& place, double) const {
+std::optional<CalmWater> SeaWater::calm(double, const glm::dvec2& place, double distance_m) const {
   if (wave_number_ > 0.0) return std::nullopt;
-  const QueryAnswer here = view_.query(place, {.history = false, .fields = query_clip});
+  const glm::dvec2 around(distance_m);
+  if (view_.wakes() != nullptr && view_.wakes()->near(place - around, place + around)) return std::nullopt;
+  QueryOptions options;
+  options.viewer_waves = options.actors_bodies = false;
+  options.fields = query_clip;
+  const QueryAnswer here = view_.query(place, options);
   return CalmWater{here.clipped ? -1e9 : here.still_m, here.flow_mps};
 }
 

@@ -60,6 +60,8 @@ struct QueryOptions {
   bool history = true;
   // Whether the dynamic waves around the viewer are, which depend on the camera. What bodies feel leaves them out.
   bool viewer_waves = true;
+  // Whether bodies of actors clip.
+  bool actors_bodies = true;
   // The window that belongs to this body is left out of wakes (WakeWindows): what it stirs up itself, but for what lies
   // in windows of others, and all else that its own window knows. 0: none is.
   std::uint64_t without_window_of = 0;

@@ -23,6 +23,7 @@ void SeaView::query(std::span<const glm::dvec2> points, std::span<QueryAnswer> a
   PlaceSea::Beside beside = this->beside();
   if (!options.history) beside.dynamic = nullptr, beside.wakes = nullptr, beside.volumes = nullptr;
   if (!options.viewer_waves) beside.dynamic = nullptr;
+  if (!options.actors_bodies) beside.volumes = nullptr;
   places().query(field(), tiles(), points, answers, options, beside);
 }
 
