@@ -9,8 +9,9 @@ layout(binding = slot_depths_in_water) uniform sampler2DArray solids_below_depth
 // Between texels of one thing it lies on their plane, as depths change evenly in the picture. Around its edge it is as
 // near as the nearest, and the cover says how much of it is there. `texel`: one over the picture's sides.
 float solid_depth(vec2 pixel, vec2 texel) {
-  const vec4 four = textureGather(solids_below_depths, vec3(pixel * texel, eye_index()));
-  const vec2 between = fract(pixel - 0.5);
+  // Lines begin in middles of texels, where rounding would choose its neighbours anew in each frame.
+  const vec2 corner = floor(pixel + 0.49), between = clamp(pixel + 0.5 - corner, 0.0, 1.0);
+  const vec4 four = textureGather(solids_below_depths, vec3(corner * texel, eye_index()));
   const float least = min(min(four.x, four.y), min(four.z, four.w)),
               most = max(max(four.x, four.y), max(four.z, four.w));
   if (least < 0.8 * most) return most;

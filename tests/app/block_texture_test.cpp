@@ -95,7 +95,7 @@ struct Row {
 };
 
 // Every level of pictures whose sides are no multiples of four. Controls seen: green kept for red; a code of
-// encode_channel() one off; rows of blocks in the other order; libsquish's own BC5 (which rms 60 betrays).
+// encode_channel() one off; rows of blocks in the other order.
 TEST(BlockTexture, BlocksAreThePicture) {
   const Row rows[] = {{TexelKind::colour, false, BlockKind::bc1, 8, {0, 1, 2}, 4.0},
                       {TexelKind::colour, true, BlockKind::bc3, 16, {0, 1, 2, 3}, 4.0},

@@ -59,7 +59,7 @@ Pictures pictures_of_models(Device& device) {
 }
 
 // The same picture of a crate and a buoy to a small part of its light, from a quarter of the memory; and a device
-// without blocks, or one that is told to do without, has none. Controls: roughness and metalness taken for red and
+// without blocks, or one that is told to do without, has none. Controls seen: roughness and metalness taken for red and
 // green (`channels` left out); a normal map's green turned round when it is encoded; block_textures not asked.
 TEST_F(LoadedModelsOnGpu, BlocksShowThePictureInAQuarterOfTheMemory) {
   if (!test::device().facts().block_textures) GTEST_SKIP() << "the device has no blocks";
@@ -102,7 +102,7 @@ TEST_F(LoadedModelsOnGpu, BlocksShowThePictureInAQuarterOfTheMemory) {
 
 // Other effects, samples and shapes of the frame build nearly all anew, but not what was loaded: each of its objects is
 // older than a mark set before. Without `models` nothing of it is there, and with it again as much as at first.
-// Controls: make_solids() that always loads; one that never lets go.
+// Controls seen: make_solids() that always loads; one that never lets go.
 TEST_F(LoadedModelsOnGpu, AreKeptWhileOtherObjectsAreBuiltAnew) {
   SeaShot shot(options_of(test::frame_looks[0]));
   Experience& experience = shot.experience();

@@ -56,8 +56,8 @@ Image8 outside(Experience& experience, const Viewpoint& own, const Viewpoint& fr
   return made;
 }
 
-// From where the experience's own viewer stands, and from elsewhere. Controls: nothing drawn of solids_; the sun's map
-// not described (describe_sun), as seen from elsewhere; no glass.
+// From where the experience's own viewer stands, and from elsewhere. Controls seen: nothing drawn of solids_; the
+// sun's map not described (describe_sun); no glass.
 TEST_F(OutsideViewDrawn, ShowsThingsAndTheirShadows) {
   ExperienceOptions options{width, height, 1};
   options.seen_elsewhere = true;

@@ -121,7 +121,7 @@ TEST(SolidInstances, WhatTheFileMovesMoves) {
   }
 }
 
-// Once there is room, choosing what is drawn of things that move takes no memory. Control: `moved` made anew in
+// Once there is room, choosing what is drawn of things that move takes no memory. Control seen: the room made anew in
 // nodes_at().
 TEST(SolidInstances, WhatMovesTakesNoMemory) {
   if (!test::AllocationCounter::counts) GTEST_SKIP() << "the sanitizer counts";

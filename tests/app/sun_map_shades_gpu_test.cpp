@@ -73,8 +73,8 @@ Floor compared(const Image8& shaded, const Image8& bare, const View& eye, double
 
 const Pose above = pose({-1.0, 8.0, -2.0}, 0.0, -75.0);
 
-// A mask cuts the left half out of a board: the sun comes through there. Control: the discard of sun_map.frag taken
-// away.
+// A mask cuts the left half out of a board: the sun comes through there. Control seen: the discard of sun_map.frag
+// taken away.
 TEST_F(SunMapShades, WhatAMaskCutsOutThrowsNone) {
   test::SolidShape board = test::solid_box({1.0f, 0.02f, 1.0f});
   for (std::size_t i = 0; i < board.positions.size(); i += 3)
@@ -100,7 +100,7 @@ TEST_F(SunMapShades, WhatAMaskCutsOutThrowsNone) {
   }
 }
 
-// A box over level land. Control: land asked 0.5 m beside (sun_reaches in lib/sea_bed.glsl).
+// A box over level land. Control seen: land asked 0.5 m beside (sun_reaches in lib/sea_light.glsl).
 TEST_F(SunMapShades, LandIsShaded) {
   const double land_m = 1.0;
   InputSpec land;
@@ -131,7 +131,8 @@ TEST_F(SunMapShades, LandIsShaded) {
   }
 }
 
-// The shadow of a long wall fades out towards the map's border, without an edge. Control: `shown` 1 within the map.
+// The shadow of a long wall fades out towards the map's border, without an edge. Control seen: `shown` 1 within the
+// map.
 TEST_F(SunMapShades, TheyFadeTowardsTheBorder) {
   const double floor_m = 0.5;
   const Box wall{{15.0, floor_m + 0.6, -3.0}, {14.0, 0.6, 0.05}};
@@ -175,8 +176,8 @@ TEST_F(SunMapShades, TheyFadeTowardsTheBorder) {
   }
 }
 
-// Where depths cannot be filtered its edges are of whole texels, at the same places. Controls: a linear sampler there
-// (the picture is as on the whole device); asked four texels beside.
+// Where depths cannot be filtered its edges are of whole texels, at the same places. Control seen: a linear sampler
+// there (the picture is as on the whole device).
 TEST_F(SunMapShades, ADeviceThatDoesNotFilterDepths) {
   DeviceOptions floor_options;
   floor_options.validation = floor_options.core_only = true;
@@ -205,8 +206,8 @@ TEST_F(SunMapShades, ADeviceThatDoesNotFilterDepths) {
 }
 
 // Eyes 0.6 m apart see the shadow of one box where each one's rays to the floor and on to the sun say; and while the
-// head moves on before eyes that stand still, no pixel of it changes by more than rounding. Controls: `middle` of
-// sun_view() not of whole texels; the second eye's rays for the first.
+// head moves on before eyes that stand still, no pixel of it changes by more than rounding. Control seen: `middle`
+// of sun_view() not of whole texels.
 TEST_F(SunMapShades, BothEyesSeeOneShadowThatStandsStill) {
   const double floor_m = 0.5;
   const Box box{{0.0, floor_m + 0.9, -4.0}, {0.5, 0.5, 0.5}};
@@ -242,7 +243,7 @@ TEST_F(SunMapShades, BothEyesSeeOneShadowThatStandsStill) {
 }
 
 // A round pile of few sides is as light where it turns from the sun with its shadows as without: its triangles do not
-// hide from the sun what their normals have lit. Control: `reaches` alone in sun_reaches_thing() of
+// hide from the sun what their normals have lit. Control seen: `reaches` alone in sun_reaches_thing() of
 // lib/solid_light.glsl.
 TEST_F(SunMapShades, RoundThingsDoNotShadeThemselves) {
   SceneObjects objects;

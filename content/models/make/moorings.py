@@ -76,7 +76,7 @@ def lines():
         made.append((hemp, 0.016, [place(*fitting), place(*over), pile(west, end)], 1.035, [(place(*fitting), 0.065), (pile(west, end), 0.185)]))
     place = Place("fishing boat at the buoy")
     ring_at = ring_of_buoy("fishing boat at the buoy")
-    over = rail(trawler, -5.75, 0.04) * [0, 1, 1]
+    over = trawler.loft.points([0.0], [1.0])[0, 0] * [0, 1, 1] + [0, 0.10, -0.16]
     made.append((hemp, 0.018, [place(*bow), place(*over), ring_at], 1.02, [(place(*bow), 0.068)]))
 
     sloop, place = yacht.Boat(), Place("yacht at the pier")

@@ -222,8 +222,8 @@ def masonry(f):
     joint = step(2.6, 0.8, edge + 0.6 * f.noise(5, 5))
     block = (np.sin(np.floor(along) * 12.9898 + course * 78.233) * 43758.5453) % 1
     run = np.clip(f.noise(5, f.h), 0, 3)
-    peel = step(1.6, 2.0, f.cloud(36, 36))
-    value = np.clip(0.86 + 0.05 * (block - 0.5) + 0.03 * f.cloud(50, 50) - 0.04 * run - 0.22 * joint - 0.42 * peel, 0, 1)
+    peel = step(2.0, 2.5, f.cloud(36, 36))  # few and faint: the wall repeats them all around
+    value = np.clip(0.86 + 0.05 * (block - 0.5) + 0.03 * f.cloud(50, 50) - 0.04 * run - 0.22 * joint - 0.3 * peel, 0, 1)
     return plain(value, [(0.34, 0.32, 0.29), (0.52, 0.50, 0.46), (0.74, 0.72, 0.68), (0.92, 0.91, 0.88), (1, 1, 0.98)],
                  np.clip(0.6 + 0.1 * f.noise(6, 6) + 0.3 * peel, 0, 1), matte(0.6, 0.95),
                  -0.012 * joint - 0.004 * peel + 0.0015 * f.cloud(20, 20))
