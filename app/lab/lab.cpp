@@ -35,6 +35,7 @@ std::vector<LabCurve> cpu_curves() {
   std::vector<LabCurve> curves = sea_curves();
   for (LabCurve& curve : source_curves()) curves.push_back(std::move(curve));
   for (LabCurve& curve : local_curves()) curves.push_back(std::move(curve));
+  for (LabCurve& curve : wake_curves()) curves.push_back(std::move(curve));
   return curves;
 }
 

@@ -31,7 +31,8 @@ std::vector<LabPoint> errors_of(const LabCurve& curve, double wind_mps) {
 // At least five settings, whose errors are finite, and each law within its tolerance, in every sea. Controls seen:
 // steps of the loops' frames by straight lines in place of six frames (baked: power -1.9), a pressure at the step's end
 // (dynamic: -1), half floats cut and not rounded (transform), Newton's steps under the name of fixed point (query), a
-// table of the nearest entry (fresnel: -1), texels read without the half texel's shift (texel: 1).
+// table of the nearest entry (fresnel: -1), texels read without the half texel's shift (texel: 1), sources at
+// the section behind in place of between two (wakes: -1.3).
 TEST(LabCurves, ErrorsFallAsTheoryHasIt) {
   std::set<std::string> names;
   for (const LabCurve& curve : cpu_curves()) {
