@@ -26,34 +26,41 @@ std::span<const glm::dvec2> FoamSea::standing(const FoamRow& row, std::span<cons
   return places;
 }
 
-// Discs cover what they do of a texel's side, as inputs do.
+// Discs cover what they do of a texel's side, as inputs do. Each asks the texels that it may reach and no others: a
+// fleet makes a thousand of them a step.
 void FoamSea::add_discs(const FoamRow& row, std::span<float> per_s, Moved along,
                         std::span<const FoamDisc> discs) const {
   struct Near {
     const FoamDisc* disc;
-    double per_s, reach_m;
+    double per_s;
+    int first, end;  // texels
   };
   thread_local std::vector<Near> near;
+  thread_local std::vector<int> texels, at;
   near.clear();
+  const int count = int(per_s.size());
+  at.assign(per_s.size(), -1);
   for (const FoamDisc& disc : discs) {
     const double reach = disc.radius_m + soft_reach(disc.feather_m, row.texel_m) + largest_shift_m();
-    if (std::abs(disc.at_m.y - row.first_m.y) < reach)
-      near.push_back({&disc, disc.per_s * disc_factor(disc.radius_m, disc.feather_m, row.texel_m), reach});
+    if (!(std::abs(disc.at_m.y - row.first_m.y) < reach)) continue;
+    const double middle = (disc.at_m.x - row.first_m.x) / row.texel_m, wide = reach / row.texel_m;
+    const int first = int(std::clamp(std::ceil(middle - wide), 0.0, double(count))),
+              end = int(std::clamp(std::floor(middle + wide) + 1.0, 0.0, double(count)));
+    if (first >= end) continue;
+    near.push_back({&disc, disc.per_s * disc_factor(disc.radius_m, disc.feather_m, row.texel_m), first, end});
+    std::fill(at.begin() + first, at.begin() + end, 0);
   }
   if (near.empty()) return;
-  thread_local std::vector<int> texels;
   with_room(texels, per_s.size());
-  for (std::size_t i = 0; i < per_s.size(); ++i) {
-    const double x = row.first_m.x + double(i) * row.texel_m;
-    if (std::any_of(near.begin(), near.end(), [&](const Near& n) { return std::abs(n.disc->at_m.x - x) < n.reach_m; }))
-      texels.push_back(int(i));
-  }
+  for (int i = 0; i < count; ++i)
+    if (at[std::size_t(i)] == 0) at[std::size_t(i)] = int(texels.size()), texels.push_back(i);
   const std::span<const glm::dvec2> places = standing(row, texels, along);
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    for (const Near& n : near)
-      per_s[std::size_t(texels[i])] +=
-          float(n.per_s *
-                soft_share(n.disc->radius_m - glm::distance(places[i], n.disc->at_m), n.disc->feather_m, row.texel_m));
+  for (const Near& n : near)
+    for (int i = n.first; i < n.end; ++i) {
+      const glm::dvec2& place = places[std::size_t(at[std::size_t(i)])];
+      per_s[std::size_t(i)] += float(
+          n.per_s * soft_share(n.disc->radius_m - glm::distance(place, n.disc->at_m), n.disc->feather_m, row.texel_m));
+    }
 }
 
 // Trails are a field of their own, which there is once something makes one.
