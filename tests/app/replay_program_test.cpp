@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "engine/files.h"
 #include "tests/support/gpu/picture.h"
@@ -52,6 +53,40 @@ TEST(Replay, BothViewsAreTheEyesDrawnAlone) {
     const Files together = with({"--views", "2", "--set", "stereo.eye_distance_m=0"});
     EXPECT_EQ(together.at("frame_0000_left.png"), together.at("frame_0000_right.png"));
   }
+}
+
+// What floats has lived through what came before, wherever a replay begins: the same picture, poses and hash of the sea.
+// A camera rides a body. Control seen: the frames before --start left out.
+TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "s.json", R"({"version": 1, "effects": ["waves", "models", "boats", "wakes"], "objects": [
+    {"model": "rowing_boat", "name": "A", "at_m": [0, 0, -6], "float": {"velocity_mps": [1, 0]}},
+    {"model": "crate", "at_m": [3, 0, -8], "float": {"level": "probes"}}]})");
+  write_atomically(folder / "p.json", R"({"version": 1, "on": "A", "horizon_lock": 0.5, "keys": [
+    {"time_s": 0, "position_m": [0, 2.5, 6]}, {"time_s": 2, "position_m": [1, 2.5, 6]}]})");
+  const auto record = [&](const std::vector<std::string>& more, Files& files) {
+    const TemporaryFolder out;
+    std::vector<std::string> words{"replay", "--scene", (folder / "s.json").string(), "--path",
+                                   (folder / "p.json").string(), "--preset", "low", "--views", "1", "--fps", "12",
+                                   "--size", "96x64", "--out", out.path().string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run_program(words, {"SEASCAPE_VALIDATION=1"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (const std::string& name : out.names()) files[name] = read_bytes(out / name);
+    return nlohmann::json::parse(read_text(out / "replay.json")).at("frames");
+  };
+  Files all, one;
+  const auto frames = record({"--frames", "18"}, all), alone = record({"--start", "17", "--frames", "1"}, one);
+  ASSERT_EQ(frames.size(), 18u);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_EQ(all.at("frame_0017.png"), one.at("frame_0017.png"));
+  EXPECT_EQ(frames.at(17).at("bodies"), alone.at(0).at("bodies"));
+  EXPECT_EQ(frames.at(17).at("sea_hash"), alone.at(0).at("sea_hash"));
+  EXPECT_EQ(frames.at(17).at("viewer"), alone.at(0).at("viewer"));
+  EXPECT_NE(frames.at(17).at("sea_hash"), frames.at(16).at("sea_hash"));
+  ASSERT_EQ(frames.at(17).at("bodies").size(), 2u);
+  EXPECT_EQ(frames.at(17).at("bodies").at(0).at("name"), "A");
+  EXPECT_NE(frames.at(17).at("bodies").at(0).at("position_m"), frames.at(0).at("bodies").at(0).at("position_m"));
 }
 
 }  // namespace
