@@ -31,11 +31,51 @@ void HullClip::press(const Corner& a, const Corner& b, const Corner& c, const Hu
   moment_ += -area.y * (foot + glm::dvec3(0.0, (depths * depths + squares) / 24.0, 0.0));
 }
 
+void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal,
+                             const glm::dvec3& carrier) {
+  even_sum += even;
+  const glm::dvec3 er = even * r;
+  even_r += er;
+  even_rr[0] += er.x * r.x, even_rr[1] += er.y * r.y, even_rr[2] += er.z * r.z;
+  even_rr[3] += er.x * r.y, even_rr[4] += er.y * r.z, even_rr[5] += er.z * r.x;
+  glm::dvec3 force = even * carrier;
+  if (normal_part != 0.0) {
+    const glm::dvec3 t = glm::cross(r, normal);
+    const std::array<double, 6> w{normal.x, normal.y, normal.z, t.x, t.y, t.z};
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double part = normal_part * w[i];
+      for (std::size_t j = 0; j < 6; ++j) along[i][j] += part * w[j];
+    }
+    force += normal_part * glm::dot(normal, carrier) * normal;
+  }
+  carried.linear += force, carried.angular += glm::cross(r, force);
+}
+
+// J^T k J with J = (1, -[r]) and k = even 1 + normal_part n n^T, summed over the triangles.
+Matrix6 HullClip::DragSums::resists() const {
+  Matrix6 out;
+  out.rows = along;
+  const glm::dvec3& r = even_r;
+  const double rr[3][3] = {{0.0, -r.z, r.y}, {r.z, 0.0, -r.x}, {-r.y, r.x, 0.0}};
+  const double second[3][3] = {{even_rr[1] + even_rr[2], -even_rr[3], -even_rr[5]},
+                               {-even_rr[3], even_rr[2] + even_rr[0], -even_rr[4]},
+                               {-even_rr[5], -even_rr[4], even_rr[0] + even_rr[1]}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.rows[i][i] += even_sum;
+    for (std::size_t j = 0; j < 3; ++j) {
+      out.rows[i][3 + j] -= rr[i][j], out.rows[3 + i][j] += rr[i][j];
+      out.rows[3 + i][3 + j] += second[i][j];
+    }
+  }
+  return out;
+}
+
 // Drag of one triangle at its middle: of the wetted part against the water, of the rest against the air.
 void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, double wet, const BodyPose& pose) {
-  const double size = glm::length(area);
-  if (!(size > 0.0)) return;
-  const glm::dvec3 middle = (t[0].at + t[1].at + t[2].at) / 3.0, normal = area / size;
+  const double square = glm::dot(area, area);
+  if (!(square > 0.0)) return;
+  const double size = std::sqrt(square);
+  const glm::dvec3 middle = (t[0].at + t[1].at + t[2].at) * (1.0 / 3.0), normal = area * (1.0 / size);
   const glm::dvec3 own = flow_.velocity.linear + glm::cross(flow_.velocity.angular, middle);
   const HullMedia& media = *flow_.media;
   if (wet > 0.0) {
@@ -46,20 +86,13 @@ void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, do
     const double skin =
         flow_.drag->friction ? half * friction_coefficient(speed * flow_.length_m / media.viscosity_m2_s) * speed : 0.0;
     const double form = half * (ahead > 0.0 ? flow_.drag->form : flow_.drag->suction) * std::abs(ahead);
-    const glm::dmat3 along_normal = glm::outerProduct(normal, normal);
-    const glm::dmat3 k = skin * (glm::dmat3(1.0) - along_normal) + form * along_normal;
-    out_.resists.add_at(middle, k);
-    const glm::dvec3 force = k * water;
-    out_.carried.linear += force, out_.carried.angular += glm::cross(middle, force);
+    drag_.add(middle, skin, form - skin, normal, water);
   }
   if (wet < 1.0 && flow_.drag->wind > 0.0) {
-    const glm::dvec3 slip = own - media.wind_mps;
-    const double ahead = glm::dot(slip, normal);
+    const double ahead = glm::dot(own - media.wind_mps, normal);
     if (!(ahead > 0.0)) return;  // in the lee
-    const double k = 0.5 * media.air_kg_m3 * size * (1.0 - wet) * flow_.drag->wind * ahead;
-    out_.resists.add_at(middle, glm::dmat3(k));
-    const glm::dvec3 force = k * media.wind_mps;
-    out_.carried.linear += force, out_.carried.angular += glm::cross(middle, force);
+    drag_.add(middle, 0.5 * media.air_kg_m3 * size * (1.0 - wet) * flow_.drag->wind * ahead, 0.0, normal,
+              media.wind_mps);
   }
 }
 
@@ -68,24 +101,20 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
                                    double length_m) {
   out_ = {};
   moment_ = {};
+  drag_ = {};
   flow_ = {velocity, &water, &media, &drag, length_m};
   corners_.resize(mesh.vertices.size());
   for (std::size_t n = 0; n < corners_.size(); ++n) {
     Corner& c = corners_[n];
     c.at = pose.to_world * mesh.vertices[n];
-    const glm::dvec3 world = pose.centre_m + c.at;
-    const glm::dvec2 place(world.x, world.z);
-    const double surface = water.height(place);
-    c.depth = surface - world.y;
-    // At the surface the pressure is the air's: the head is the depth, less what waves have faded by.
-    c.head = c.depth > 0.0 && !water.flat() ? std::max(c.depth - surface + water.head(place, c.depth), 0.0) : c.depth;
-    if (water.dry(place)) c.depth = c.head = -1.0;
+    const WaterPatch::Below below = water.below(pose.centre_m + c.at);
+    c.depth = below.depth_m, c.head = below.head_m;
   }
   for (const auto& indices : mesh.triangles) {
     std::array<Corner, 3> t{corners_[indices[0]], corners_[indices[1]], corners_[indices[2]]};
     const glm::dvec3 area = 0.5 * glm::cross(t[1].at - t[0].at, t[2].at - t[0].at);
     const double before = out_.wetted_m2;
-    const int below = (t[0].depth > 0.0) + (t[1].depth > 0.0) + (t[2].depth > 0.0);
+    const int wet_corners = (t[0].depth > 0.0) + (t[1].depth > 0.0) + (t[2].depth > 0.0);
     const auto cut = [](const Corner& wet, const Corner& dry) {  // where the depth is 0
       const double f = wet.depth / (wet.depth - dry.depth);
       return Corner{wet.at + f * (dry.at - wet.at), 0.0, 0.0};
@@ -93,12 +122,12 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
     const auto rotate_until = [&](bool first_is_wet) {
       while ((t[0].depth > 0.0) != first_is_wet) std::rotate(t.begin(), t.begin() + 1, t.end());
     };
-    if (below == 3) {
+    if (wet_corners == 3) {
       press(t[0], t[1], t[2], media);
-    } else if (below == 1) {
+    } else if (wet_corners == 1) {
       rotate_until(true);
       press(t[0], cut(t[0], t[1]), cut(t[0], t[2]), media);
-    } else if (below == 2) {
+    } else if (wet_corners == 2) {
       rotate_until(false);
       const Corner first = cut(t[1], t[0]), last = cut(t[2], t[0]);
       press(first, t[1], t[2], media);
@@ -107,6 +136,7 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
     const double size = glm::length(area);
     resist(t, area, size > 0.0 ? std::min((out_.wetted_m2 - before) / size, 1.0) : 0.0, pose);
   }
+  out_.resists = drag_.resists(), out_.carried = drag_.carried;
   if (out_.submerged_m3 > 0.0) out_.submerged_centre_m = moment_ / out_.submerged_m3;
   return out_;
 }

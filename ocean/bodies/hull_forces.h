@@ -55,6 +55,16 @@ class HullClip {
   };
   void press(const Corner& a, const Corner& b, const Corner& c, const HullMedia& media);
   void resist(const std::array<Corner, 3>& t, const glm::dvec3& normal2, double wet_part, const BodyPose& pose);
+  // The drag of many triangles: an even part of each and one along its normal n, at r from the centre of mass.
+  struct DragSums {
+    void add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal, const glm::dvec3& carrier);
+    Matrix6 resists() const;
+    double even_sum = 0.0;
+    glm::dvec3 even_r{0.0};
+    std::array<double, 6> even_rr{};  // xx, yy, zz, xy, yz, zx
+    std::array<std::array<double, 6>, 6> along{};
+    Vector6 carried;
+  } drag_;
   struct Flow {
     Vector6 velocity;
     const WaterPatch* water;

@@ -40,13 +40,11 @@ struct Matrix6 {
     return m;
   }
   Vector6 operator*(const Vector6& v) const {
-    Vector6 out;
-    for (std::size_t i = 0; i < 6; ++i) {
-      double sum = 0.0;
-      for (std::size_t j = 0; j < 6; ++j) sum += rows[i][j] * v[int(j)];
-      out[int(i)] = sum;
-    }
-    return out;
+    const auto row = [&](std::size_t i) {
+      return rows[i][0] * v.linear.x + rows[i][1] * v.linear.y + rows[i][2] * v.linear.z + rows[i][3] * v.angular.x +
+             rows[i][4] * v.angular.y + rows[i][5] * v.angular.z;
+    };
+    return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
   }
   // Adds what a 3 x 3 matrix at a point r from the centre does to the body: J^T k J with J = (1, -[r]).
   void add_at(const glm::dvec3& r, const glm::dmat3& k) {
@@ -73,27 +71,31 @@ class Cholesky6 {
         for (std::size_t k = 0; k < j; ++k) sum -= l_[i][k] * l_[j][k];
         if (i == j) {
           positive = positive && sum > 0.0;
-          l_[i][i] = std::sqrt(sum > 0.0 ? sum : 1.0);
+          per_diagonal_[i] = 1.0 / std::sqrt(sum > 0.0 ? sum : 1.0);
         } else {
-          l_[i][j] = sum / l_[j][j];
+          l_[i][j] = sum * per_diagonal_[j];
         }
       }
   }
-  Vector6 solve(Vector6 b) const {
+  Vector6 solve(const Vector6& b) const {
+    double x[6] = {b.linear.x, b.linear.y, b.linear.z, b.angular.x, b.angular.y, b.angular.z};
     for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t k = 0; k < i; ++k) b[int(i)] -= l_[i][k] * b[int(k)];
-      b[int(i)] /= l_[i][i];
+      double sum = x[i];
+      for (std::size_t k = 0; k < i; ++k) sum -= l_[i][k] * x[k];
+      x[i] = sum * per_diagonal_[i];
     }
     for (std::size_t i = 6; i-- > 0;) {
-      for (std::size_t k = i + 1; k < 6; ++k) b[int(i)] -= l_[k][i] * b[int(k)];
-      b[int(i)] /= l_[i][i];
+      double sum = x[i];
+      for (std::size_t k = i + 1; k < 6; ++k) sum -= l_[k][i] * x[k];
+      x[i] = sum * per_diagonal_[i];
     }
-    return b;
+    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
   }
   bool positive = true;
 
  private:
-  std::array<std::array<double, 6>, 6> l_{};
+  std::array<std::array<double, 6>, 6> l_{};  // below the diagonal
+  std::array<double, 6> per_diagonal_{};
 };
 
 }  // namespace seascape

@@ -59,6 +59,7 @@ void drift(BodyMotion& motion, const BodyMass& mass, double share, const glm::dv
   const Vector6 momentum = m * before;
   Vector6 middle = before, after = momentum;
   double last = 1e300;
+  const double ended = 1e-30 * dot(momentum, momentum);  // to rounding
   for (int i = 0; i < 30; ++i) {
     const Vector6 p = (momentum + after) * 0.5;
     middle = inverse.solve(p);
@@ -69,7 +70,7 @@ void drift(BodyMotion& motion, const BodyMass& mass, double share, const glm::dv
     const Vector6 change = next - after;
     after = next;
     const double size = dot(change, change);
-    if (size >= last || size == 0.0) break;
+    if (size >= last || size <= ended) break;
     last = size;
   }
   Vector6 v = inverse.solve(after);

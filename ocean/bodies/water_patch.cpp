@@ -9,9 +9,15 @@ namespace {
 
 constexpr int fewest_samples = 6;
 
+// The cosine transform of the first kind as a symmetric matrix but for its ends: row m holds cos(pi m i / (count - 1)),
+// the samples at either end counted half.
 std::vector<double> cosines(int count) {
-  std::vector<double> out(std::size_t(2 * (count - 1)));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::cos(std::numbers::pi * double(i) / (count - 1));
+  const int turn = 2 * (count - 1);
+  std::vector<double> out(std::size_t(count * count));
+  for (int m = 0; m < count; ++m)
+    for (int i = 0; i < count; ++i)
+      out[std::size_t(m * count + i)] =
+          (i == 0 || i == count - 1 ? 0.5 : 1.0) * std::cos(2.0 * std::numbers::pi * double(i * m % turn) / turn);
   return out;
 }
 
@@ -28,10 +34,30 @@ int mirrored(int i, int count) {
 }
 
 // What is left at a depth of waves of number k over a bed: cosh k(h - d) / cosh kh, for any numbers.
-double left(double k, double d, double bed) {
+double left_at(double k, double d, double bed) {
   d = std::min(d, bed);
+  if (k * bed > 20.0 && k * (bed - d) > 20.0) return std::exp(-k * d);
   const double e = std::exp(-2.0 * k * bed);
   return std::exp(-k * d) * (1.0 + e * std::exp(2.0 * k * d)) / (1.0 + e);
+}
+
+// c = a b, of n x m and m x p values. Eight of a row at a time, so that they stay in registers.
+void multiply(const double* a, const double* b, double* c, std::size_t n, std::size_t m, std::size_t p) {
+  constexpr std::size_t block = 8;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t k = 0;
+    for (; k + block <= p; k += block) {
+      double sum[block] = {};
+      for (std::size_t j = 0; j < m; ++j)
+        for (std::size_t l = 0; l < block; ++l) sum[l] += a[i * m + j] * b[j * p + k + l];
+      for (std::size_t l = 0; l < block; ++l) c[i * p + k + l] = sum[l];
+    }
+    for (; k < p; ++k) {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < m; ++j) sum += a[i * m + j] * b[j * p + k];
+      c[i * p + k] = sum;
+    }
+  }
 }
 
 void or_none(double& value, double otherwise) {
@@ -55,10 +81,17 @@ void WaterPatch::ask(const BodyWater& water, double time_s, const PatchBox& box,
     return std::clamp(int(std::ceil(double(most) * half / longer)), fewest_samples, std::max(most, fewest_samples));
   };
   const int columns = samples(box.half_m.x), rows = samples(box.half_m.y);
-  if (columns != columns_) cosines_x_ = cosines(columns);
+  if (columns != columns_) {
+    const std::vector<double> rows_of = cosines(columns);
+    cosines_x_.resize(rows_of.size());
+    for (int m = 0; m < columns; ++m)  // transposed: along a row of the grid the inner loop runs over what comes out
+      for (int i = 0; i < columns; ++i)
+        cosines_x_[std::size_t(i * columns + m)] = rows_of[std::size_t(m * columns + i)];
+  }
   if (rows != rows_) cosines_z_ = cosines(rows);
   columns_ = columns, rows_ = rows;
   step_m_ = 2.0 * box.half_m / glm::dvec2(columns - 1, rows - 1);
+  per_step_ = 1.0 / step_m_;
   places_.clear();
   const glm::dvec2 across(-box.along.y, box.along.x);
   for (int j = 0; j < rows; ++j)
@@ -93,7 +126,8 @@ void WaterPatch::fade(double bed_m, double wave_number) {
   bed_m_ = bed_m;
   long_number_ = std::clamp(wave_number, 0.0, std::numbers::pi / std::max(box_.half_m.x, box_.half_m.y));
   const std::size_t count = answers_.size();
-  waves_.resize(count), faded_.resize(count), scratch_.resize(count), numbers_.resize(count);
+  waves_.resize(count), faded_.resize(count);
+  for (std::vector<double>& waves : faded_waves_) waves.resize(count);
   glm::dvec2 moment(0.0), square(0.0);
   for (std::size_t n = 0; n < count; ++n) {
     const glm::dvec2 at(double(n % std::size_t(columns_)) * step_m_.x - box_.half_m.x,
@@ -101,23 +135,24 @@ void WaterPatch::fade(double bed_m, double wave_number) {
     moment += at * (answers_[n].height_m - mean_), square += at * at;
   }
   slope_ = moment / square;
-  heads_[0].resize(count);
+  for (std::vector<double>& heads : heads_) heads.resize(count);
   for (std::size_t n = 0; n < count; ++n) {
     const glm::dvec2 at(double(n % std::size_t(columns_)) * step_m_.x - box_.half_m.x,
                         double(n / std::size_t(columns_)) * step_m_.y - box_.half_m.y);
     heads_[0][n] = answers_[n].height_m - mean_ - glm::dot(slope_, at);
   }
   transform(heads_[0], waves_);
+  // The transform is its own inverse but for a factor. What is left at the depths is kept for each wave.
+  const double inverse = 4.0 / ((columns_ - 1.0) * (rows_ - 1.0));
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i) {
+      const glm::dvec2 number(i / (2.0 * box_.half_m.x), j / (2.0 * box_.half_m.y));
+      const std::array<double, levels> share = left(std::numbers::pi * glm::length(number), bed_m);
       const std::size_t n = std::size_t(j * columns_ + i);
-      numbers_[n] = std::numbers::pi * std::hypot(i / (2.0 * box_.half_m.x), j / (2.0 * box_.half_m.y));
-      waves_[n] *= 4.0 / ((columns_ - 1.0) * (rows_ - 1.0));  // the transform is its own inverse but for this
+      for (std::size_t level = 1; level < levels; ++level) faded_waves_[level][n] = waves_[n] * inverse * share[level];
     }
   for (std::size_t level = 1; level < levels; ++level) {
-    for (std::size_t n = 0; n < count; ++n) scratch_[n] = waves_[n] * left(numbers_[n], depths_m_[level], bed_m);
-    heads_[level].resize(count);
-    transform(scratch_, heads_[level]);
+    transform(faded_waves_[level], heads_[level]);
     double rise = 0.0;
     for (std::size_t n = 0; n < count; ++n) rise += heads_[level][n] - heads_[level - 1][n];
     rise =
@@ -126,23 +161,30 @@ void WaterPatch::fade(double bed_m, double wave_number) {
   }
 }
 
-// A cosine transform of the first kind along both axes, the samples at either end counted half.
+// What is left of waves of number k at each depth. The depths are D (l / 4)^2, so all follow from two exponentials:
+// exp(-k D / 16) to the power of l^2, and to that of 16 - l^2 for what the bed sends back.
+std::array<double, WaterPatch::levels> WaterPatch::left(double k, double bed) const {
+  std::array<double, levels> out{};
+  const double deepest = box_.deepest_m;
+  if (bed < deepest) {
+    for (std::size_t level = 0; level < levels; ++level) out[level] = left_at(k, depths_m_[level], bed);
+    return out;
+  }
+  const double q = std::exp(-k * deepest / 16.0), q2 = q * q, q4 = q2 * q2, q8 = q4 * q4;
+  out = {1.0, q, q4, q8 * q, q8 * q8};
+  if (k * (2.0 * bed - deepest) > 40.0) return out;  // the bed is not felt, to rounding
+  const double back = std::exp(-k * (2.0 * bed - deepest)), whole = 1.0 + back * out[4];
+  const std::array<double, levels> returns{out[4], q8 * q4 * q2 * q, q8 * q4, q4 * q2 * q, 1.0};
+  for (std::size_t level = 0; level < levels; ++level) out[level] = (out[level] + back * returns[level]) / whole;
+  return out;
+}
+
+// A cosine transform of the first kind along both axes, as two products with matrices: for so few samples they beat any
+// fast transform.
 void WaterPatch::transform(const std::vector<double>& from, std::vector<double>& to) {
-  const int turn_x = 2 * (columns_ - 1), turn_z = 2 * (rows_ - 1);
-  for (int j = 0; j < rows_; ++j)
-    for (int m = 0; m < columns_; ++m) {
-      const double* row = &from[std::size_t(j * columns_)];
-      double sum = 0.5 * (row[0] + (m % 2 != 0 ? -1.0 : 1.0) * row[columns_ - 1]);
-      for (int i = 1; i < columns_ - 1; ++i) sum += row[i] * cosines_x_[std::size_t(i * m % turn_x)];
-      faded_[std::size_t(j * columns_ + m)] = sum;
-    }
-  for (int m = 0; m < rows_; ++m)
-    for (int i = 0; i < columns_; ++i) {
-      const auto at = [&](int j) { return faded_[std::size_t(j * columns_ + i)]; };
-      double sum = 0.5 * (at(0) + (m % 2 != 0 ? -1.0 : 1.0) * at(rows_ - 1));
-      for (int j = 1; j < rows_ - 1; ++j) sum += at(j) * cosines_z_[std::size_t(j * m % turn_z)];
-      to[std::size_t(m * columns_ + i)] = sum;
-    }
+  const std::size_t columns = std::size_t(columns_), rows = std::size_t(rows_);
+  multiply(from.data(), cosines_x_.data(), faded_.data(), rows, columns, columns);
+  multiply(cosines_z_.data(), faded_.data(), to.data(), rows, rows, columns);
 }
 
 glm::dvec2 WaterPatch::from_centre(const glm::dvec2& place) const {
@@ -156,37 +198,59 @@ glm::dvec3 WaterPatch::plane_normal() const {
 }
 
 WaterPatch::Cell WaterPatch::cell(const glm::dvec2& place) const {
-  const glm::dvec2 at = (glm::clamp(from_centre(place), -box_.half_m, box_.half_m) + box_.half_m) / step_m_;
+  const glm::dvec2 within = glm::clamp(from_centre(place), -box_.half_m, box_.half_m),
+                   at = (within + box_.half_m) * per_step_;
   const int i = std::clamp(int(at.x), 0, columns_ - 2), j = std::clamp(int(at.y), 0, rows_ - 2);
-  return {i, j, at.x - i, at.y - j};
+  return {within, i, j, at.x - i, at.y - j};
 }
 
-double WaterPatch::smooth(const std::vector<double>& grid, const Cell& c) const {
-  const std::array<double, 4> wx = weights(c.u), wz = weights(c.v);
+WaterPatch::Taps WaterPatch::taps(const Cell& c) const {
+  Taps out;
+  out.x = weights(c.u), out.z = weights(c.v);
+  for (int n = 0; n < 4; ++n) {
+    out.column[std::size_t(n)] = std::size_t(mirrored(c.i + n - 1, columns_));
+    out.row[std::size_t(n)] = std::size_t(mirrored(c.j + n - 1, rows_) * columns_);
+  }
+  return out;
+}
+
+double WaterPatch::smooth(const std::vector<double>& grid, const Taps& taps) const {
   double sum = 0.0;
-  for (int j = 0; j < 4; ++j) {
-    const int row = mirrored(c.j + j - 1, rows_) * columns_;
-    double along = 0.0;
-    for (int i = 0; i < 4; ++i) along += wx[std::size_t(i)] * grid[std::size_t(row + mirrored(c.i + i - 1, columns_))];
-    sum += wz[std::size_t(j)] * along;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double* row = &grid[taps.row[j]];
+    sum += taps.z[j] * (taps.x[0] * row[taps.column[0]] + taps.x[1] * row[taps.column[1]] +
+                        taps.x[2] * row[taps.column[2]] + taps.x[3] * row[taps.column[3]]);
   }
   return sum;
 }
 
-double WaterPatch::plane_fades(double depth) const { return left(long_number_, depth, bed_m_); }
+double WaterPatch::plane_fades(double depth) const { return left_at(long_number_, depth, bed_m_); }
 
-double WaterPatch::head(const glm::dvec2& place, double depth) const {
-  if (flat_) return mean_;
-  const double plane =
-      still_ + (mean_ - still_ + glm::dot(slope_, glm::clamp(from_centre(place), -box_.half_m, box_.half_m))) *
-                   (depth > 0.0 ? plane_fades(depth) : 1.0);
-  const Cell c = cell(place);
-  if (!(depth > 0.0)) return plane + smooth(heads_[0], c);
-  // Between two depths evenly; below the deepest as there.
+// Between two depths evenly; below the deepest as there.
+double WaterPatch::faded(const Cell& c, const Taps& taps, double depth) const {
   const double part = std::sqrt(std::min(depth / box_.deepest_m, 1.0)) * (levels - 1);
   const std::size_t level = std::size_t(std::min(int(part), levels - 2));
   const double t = std::min((depth - depths_m_[level]) / (depths_m_[level + 1] - depths_m_[level]), 1.0);
-  return plane + (1.0 - t) * smooth(heads_[level], c) + t * smooth(heads_[level + 1], c);
+  return still_ + (mean_ - still_ + glm::dot(slope_, c.within)) * plane_fades(depth) +
+         (1.0 - t) * smooth(heads_[level], taps) + t * smooth(heads_[level + 1], taps);
+}
+
+double WaterPatch::head(const glm::dvec2& place, double depth) const {
+  if (flat_) return mean_;
+  const Cell c = cell(place);
+  return depth > 0.0 ? faded(c, taps(c), depth) : mean_ + glm::dot(slope_, c.within) + smooth(heads_[0], taps(c));
+}
+
+WaterPatch::Below WaterPatch::below(const glm::dvec3& at) const {
+  const glm::dvec2 place(at.x, at.z);
+  if (flat_ && !any_dry_) return {mean_ - at.y, mean_ - at.y};
+  const Cell c = cell(place);
+  if (dry(c)) return {-1.0, -1.0};
+  if (flat_) return {mean_ - at.y, mean_ - at.y};
+  const Taps t = taps(c);
+  const double depth = mean_ + glm::dot(slope_, c.within) + smooth(heads_[0], t) - at.y;
+  // At the surface the pressure is the air's: the head is the depth, less what waves have faded by.
+  return {depth, depth > 0.0 ? std::max(faded(c, t, depth) - at.y, 0.0) : depth};
 }
 
 glm::dvec3 WaterPatch::velocity(const glm::dvec2& place) const {
@@ -195,10 +259,10 @@ glm::dvec3 WaterPatch::velocity(const glm::dvec2& place) const {
   return (1.0 - c.v) * ((1.0 - c.u) * at(0, 0) + c.u * at(1, 0)) + c.v * ((1.0 - c.u) * at(0, 1) + c.u * at(1, 1));
 }
 
-bool WaterPatch::dry(const glm::dvec2& place) const {
-  if (!any_dry_) return false;
-  const Cell c = cell(place);
-  return answers_[std::size_t((c.j + (c.v > 0.5 ? 1 : 0)) * columns_ + c.i + (c.u > 0.5 ? 1 : 0))].dry;
+bool WaterPatch::dry(const glm::dvec2& place) const { return any_dry_ && dry(cell(place)); }
+
+bool WaterPatch::dry(const Cell& c) const {
+  return any_dry_ && answers_[std::size_t((c.j + (c.v > 0.5 ? 1 : 0)) * columns_ + c.i + (c.u > 0.5 ? 1 : 0))].dry;
 }
 
 double WaterPatch::rise(double depth, double gravity) const {

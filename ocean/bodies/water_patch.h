@@ -30,6 +30,11 @@ class WaterPatch {
   double height(const glm::dvec2& place) const { return head(place, 0.0); }
   // The height of still water whose pressure at this depth below the surface would be the same.
   double head(const glm::dvec2& place, double depth_m) const;
+  // A place in the world below the surface, and its head over it (m); both -1 where it is dry.
+  struct Below {
+    double depth_m, head_m;
+  };
+  Below below(const glm::dvec3& at) const;
   // Of the water at the surface.
   glm::dvec3 velocity(const glm::dvec2& place) const;
   // How fast the water rises, m/s2, averaged over the rectangle at a depth: -(1/rho) dp/dy - g.
@@ -46,24 +51,35 @@ class WaterPatch {
  private:
   static constexpr int levels = 5;
   struct Cell {
+    glm::dvec2 within;  // from the centre along the axes, m, no further than the border
     int i, j;
     double u, v;
   };
+  // Which samples a smooth value is of, and how much of each.
+  struct Taps {
+    std::array<double, 4> x, z;
+    std::array<std::size_t, 4> column, row;
+  };
   Cell cell(const glm::dvec2& place) const;
+  Taps taps(const Cell& c) const;
   glm::dvec2 from_centre(const glm::dvec2& place) const;
-  double smooth(const std::vector<double>& grid, const Cell& c) const;
+  double smooth(const std::vector<double>& grid, const Taps& taps) const;
+  double faded(const Cell& c, const Taps& taps, double depth_m) const;
+  bool dry(const Cell& c) const;
   void fade(double depth_over_bed_m, double wave_number);
+  std::array<double, levels> left(double wave_number, double bed_m) const;
   double plane_fades(double depth_m) const;
   void transform(const std::vector<double>& from, std::vector<double>& to);
 
   PatchBox box_;
   int columns_ = 0, rows_ = 0;
-  glm::dvec2 step_m_{1.0};
+  glm::dvec2 step_m_{1.0}, per_step_{1.0};
   double mean_ = 0.0, still_ = 0.0, long_number_ = 0.0, bed_m_ = 1e6;
   glm::dvec2 slope_{0.0};                          // of the plane, along the rectangle's axes
   std::array<std::vector<double>, levels> heads_;  // less the plane, by depth
   std::array<double, levels> depths_m_{}, rises_{};
-  std::vector<double> waves_, scratch_, faded_, numbers_;
+  std::array<std::vector<double>, levels> faded_waves_;
+  std::vector<double> waves_, faded_;
   std::vector<double> cosines_x_, cosines_z_;
   std::vector<glm::dvec2> places_;
   std::vector<WaterHere> answers_;
