@@ -53,7 +53,8 @@ void check(const BodySpec& spec) {
 
 }  // namespace
 
-Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs)
+Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
+               const std::optional<ContactSettings>& contacts)
     : settings_(settings), bodies_(specs.size()), states_(specs.size()) {
   const double weight = settings.media.density_kg_m3 * settings.media.gravity_mps2;
   for (std::size_t n = 0; n < specs.size(); ++n) {
@@ -91,6 +92,11 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs)
     state.at_m = spec.at_m;
     state.added_share = 1.0;  // what starts in the water does not slam into it
   }
+  if (!contacts) return;
+  std::vector<HullMesh> hulls;
+  std::vector<glm::dvec3> centres;
+  for (const Body& body : bodies_) hulls.push_back(body.about_centre), centres.push_back(body.spec.mass_centre_m);
+  contacts_.emplace(*contacts, hulls, centres);
 }
 
 void Bodies::advance(double time_s, const BodyWater& water) {
@@ -109,6 +115,26 @@ void Bodies::step(double end_s, double dt_s, const BodyWater& water) {
   if (!(dt_s > 0.0 && std::isfinite(dt_s))) return;
   tbb::parallel_for(std::size_t(0), bodies_.size(),
                     [&](std::size_t n) { step_body(bodies_[n], states_[n], end_s, dt_s, water); });
+  if (contacts_) touch(dt_s);
+}
+
+// One thread, bodies in their order: so that bits depend on neither.
+void Bodies::touch(double dt_s) {
+  colliders_.clear(), untouched_.clear();
+  impulses_.resize(bodies_.size());
+  for (std::size_t n = 0; n < bodies_.size(); ++n) {
+    colliders_.push_back(
+        {{&states_[n].motion, &bodies_[n].spec.mass, states_[n].added_share}, states_[n].asleep || states_[n].lost});
+    untouched_.push_back(states_[n].motion);
+  }
+  contacts_->step(dt_s, colliders_, impulses_);
+  for (std::size_t n = 0; n < bodies_.size(); ++n) {
+    BodyState& state = states_[n];
+    state.contact = impulses_[n];
+    state.asleep = state.asleep && colliders_[n].asleep;
+    if (!finite(state.motion)) state.motion = untouched_[n], state.motion.velocity = {}, state.lost = true;
+    state.at_m = state.motion.centre_m - state.motion.orientation * bodies_[n].spec.mass_centre_m;
+  }
 }
 
 // What sleeps is not stepped; it costs one question.
@@ -243,6 +269,13 @@ void Bodies::hit(std::size_t n, const glm::dvec3& impulse, const glm::dvec3& at)
   const Vector6 whole{impulse, glm::cross(at - state.motion.centre_m, impulse)};
   kick(state.motion, bodies_[n].spec.mass, state.added_share, whole, {}, 1.0);
   wake(n);
+}
+
+void Bodies::moor(std::vector<MooringLine> lines) {
+  if (!contacts_) return;
+  for (const MooringLine& line : lines)
+    if (line.body < states_.size()) bodies_[line.body].quiet_s = 0.0, states_[line.body].asleep = false;
+  contacts_->set_lines(std::move(lines));
 }
 
 void Bodies::place(std::size_t n, const BodyMotion& motion) {

@@ -2,9 +2,11 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "ocean/bodies/contacts.h"
 #include "ocean/bodies/hull_forces.h"
 #include "ocean/bodies/probes.h"
 #include "ocean/bodies/rigid_body.h"
@@ -42,13 +44,15 @@ struct BodyState {
   glm::dvec3 at_m{0.0};  // of the hull's origin
   double submerged_m3 = 0.0, added_share = 0.0;
   bool asleep = false;
-  bool lost = false;  // a number was none: it is held where it was last
+  ContactImpulses contact;  // of the last step
+  bool lost = false;        // a number was none: it is held where it was last
 };
 
 class Bodies {
  public:
-  // Throws Error where a hull or a mass is unfit.
-  Bodies(const BodySettings& settings, std::vector<BodySpec> specs);
+  // Throws Error where a hull, a mass or a collider is unfit. Without contacts bodies go through each other.
+  Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
+         const std::optional<ContactSettings>& contacts = std::nullopt);
 
   // Steps to the last whole step before a time (s). The first call begins there.
   void advance(double time_s, const BodyWater& water);
@@ -65,6 +69,8 @@ class Bodies {
   void wake(std::size_t body);
   // An impulse at once (N s), as of a hit; wakes the body.
   void hit(std::size_t body, const glm::dvec3& impulse_ns, const glm::dvec3& at_m);
+  // Other lines from now on, with contacts; wakes who is held by one. Throws Error where a line is unfit.
+  void moor(std::vector<MooringLine> lines);
   // Another motion from now on; wakes the body.
   void place(std::size_t body, const BodyMotion& motion);
   // Other gravity, wind and water from the next step on.
@@ -89,7 +95,12 @@ class Bodies {
   void substep(Body& body, BodyState& state, double dt_s) const;
   bool sleeps(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
   void ask_water(Body& body, const BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
+  void touch(double dt_s);
   BodySettings settings_;
+  std::optional<Contacts> contacts_;
+  std::vector<Collider> colliders_;
+  std::vector<ContactImpulses> impulses_;
+  std::vector<BodyMotion> untouched_;
   std::vector<Body> bodies_;
   std::vector<BodyState> states_;
   std::int64_t step_ = 0;
