@@ -82,6 +82,7 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
       body.quickest_rad_s =
           std::max(body.quickest_rad_s, quickest(stiff, rigid.rows[i][i], spec.mass.added.rows[i][i]));
     }
+    body.inside = Inside(spec.inside, spec.mass_centre_m, spec.name.c_str());
     const FloatingUpright upright = float_upright(body.about_centre, spec.mass.mass_kg, settings.media);
     body.columns = columns_of(body.about_centre, upright);
     body.wets_m2 = spec.level == BodyLevel::probes ? 4.0 * body.columns.area_m2 : upright.facing_down_m2;
@@ -123,8 +124,10 @@ void Bodies::touch(double dt_s) {
   colliders_.clear(), untouched_.clear();
   impulses_.resize(bodies_.size());
   for (std::size_t n = 0; n < bodies_.size(); ++n) {
+    const bool laden = bodies_[n].pool_kg > 0.0;
     colliders_.push_back(
-        {{&states_[n].motion, &bodies_[n].spec.mass, states_[n].added_share}, states_[n].asleep || states_[n].lost});
+        {{&states_[n].motion, laden ? &bodies_[n].laden : &bodies_[n].spec.mass, laden ? 1.0 : states_[n].added_share},
+         states_[n].asleep || states_[n].lost});
     untouched_.push_back(states_[n].motion);
   }
   contacts_->step(dt_s, colliders_, impulses_);
@@ -149,8 +152,9 @@ bool Bodies::sleeps(Body& body, BodyState& state, double end_s, double dt_s, con
   const std::optional<CalmWater> calm = water.calm(end_s, place, 3.0 * body.radius_m);
   const bool same = calm && *calm == body.slept_in;
   if (calm) body.slept_in = *calm;
-  body.quiet_s = same ? body.quiet_s + dt_s : 0.0;
-  state.asleep = same && (state.asleep || body.quiet_s >= settings_.sleep_after_s);
+  const bool bails = state.filled_m3 > 0.0 && body.spec.inside.bail_kg_s > 0.0;
+  body.quiet_s = same && !bails ? body.quiet_s + dt_s : 0.0;
+  state.asleep = same && !bails && (state.asleep || body.quiet_s >= settings_.sleep_after_s);
   if (state.asleep) state.motion.velocity = {};
   return state.asleep;
 }
@@ -198,7 +202,9 @@ void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, 
   } else {
     const double needed = std::max(body.quickest_rad_s, glm::length(state.motion.velocity.angular)) * dt_s / most_phase;
     const int count = int(std::clamp(std::ceil(needed), 1.0, double(settings_.most_substeps)));
+    load(body, state);
     for (int i = 0; i < count; ++i) substep(body, state, dt_s / count);
+    if (body.inside.open()) let_in(body, state, dt_s);
   }
   body.pushed = {};
   if (!finite(state.motion)) {
@@ -209,13 +215,46 @@ void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, 
   state.at_m = state.motion.centre_m - state.motion.orientation * body.spec.mass_centre_m;
 }
 
+// The water in a boat goes with her, as a mass where it lies now.
+void Bodies::load(Body& body, const BodyState& state) const {
+  body.pool_kg = state.filled_m3 * settings_.media.density_kg_m3;
+  if (!(body.pool_kg > 0.0)) return;
+  const glm::dmat3 axes = glm::mat3_cast(state.motion.orientation);
+  body.pool = body.inside.pool(axes, state.filled_m3);
+  body.laden = body.spec.mass;
+  body.laden.added =
+      body.spec.mass.added * state.added_share + mass_at(glm::transpose(axes) * body.pool.centre_m, body.pool_kg);
+}
+
+// What comes in brings its own momentum; what leaves takes the boat's.
+void Bodies::let_in(Body& body, BodyState& state, double dt) const {
+  const BodyPose pose{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)};
+  if (state.filled_m3 > 0.0) body.pool = body.inside.pool(pose.to_world, state.filled_m3);
+  const double density = settings_.media.density_kg_m3;
+  const double flow = body.inside.flow_m3_s(pose, body.water, body.pool, state.filled_m3, settings_.media.gravity_mps2);
+  const double before = state.filled_m3, now = std::clamp(before + dt * (flow - body.spec.inside.bail_kg_s / density),
+                                                          0.0, body.inside.volume_m3());
+  state.filled_m3 = now;
+  if (!(now > before)) return;
+  const glm::dvec2 place(pose.centre_m.x, pose.centre_m.z);
+  const Inside::Pool pool = body.inside.pool(pose.to_world, now);
+  const Matrix6 come = mass_at(pool.centre_m, (now - before) * density);
+  const Matrix6 had = rigid_mass(body.spec.mass, pose.to_world) +
+                      turned(body.spec.mass.added, pose.to_world) * state.added_share +
+                      mass_at(pool.centre_m, before * density);
+  const Vector6 slip = state.motion.velocity - Vector6{body.water.velocity(place), {}};
+  state.motion.velocity = state.motion.velocity - Cholesky6(had + come).solve(come * slip);
+}
+
 // Half a drift, the forces there, half a drift: symmetric, so that without drag energy stays.
 void Bodies::substep(Body& body, BodyState& state, double dt) const {
   const BodySpec& spec = body.spec;
   BodyMotion& motion = state.motion;
   const glm::dvec2 flow = body.water.current_mps();
   const glm::dvec3 current(flow.x, 0.0, flow.y);
-  drift(motion, spec.mass, state.added_share, current, 0.5 * dt);
+  const bool laden = body.pool_kg > 0.0;
+  const BodyMass& mass = laden ? body.laden : spec.mass;
+  drift(motion, mass, laden ? 1.0 : state.added_share, current, 0.5 * dt);
   const BodyPose pose{motion.centre_m, glm::mat3_cast(motion.orientation)};
   const HullForces forces =
       spec.level == BodyLevel::hull
@@ -230,10 +269,17 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   const glm::dvec3 water = body.water.velocity(place);
   slam(motion, spec.mass, state.added_share, share, water);
   state.added_share = share;
+  if (laden)  // as far as the hull has come into the water since, its share of the mass has changed
+    body.laden.added =
+        spec.mass.added * share + mass_at(glm::transpose(pose.to_world) * body.pool.centre_m, body.pool_kg);
 
   const double g = settings_.media.gravity_mps2;
   Vector6 force = forces.pressure + forces.carried + body.pushed;
   force.linear.y -= spec.mass.mass_kg * g;
+  if (laden) {
+    const glm::dvec3 weight(0.0, -body.pool_kg * g, 0.0);
+    force = force + Vector6{weight, glm::cross(body.pool.centre_m, weight)};
+  }
   const Matrix6 damping = turned(spec.damping, pose.to_world) * share;
   Matrix6 resists = forces.resists + damping;
   force = force + damping * Vector6{water, {}};
@@ -250,8 +296,8 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   // Where substeps do not suffice, what restores is taken at the step's end too: its damping is of the time step.
   if (body.quickest_rad_s * dt > most_phase * 1.001 && forces.submerged_m3 > 0.0)
     resists = resists + body.stiffness * dt;
-  kick(motion, spec.mass, share, force, resists, dt);
-  drift(motion, spec.mass, share, current, 0.5 * dt);
+  kick(motion, mass, laden ? 1.0 : share, force, resists, dt);
+  drift(motion, mass, laden ? 1.0 : share, current, 0.5 * dt);
 }
 
 void Bodies::push(std::size_t n, const glm::dvec3& force, const glm::dvec3& at) {
@@ -269,6 +315,12 @@ void Bodies::hit(std::size_t n, const glm::dvec3& impulse, const glm::dvec3& at)
   const Vector6 whole{impulse, glm::cross(at - state.motion.centre_m, impulse)};
   kick(state.motion, bodies_[n].spec.mass, state.added_share, whole, {}, 1.0);
   wake(n);
+}
+
+void Bodies::fill(std::size_t n, double water_m3) {
+  if (!bodies_[n].inside.open() || !std::isfinite(water_m3)) return;
+  states_[n].filled_m3 = std::clamp(water_m3, 0.0, bodies_[n].inside.volume_m3());
+  bodies_[n].quiet_s = 0.0, states_[n].asleep = false;
 }
 
 void Bodies::moor(std::vector<MooringLine> lines) {
@@ -293,6 +345,7 @@ std::uint64_t Bodies::hash() const {
                  glm::dvec3(state.motion.orientation.x, state.motion.orientation.y, state.motion.orientation.z));
     hash = mixed(mixed(hash, state.motion.velocity.linear), state.motion.velocity.angular);
     hash = mixed(mixed(hash, state.added_share), std::uint64_t(state.asleep));
+    if (state.filled_m3 > 0.0) hash = mixed(hash, state.filled_m3);
   }
   return hash;
 }

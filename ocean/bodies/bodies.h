@@ -10,6 +10,7 @@
 #include "ocean/bodies/hull_forces.h"
 #include "ocean/bodies/probes.h"
 #include "ocean/bodies/rigid_body.h"
+#include "ocean/bodies/swamping.h"
 
 namespace seascape {
 
@@ -34,6 +35,7 @@ struct BodySpec {
   glm::dvec3 mass_centre_m{0.0};  // in the hull's axes
   Matrix6 damping;                // of radiated waves and the like: linear, N s/m ..., the body's axes
   HullDrag drag;
+  InsideSpec inside;
   glm::dvec3 at_m{0.0};  // of the hull's origin
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 velocity_mps{0.0}, spin_rad_s{0.0};
@@ -44,6 +46,7 @@ struct BodyState {
   glm::dvec3 at_m{0.0};  // of the hull's origin
   double submerged_m3 = 0.0, added_share = 0.0;
   bool asleep = false;
+  double filled_m3 = 0.0;   // of water in it
   ContactImpulses contact;  // of the last step
   bool lost = false;        // a number was none: it is held where it was last
 };
@@ -71,6 +74,8 @@ class Bodies {
   void hit(std::size_t body, const glm::dvec3& impulse_ns, const glm::dvec3& at_m);
   // Other lines from now on, with contacts; wakes who is held by one. Throws Error where a line is unfit.
   void moor(std::vector<MooringLine> lines);
+  // So much water stands in it from now on; wakes the body. Nothing without an inside.
+  void fill(std::size_t body, double water_m3);
   // Another motion from now on; wakes the body.
   void place(std::size_t body, const BodyMotion& motion);
   // Other gravity, wind and water from the next step on.
@@ -88,10 +93,16 @@ class Bodies {
     WaterPatch water;
     HullClip clip;
     Vector6 pushed;
+    Inside inside;
+    Inside::Pool pool;
+    double pool_kg = 0.0;
+    BodyMass laden;  // with the water in it and the added mass whole, where there is any
     double quiet_s = 0.0;
     CalmWater slept_in;
   };
   void step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
+  void load(Body& body, const BodyState& state) const;
+  void let_in(Body& body, BodyState& state, double dt_s) const;
   void substep(Body& body, BodyState& state, double dt_s) const;
   bool sleeps(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
   void ask_water(Body& body, const BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
