@@ -186,6 +186,7 @@ void Bodies::ask_water(Body& body, const BodyState& state, double end_s, double 
 }
 
 void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const {
+  state.slam_mps = 0.0;
   if (state.lost || sleeps(body, state, end_s, dt_s, water)) return;
   const BodyState before = state;
   ask_water(body, state, end_s, dt_s, water);
@@ -267,7 +268,9 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   const double wet = forces.facing_down_m2 / std::max(body.wets_m2, 1e-300), share = std::min(wet * wet, 1.0);
   const glm::dvec2 place(motion.centre_m.x, motion.centre_m.z);
   const glm::dvec3 water = body.water.velocity(place);
+  const glm::dvec3 before = motion.velocity.linear;
   slam(motion, spec.mass, state.added_share, share, water);
+  state.slam_mps += glm::length(motion.velocity.linear - before);
   state.added_share = share;
   if (laden)  // as far as the hull has come into the water since, its share of the mass has changed
     body.laden.added =

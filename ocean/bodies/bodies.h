@@ -47,6 +47,7 @@ struct BodyState {
   double submerged_m3 = 0.0, added_share = 0.0;
   bool asleep = false;
   double filled_m3 = 0.0;   // of water in it
+  double slam_mps = 0.0;    // of its speed, what coming onto the water took in the last step
   ContactImpulses contact;  // of the last step
   bool lost = false;        // a number was none: it is held where it was last
 };
@@ -63,6 +64,8 @@ class Bodies {
   void step(double end_s, double dt_s, const BodyWater& water);
   const std::vector<BodyState>& result() const { return states_; }
   const BodySpec& spec(std::size_t body) const { return bodies_[body].spec; }
+  const BodySettings& settings() const { return settings_; }
+  double inside_m3(std::size_t body) const { return bodies_[body].inside.volume_m3(); }  // 0 without an inside
 
   // Acts in the next step alone, at a place of the world; wakes the body.
   void push(std::size_t body, const glm::dvec3& force_n, const glm::dvec3& at_m);
