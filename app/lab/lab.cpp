@@ -36,6 +36,7 @@ std::vector<LabCurve> cpu_curves() {
   for (LabCurve& curve : source_curves()) curves.push_back(std::move(curve));
   for (LabCurve& curve : local_curves()) curves.push_back(std::move(curve));
   for (LabCurve& curve : wake_curves()) curves.push_back(std::move(curve));
+  for (LabCurve& curve : body_curves()) curves.push_back(std::move(curve));
   return curves;
 }
 
