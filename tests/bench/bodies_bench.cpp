@@ -2,6 +2,7 @@
 // on the same waves. The water is of a formula, so that only the bodies' own work counts.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -86,6 +87,53 @@ BENCHMARK(wakes)
     ->ArgsProduct({{12, 20}, {1, 10, 100, 1000}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
+
+// One hull by its triangles.
+void triangles(benchmark::State& state) {
+  std::vector<BodySpec> specs = fleet(1, BodyLevel::hull);
+  specs[0].hull =
+      std::make_shared<HullMesh>(test::wigley_hull(6.0, 2.0, 0.6, 0.5, int(state.range(0)), int(state.range(0)) / 2));
+  Bodies bodies({}, specs);
+  const OneAnswer water;
+  int n = 0;
+  for (auto _ : state) {
+    ++n;
+    bodies.step(n / 60.0, 1.0 / 60.0, water);
+  }
+  state.counters["triangles"] = double(specs[0].hull->triangles.size());
+}
+BENCHMARK(triangles)->Name("bodies/triangles")->RangeMultiplier(2)->Range(5, 80)->Unit(benchmark::kMicrosecond);
+
+// A raft of boxes, each of which touches its neighbours, and the same apart from each other: what contacts cost.
+void contacts(benchmark::State& state) {
+  const bool touch = state.range(1) != 0;
+  BodySpec spec = test::even_body(box_hull({1.0, 1.0, 1.0}), 0.5 * test::rho);
+  const double m = spec.mass.mass_kg;
+  spec.level = BodyLevel::probes;
+  spec.drag = HullDrag{};
+  spec.damping = Matrix6::diagonal({m, m, m, m, m, m});
+  std::vector<BodySpec> specs(std::size_t(state.range(0)), spec);
+  for (std::size_t n = 0; n < specs.size(); ++n)
+    specs[n].at_m = (touch ? 0.999 : 3.0) * glm::dvec3(double(n % 32), 0.0, double(n / 32));
+  struct Awake : test::FormulaWater {
+    std::optional<CalmWater> calm(double, const glm::dvec2&, double) const override { return std::nullopt; }
+  } water;
+  Bodies bodies({}, specs, ContactSettings{}), alone({}, specs);
+  int n = 0;
+  double with_s = 0.0, without_s = 0.0;
+  const auto timed = [&](Bodies& of) {
+    const auto start = std::chrono::steady_clock::now();
+    of.step(n / 60.0, 1.0 / 60.0, water);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  for (auto _ : state) {
+    ++n;
+    with_s += timed(bodies), without_s += timed(alone);
+  }
+  state.counters["us_for_contacts"] = 1e6 * (with_s - without_s) / double(n);
+  state.SetLabel(touch ? "touching" : "apart");
+}
+BENCHMARK(contacts)->Name("bodies/contacts")->ArgsProduct({{10, 100, 1000}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
 void sleepers(benchmark::State& state) {
   Bodies bodies({}, fleet(1000, BodyLevel::hull));
