@@ -29,7 +29,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Points in work at once: enough that the reads of many overlap, few enough that all they need stays in the first-level
 // cache.
 constexpr int group = 32;
-constexpr int most_layers = most_query_layers;
+// One more than there are: of arrays whose sizes are powers of two the same layers would share a few lines of the
+// cache.
+constexpr int most_layers = most_query_layers + 1;
 
 // A group of points; what lies past the last repeats it. A rest position is the place asked plus `way`, which is a
 // displacement turned about: a float holds it as well as the tiles do, so that only where the place is in a tile needs

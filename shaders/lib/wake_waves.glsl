@@ -26,8 +26,7 @@ vec4 wake_weights(int level, vec2 rest) {
 
 void add_wake_level(inout vec4 sum, int window, int level, float weight, vec2 rest, float footprint) {
   const vec4 slice = frame.sea.wakes.window[window].slice[level];
-  const float present =
-      weight * frame.sea.wakes.window[window].level[level].w * window_kept(slice.w, footprint);
+  const float present = weight * frame.sea.wakes.window[window].level[level].w * window_kept(slice.w, footprint);
   if (present <= 0.0) return;
   const float share = frame.sea.wakes.half_m.w;
   sum += present * vec4(share, 1.0, share, share) *

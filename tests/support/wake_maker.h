@@ -35,8 +35,11 @@ class WakeMaker : public SeaActor {
       const bool moves = step.time_s < body.stops_s;
       const glm::dvec2 velocity = moves ? body.velocity_mps : glm::dvec2(0.0), at = place(body, step.time_s);
       if (asks) told.push_back(step.felt().query(at, options));
-      const WaveSource hump{
-          .place_m = at, .velocity_mps = velocity, .length_m = body.length_m, .head_m = moves ? body.head_m : 0.0, .rise_mps = moves ? body.rise_mps * std::sin(4.0 * step.time_s) : 0.0};
+      const WaveSource hump{.place_m = at,
+                            .velocity_mps = velocity,
+                            .length_m = body.length_m,
+                            .head_m = moves ? body.head_m : 0.0,
+                            .rise_mps = moves ? body.rise_mps * std::sin(4.0 * step.time_s) : 0.0};
       step.wake({.id = body.id, .place_m = at, .velocity_mps = velocity, .length_m = body.length_m}, {&hump, 1});
     }
   }

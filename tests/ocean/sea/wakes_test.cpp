@@ -66,8 +66,7 @@ TEST(Wakes, QueriesReadTheirSurface) {
     highest = std::max(highest, std::abs(want.displacement.y));
     worst = std::max(worst, glm::length(got.displacement - want.displacement));
     const QueryAnswer all = view.query(at);
-    const QueryAnswer without =
-        view.query(at, {.most_iterations = 30, .tolerance_m = 1e-6, .without_window_of = 7});
+    const QueryAnswer without = view.query(at, {.most_iterations = 30, .tolerance_m = 1e-6, .without_window_of = 7});
     const glm::dvec2 rest = at - glm::dvec2(without.displacement.x, without.displacement.z);
     EXPECT_NEAR(without.displacement.y, surface->sea(rest, 0.0, 7).displacement.y, 2e-5);
     apart = std::max(apart, std::abs(all.height_m - without.height_m));
