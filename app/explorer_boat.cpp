@@ -1,4 +1,6 @@
 // Explore aboard a boat: going aboard and ashore, driving her, and looking from her deck or at her.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -71,6 +73,10 @@ void Explorer::tell_of_bodies() {
   const auto& bodies = experience_->bodies();
   const int holds = bodies != nullptr ? bodies->holds() : 0;
   if (holds > std::exchange(holds_, holds) && holds > 1) tell("the sea's time jumped: what floats stays where it is");
+  if (bodies == nullptr) return;
+  for (const BodyEvent& event : bodies->take_events())
+    if (crew_.body() == event.body && event.kind != BodyEventKind::in && event.kind != BodyEventKind::out)
+      tell(fmt::format("{}: {}", crew_.name(), name_of(event.kind)));
 }
 
 // What a display's head is seen from: the deck below the eyes, or the eyes.

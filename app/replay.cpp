@@ -101,6 +101,7 @@ void live_through(Experience& experience, const CameraPath& path, const std::opt
       person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), person.at_m, time_s);
     person.at_m = pose_in_world(experience, path, sample, time_s, person.at_m).position_m;
     experience.sea()->advance(time_s, person.at_m);
+    (void)experience.bodies()->take_events();
     progress.step(std::size_t(frame) + 1);
   }
 }
@@ -172,6 +173,7 @@ int run_replay(const Arguments& arguments) {
     drawn.dispatches = frame.counts().dispatches;
     drawn.patches = experience.ocean().selection()->patches.size();
     drawn.bodies = replayed_bodies(experience, drawn.scene_time_s);
+    if (const auto& bodies = experience.bodies()) drawn.events = bodies->take_events();
     drawn.sea_hash = experience.sea()->hash();
     drawn.files = write_pictures(out, drawn.frame, arguments.format, device, experience);
     record.frames.push_back(std::move(drawn));

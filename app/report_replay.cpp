@@ -59,6 +59,12 @@ ordered_json frame_json(const ReplayFrame& frame) {
                        {"taken", {{"cpu_ms", frame.cpu_ms}, {"gpu_ms", frame.gpu_ms}}}};
   json["bodies"] = ordered_json::array();
   for (const ReplayedBody& body : frame.bodies) json["bodies"].push_back(body_json(body));
+  json["events"] = ordered_json::array();
+  for (const BodyEvent& event : frame.events)
+    json["events"].push_back({{"time_s", event.time_s},
+                              {"body", frame.bodies[event.body].name},
+                              {"event", name_of(event.kind)},
+                              {"strength_mps", event.strength}});
   json["sea_hash"] = fmt::format("{:016x}", frame.sea_hash);  // no number: many readers have but 53 bits of one
   if (frame.acted) json["actions"] = acted_json(*frame.acted);
   return json;

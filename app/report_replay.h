@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ocean/bodies/body_events.h"
 #include "platform/input.h"
 #include "platform/input_script.h"
 
@@ -32,6 +33,7 @@ struct ReplayFrame {
   Viewpoint views;                          // the head, then each eye drawn
   std::optional<ReplayedInput> acted;       // of a path that has actions
   std::vector<ReplayedBody> bodies;
+  std::vector<BodyEvent> events;      // since the frame before
   std::uint64_t sea_hash = 0;         // Sea::hash
   std::vector<std::string> files;     // pictures, one an eye
   double cpu_ms = 0.0, gpu_ms = 0.0;  // taken

@@ -159,6 +159,8 @@ class Reader {
     floats.controls.throttle = reader.number("throttle", -1.0, 1.0, 0.0, "");
     floats.controls.helm = reader.number("helm", -1.0, 1.0, 0.0, "");
     floats.controls.sheet = reader.number("sheet", 0.0, 1.0, 0.5, "");
+    floats.fills = reader.flag("fills", false);
+    floats.bail_kg_s = reader.number("bail_kg_s", 0.0, 1e5, 0.0, "kg/s");
     floats.towed = reader.flag("towed", false);
     reader.finish();
     return floats;

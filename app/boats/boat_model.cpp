@@ -163,6 +163,7 @@ void read_extras(const LocatedJson& json, const std::string& where, BoatModel& b
     seat.role = role == "helm" ? SeatRole::helm : role == "rower" ? SeatRole::rower : SeatRole::passenger;
     boat.seats.push_back(seat);
   });
+  if (extras.find("moored_at_m") != nullptr) boat.moored_at_m = extras.place("moored_at_m");
   read_parts(extras, where, boat.boat);
 }
 
@@ -205,6 +206,21 @@ BoatSpec scaled(const BoatSpec& boat, double scale) {
   for (BoatSail& sail : spec.sails) sail.centre_m *= scale, sail.sail.area_m2 *= area;
   for (BoatOar& oar : spec.oars) oar.pivot_m *= scale, oar.length_m *= scale, oar.area_m2 *= area;
   return spec;
+}
+
+// At the end that is nearer: the foremost or the aftermost place of her hull's upper edge.
+glm::dvec3 made_fast_at(const BoatModel& model, double scale, const Pose& pose, const glm::dvec2& to) {
+  if (model.moored_at_m) return scale * *model.moored_at_m;
+  double top = -1e300;
+  for (const glm::dvec3& v : model.hull.vertices) top = std::max(top, v.y);
+  glm::dvec3 bow(0.0, top, 1e300), stern(0.0, top, -1e300);
+  for (const glm::dvec3& v : model.hull.vertices) bow.z = std::min(bow.z, v.z), stern.z = std::max(stern.z, v.z);
+  bow.z *= 0.9, stern.z *= 0.9;
+  const auto away = [&](const glm::dvec3& at) {
+    const glm::dvec3 world = pose.position_m + pose.orientation * (scale * at);
+    return std::hypot(world.x - to.x, world.z - to.y);
+  };
+  return scale * (away(bow) < away(stern) ? bow : stern);
 }
 
 BodySpec body_spec(const BoatModel& model, const FloatSpec& floats, double scale, const std::string& where) {

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
 #include "app/scene_hulls.h"
+#include "app/solids/inside_hulls.h"
 #include "ocean/effects.h"
 
 namespace seascape {
@@ -20,6 +22,8 @@ HullMedia body_media(const Settings& settings) {
 
 namespace {
 
+constexpr std::size_t most_colliders = 20000;
+
 std::shared_ptr<const HullCourse> course_of(const BodySpec& spec, const HullMedia& media) {
   HullMesh mesh = *spec.hull;
   for (glm::dvec3& v : mesh.vertices) v -= spec.mass_centre_m;
@@ -27,7 +31,70 @@ std::shared_ptr<const HullCourse> course_of(const BodySpec& spec, const HullMedi
   return upright.floats ? std::make_shared<const HullCourse>(mesh, upright.waterline_m, media) : nullptr;
 }
 
+// Of several insides that whose lid lies highest is open to the sky.
+InsideSpec inside_of(const PlacedModel& model, double scale, double bail_kg_s) {
+  InsideSpec inside;
+  const Model* highest = nullptr;
+  for (const auto& one : model.insides())
+    if (highest == nullptr || one->most.y > highest->most.y) highest = one.get();
+  if (highest == nullptr) return inside;
+  inside.hull = std::make_shared<const HullMesh>(hull_of(*highest, scale));
+  inside.bail_kg_s = bail_kg_s;
+  return inside;
+}
+
+// Of things that stand still and have a mesh to run into: each of its parts by itself.
+std::vector<StillCollider> still_colliders(const Scene& scene) {
+  std::vector<StillCollider> still;
+  const SceneObjects& objects = scene.objects;
+  std::vector<bool> floats(objects.things.size(), false);
+  for (const FloatingThing& one : objects.floating) floats[one.thing] = true;
+  std::map<std::size_t, std::vector<HullMesh>> known;
+  for (std::size_t t = 0; t < objects.things.size() && still.size() < most_colliders; ++t) {
+    const SolidThing& thing = objects.things[t];
+    if (floats[t]) continue;
+    const auto [found, is_new] = known.try_emplace(thing.model);
+    if (is_new)
+      for (const auto& mesh : hidden_meshes(objects.models[thing.model].model(), "collision"))
+        for (HullMesh& part : parts_of(hull_of(*mesh, 1.0))) found->second.push_back(std::move(part));
+    for (const HullMesh& part : found->second) {
+      StillCollider collider{objects.names[t], part, thing.pose.position_m, thing.pose.orientation};
+      for (glm::dvec3& v : collider.mesh.vertices) v *= thing.scale;
+      still.push_back(std::move(collider));
+    }
+  }
+  return still;
+}
+
 }  // namespace
+
+std::vector<HullMesh> parts_of(const HullMesh& mesh) {
+  // Each vertex is of the part of the lowest one that it hangs together with.
+  std::vector<std::uint32_t> part(mesh.vertices.size());
+  std::iota(part.begin(), part.end(), 0u);
+  const auto root = [&](std::uint32_t v) {
+    while (part[v] != v) v = part[v] = part[part[v]];
+    return v;
+  };
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : {t[1], t[2]}) {
+      const std::uint32_t a = root(t[0]), b = root(v);
+      part[std::max(a, b)] = std::min(a, b);
+    }
+  std::vector<HullMesh> parts;
+  std::map<std::uint32_t, std::size_t> known;
+  std::vector<std::uint32_t> now(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto [found, is_new] = known.emplace(root(v), parts.size());
+    if (is_new) parts.emplace_back();
+    HullMesh& own = parts[found->second];
+    now[v] = std::uint32_t(own.vertices.size());
+    own.vertices.push_back(mesh.vertices[v]);
+  }
+  for (const auto& t : mesh.triangles)
+    parts[known.at(root(t[0]))].triangles.push_back({now[t[0]], now[t[1]], now[t[2]]});
+  return parts;
+}
 
 std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   const SceneObjects& objects = scene.objects;
@@ -35,6 +102,7 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
   std::vector<std::optional<BoatModel>> models(objects.models.size());
   std::vector<BodySpec> specs;
   std::vector<BoatSpec> boats;
+  BodySurroundings surroundings;
   BodySettings settings;
   settings.media = body_media(scene.settings);
   std::map<std::tuple<std::size_t, double, double>, std::shared_ptr<const HullCourse>> known;  // by model, size, mass
@@ -48,6 +116,7 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
     if (!model) model = boat_model(objects.models[thing.model].model(), one.at);
     BodySpec spec = body_spec(*model, one.floats, thing.scale, one.at);
     spec.name = objects.names[one.thing];
+    if (one.floats.fills) spec.inside = inside_of(objects.models[thing.model], thing.scale, one.floats.bail_kg_s);
     spec.at_m = thing.pose.position_m;
     spec.orientation = thing.pose.orientation;
     auto& course = known[{thing.model, thing.scale, spec.mass.mass_kg}];
@@ -63,9 +132,13 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
     wakes.push_back(model->is_boat ? wake : nullptr);
     specs.push_back(std::move(spec));
     boats.push_back(scaled(model->boat, thing.scale));
+    for (const glm::dvec2& to : one.floats.moored_m)
+      surroundings.moorings.push_back({boats.size() - 1, made_fast_at(*model, thing.scale, thing.pose, to), to});
   }
-  auto bodies =
-      std::make_shared<SeaBodies>(settings, std::move(specs), std::move(boats), std::move(courses), insides_of(scene));
+  surroundings.still = still_colliders(scene);
+  surroundings.land = calls_for(scene.effects, "sea_depth");
+  auto bodies = std::make_shared<SeaBodies>(settings, std::move(specs), std::move(boats), std::move(courses),
+                                            insides_of(scene), surroundings);
   for (std::size_t n = 0; n < objects.floating.size(); ++n) {
     bodies->ask(n, objects.floating[n].floats.controls);
     if (objects.floating[n].floats.towed) bodies->tow(n);

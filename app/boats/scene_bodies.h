@@ -15,4 +15,7 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene);
 // What bodies are told of sea and air: its gravity, and the wind that makes the waves.
 HullMedia body_media(const Settings& settings);
 
+// A mesh cut into what hangs together.
+std::vector<HullMesh> parts_of(const HullMesh& mesh);
+
 }  // namespace seascape

@@ -31,6 +31,24 @@ double quickest(double stiffness, double own, double added) {
   return std::sqrt(most);
 }
 
+// The water as one body feels it.
+class WaterOf final : public BodyWater {
+ public:
+  WaterOf(const BodyWater& all, std::size_t body) : all_(all), body_(body) {}
+  void ask(double time_s, double footprint_m, std::span<const glm::dvec2> places,
+           std::span<WaterHere> answers) const override {
+    all_.ask_as(body_, time_s, footprint_m, places, answers);
+  }
+  double wave_number() const override { return all_.wave_number(); }
+  std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override {
+    return all_.calm(time_s, place, distance_m);
+  }
+
+ private:
+  const BodyWater& all_;
+  std::size_t body_;
+};
+
 bool symmetric_and_not_negative(const Matrix6& m, const Matrix6& scale) {
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
@@ -115,7 +133,7 @@ void Bodies::advance(double time_s, const BodyWater& water) {
 void Bodies::step(double end_s, double dt_s, const BodyWater& water) {
   if (!(dt_s > 0.0 && std::isfinite(dt_s))) return;
   tbb::parallel_for(std::size_t(0), bodies_.size(),
-                    [&](std::size_t n) { step_body(bodies_[n], states_[n], end_s, dt_s, water); });
+                    [&](std::size_t n) { step_body(bodies_[n], states_[n], end_s, dt_s, WaterOf(water, n)); });
   if (contacts_) touch(dt_s);
 }
 

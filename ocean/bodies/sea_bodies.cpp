@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "ocean/inputs/clip_body.h"
@@ -9,15 +10,60 @@
 
 namespace seascape {
 
+namespace {
+
+constexpr std::size_t most_told = 4096;  // events that nobody has taken
+constexpr double deepest_m = 40.0;       // of where a line is made fast, below the still sea
+constexpr double over_land_m = 0.3;      // of a bollard's or a ring's height
+// Of a line's length: a little more than the way there.
+constexpr double slack = 1.1, slack_m = 0.3;
+
+ContactSettings contacts_of(const BodySurroundings& surroundings, SeaWater& water) {
+  ContactSettings settings;
+  settings.still = surroundings.still;
+  if (surroundings.land)
+    settings.land = [&water](std::span<const glm::dvec2> places, std::span<double> heights_m) {
+      water.ground(places, heights_m);
+    };
+  return settings;
+}
+
+}  // namespace
+
 SeaBodies::SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, std::vector<BoatSpec> boats,
-                     std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides)
-    : bodies_(settings, std::move(specs)),
+                     std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides,
+                     const BodySurroundings& surroundings)
+    : moorings_(surroundings.moorings),
+      bodies_(settings, std::move(specs), contacts_of(surroundings, water_)),
       media_(settings.media),
       courses_(std::move(courses)),
       insides_(std::move(insides)) {
   assert(boats.size() == insides_.size() && courses_.size() == insides_.size() &&
          bodies_.result().size() == insides_.size());
   for (BoatSpec& boat : boats) boats_.emplace_back(std::move(boat));
+}
+
+// A line's stiffness stretches it by a tenth under half of the body's weight, and its damping is critical.
+void SeaBodies::make_fast() {
+  std::vector<MooringLine> lines;
+  for (const BodyMooring& mooring : moorings_) {
+    const BodyState& state = bodies_.result()[mooring.body];
+    double ground_m = 0.0;
+    water_.ground({&mooring.to_m, 1}, {&ground_m, 1});
+    const double mass = bodies_.spec(mooring.body).mass.mass_kg;
+    MooringLine line;
+    line.body = mooring.body;
+    line.from_m = mooring.from_m;
+    line.to_m = {mooring.to_m.x, std::max(ground_m, -deepest_m) + (ground_m > -over_land_m ? over_land_m : 0.0),
+                 mooring.to_m.y};
+    const glm::dvec3 from = state.at_m + state.motion.orientation * mooring.from_m;
+    line.length_m = slack * glm::length(line.to_m - from) + slack_m;
+    line.stiffness_n_m = 0.5 * mass * media_.gravity_mps2 / (0.1 * line.length_m);
+    line.damping_ns_m = 2.0 * std::sqrt(line.stiffness_n_m * mass);
+    lines.push_back(line);
+  }
+  moorings_.clear();
+  bodies_.moor(std::move(lines));
 }
 
 void SeaBodies::take(const HullMedia& media) {
@@ -27,11 +73,14 @@ void SeaBodies::take(const HullMedia& media) {
 
 void SeaBodies::step(SeaStep& step) {
   water_.see(step.felt());
+  if (!moorings_.empty()) make_fast();
   for (std::size_t n = 0; n < courses_.size(); ++n)
     if (courses_[n] != nullptr) keep_course(n, step.time_s);
   for (std::size_t n = 0; n < boats_.size(); ++n) boats_[n].step(bodies_, n, water_, media_, step.time_s, step.dt_s);
   bodies_.step(step.time_s, step.dt_s, water_);
   hold_towed(step.dt_s);
+  events_.follow(step.time_s, bodies_, told_);
+  if (told_.size() > most_told) told_.erase(told_.begin(), told_.end() - most_told);
   stepped_s_ = step.time_s;
   step_s_ = step.dt_s;
   for (Wake& wake : wakes_) make_waves(step, wake);

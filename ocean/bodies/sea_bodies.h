@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/view.h"
 #include "ocean/bodies/boat.h"
 #include "ocean/bodies/bodies.h"
+#include "ocean/bodies/body_events.h"
 #include "ocean/bodies/hull_course.h"
 #include "ocean/bodies/sea_water.h"
 #include "ocean/bodies/wake_foam.h"
@@ -23,13 +25,28 @@ struct BodyInsides {
   double scale = 1.0;
 };
 
+// Made fast to a place of the sea (x, z): from a place of the body's own, to the ground there where that is known.
+struct BodyMooring {
+  std::size_t body = 0;
+  glm::dvec3 from_m{0.0};
+  glm::dvec2 to_m{0.0};
+};
+
+// What bodies may run into beside each other: what stands still, the ground where `land`, and their lines.
+struct BodySurroundings {
+  std::vector<StillCollider> still;
+  bool land = false;
+  std::vector<BodyMooring> moorings;
+};
+
 // Bodies move in the sea's steps alone. What they do depends on where they began and on the steps since, never on
 // frames, viewer, preset or threads.
 class SeaBodies final : public SeaActor {
  public:
   // `boats`, `courses` (null: it goes any way alike) and `insides`: one a body each. Throws Error as Bodies does.
   SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, std::vector<BoatSpec> boats,
-            std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides);
+            std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides,
+            const BodySurroundings& surroundings = {});
 
   // Other gravity, wind and water from the next step on.
   void take(const HullMedia& media);
@@ -54,35 +71,41 @@ class SeaBodies final : public SeaActor {
   // What is asked of a boat from the next step on, until it is asked for something else.
   void ask(std::size_t body, const BoatControls& controls) { boats_[body].ask(controls); }
   const Boat& boat(std::size_t body) const { return boats_[body]; }
+  // What has happened to bodies since the last call, in order.
+  std::vector<BodyEvent> take_events() { return std::exchange(told_, {}); }
   // How often steps were missing since it was made, so that all stayed where they were.
   int holds() const { return holds_; }
 
  private:
-  ClipBody clip_of(std::size_t body, int hull) const;
-  Bodies bodies_;
-  HullMedia media_;
   struct Towed {
     std::size_t body;
     BodyMotion as;  // at the end of the last step, but for heave, pitch and roll
   };
-  void hold_towed(double dt_s);
   struct Wake {
     std::size_t body;
     std::shared_ptr<const HullWake> hull;
     double least_length_m, length_m;
     WakeFoam foam;
   };
+  void make_fast();
+  void keep_course(std::size_t body, double end_s);
+  void hold_towed(double dt_s);
   void make_waves(SeaStep& step, Wake& wake);
+  ClipBody clip_of(std::size_t body, int hull) const;
+  SeaWater water_;
+  std::vector<BodyMooring> moorings_;  // that are still to be made fast, in the first step
+  Bodies bodies_;
+  HullMedia media_;
+  std::vector<Boat> boats_;
+  std::vector<std::shared_ptr<const HullCourse>> courses_;
+  std::vector<BodyInsides> insides_;
+  std::vector<Towed> towed_;
   std::vector<Wake> wakes_;
   std::vector<HullSection> cut_;
   std::vector<WaveSource> sources_;
   WakeFoam::Made made_;
-  std::vector<Towed> towed_;
-  void keep_course(std::size_t body, double end_s);
-  std::vector<Boat> boats_;
-  std::vector<std::shared_ptr<const HullCourse>> courses_;
-  std::vector<BodyInsides> insides_;
-  SeaWater water_;
+  BodyEvents events_;
+  std::vector<BodyEvent> told_;
   double stepped_s_ = 0.0, step_s_ = 0.0;  // the last step's end and length; a length of 0: held
   int holds_ = 0;
 };

@@ -72,6 +72,13 @@ void SeaWater::ask(std::uint64_t without_window_of, double footprint_m, std::spa
   }
 }
 
+void SeaWater::ground(std::span<const glm::dvec2> places, std::span<double> heights_m) const {
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const StillWater still = view_.still_water(places[n], felt_place_texel_m);
+    heights_m[n] = still.height_m - still.depth_m;
+  }
+}
+
 std::optional<CalmWater> SeaWater::calm(double, const glm::dvec2& place, double distance_m) const {
   if (wave_number_ > 0.0) return std::nullopt;
   const glm::dvec2 around(distance_m);

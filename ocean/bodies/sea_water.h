@@ -20,6 +20,8 @@ class SeaWater final : public BodyWater {
            std::span<WaterHere> answers) const override;
   void ask_as(std::size_t body, double time_s, double footprint_m, std::span<const glm::dvec2> places,
               std::span<WaterHere> answers) const override;
+  // Heights of the ground at places (x, z), m.
+  void ground(std::span<const glm::dvec2> places, std::span<double> heights_m) const;
   double wave_number() const override { return wave_number_; }
   std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override;
 

@@ -32,7 +32,7 @@ def hull(d, p):
     lid = np.stack([top[:, -1] * [-1, 1, 1], top[:, -1]], 1)
     side = [grid(low, p["bottom"], flip=True), grid(top, p["side"], flip=True)]
     port = [grid(q * [-1, 1, 1], p[name]) for q, name in ((low, "bottom"), (top, "side"))]
-    return join(side + port + [grid(lid, p["lid"], flip=True)])
+    return join(side + port + [grid(lid, p["lid"])])
 
 
 def build():
