@@ -813,7 +813,7 @@ const std::vector<Setting>& table() {
        0.0,
        1.0,
        {},
-       quality,
+       false,
        "the pictures are loaded anew"},
       {"models.shadow_texels",
        "",

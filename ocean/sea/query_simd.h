@@ -24,9 +24,9 @@ struct QueryLayer {
   std::int32_t mask, stride;           // size - 1; texels from one row to the next
   float share;  // of what is read here that counts: the footprint's, and how near this level is to it
   std::array<float, 4>
-      laid;             // what the texels' displacements, velocities and their last number are to be multiplied with
-  bool plain;           // by 1: a cascade
-  bool warped = false;  // by QueryPlan::warp
+      laid;     // what the texels' displacements, velocities and their last number are to be multiplied with
+  bool plain;   // by 1: a cascade
+  bool warped;  // by QueryPlan::warp
   const float *shift, *velocity;  // first texel of each plane; velocity null where there is none
 };
 

@@ -23,9 +23,8 @@ TEST(Effects, TheClosureAddsWhatIsNeededAndSaysWhy) {
             (Entries{{"waves", "wave_particles needs it"}, {"wave_particles", "the scene names it"}}));
   EXPECT_EQ(entries({"gerstner"}), (Entries{{"waves", "gerstner needs it"}, {"gerstner", "the scene names it"}}));
   EXPECT_EQ(entries({"spray"}), (Entries{{"waves", "spray needs it"}, {"spray", "the scene names it"}}));
-  EXPECT_EQ(entries({"wakes"}), (Entries{{"models", "boats needs it"},
-                                         {"boats", "wakes needs it"},
-                                         {"wakes", "the scene names it"}}));
+  EXPECT_EQ(entries({"wakes"}),
+            (Entries{{"models", "boats needs it"}, {"boats", "wakes needs it"}, {"wakes", "the scene names it"}}));
   EXPECT_EQ(entries({"foam", "waves"}), (Entries{{"waves", "the scene names it"}, {"foam", "the scene names it"}}));
 }
 

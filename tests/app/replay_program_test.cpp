@@ -55,8 +55,8 @@ TEST(Replay, BothViewsAreTheEyesDrawnAlone) {
   }
 }
 
-// What floats has lived through what came before, wherever a replay begins: the same picture, poses and hash of the sea.
-// A camera rides a body. Control seen: the frames before --start left out.
+// What floats has lived through what came before, wherever a replay begins: the same picture, poses and hash of the
+// sea. A camera rides a body. Control seen: the frames before --start left out.
 TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
   const TemporaryFolder folder;
   write_atomically(folder / "s.json", R"({"version": 1, "effects": ["waves", "models", "boats", "wakes"], "objects": [
@@ -66,9 +66,21 @@ TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
     {"time_s": 0, "position_m": [0, 2.5, 6]}, {"time_s": 2, "position_m": [1, 2.5, 6]}]})");
   const auto record = [&](const std::vector<std::string>& more, Files& files) {
     const TemporaryFolder out;
-    std::vector<std::string> words{"replay", "--scene", (folder / "s.json").string(), "--path",
-                                   (folder / "p.json").string(), "--preset", "low", "--views", "1", "--fps", "12",
-                                   "--size", "96x64", "--out", out.path().string()};
+    std::vector<std::string> words{"replay",
+                                   "--scene",
+                                   (folder / "s.json").string(),
+                                   "--path",
+                                   (folder / "p.json").string(),
+                                   "--preset",
+                                   "low",
+                                   "--views",
+                                   "1",
+                                   "--fps",
+                                   "12",
+                                   "--size",
+                                   "96x64",
+                                   "--out",
+                                   out.path().string()};
     words.insert(words.end(), more.begin(), more.end());
     const ProgramResult result = run_program(words, {"SEASCAPE_VALIDATION=1"});
     EXPECT_EQ(result.exit_code, 0) << result.err;

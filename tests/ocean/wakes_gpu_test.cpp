@@ -52,7 +52,7 @@ class DrawnWakeSea : public test::GpuTest {
 };
 
 // A thousand vertices within 1/500 of the highest wave: half floats are off by 1/2048, and drivers put a texel into 256
-// parts. Controls seen: a window's middle 1 m off (describe()); weights of one window by itself.
+// parts. Controls seen: a window's middle 1 m off (describe()); the first window alone.
 TEST_F(DrawnWakeSea, StandsWhereTheProcessorSays) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   SeaShot shot(options());
@@ -94,7 +94,7 @@ TEST_F(DrawnWakeSea, StandsWhereTheProcessorSays) {
 }
 
 // The normals that pixels are lit by are those of the processor's surface, seen from above: by the regression of one on
-// the other along either axis. Controls seen: x and z of the slope changed about.
+// the other along either axis. Control seen: the displacement's image bound for that of slopes.
 TEST_F(DrawnWakeSea, IsLitByTheProcessorsSlopes) {
   if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   ShotOptions wanted = options();

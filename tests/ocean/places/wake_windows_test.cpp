@@ -79,7 +79,7 @@ Weighed weighed(std::span<const glm::vec2> middles, glm::vec2 at, float half_m) 
 
 // Weights add up to 1 where any window is whole, to no more elsewhere, and a window by itself has its presence; and
 // they are smooth: no slope is steeper than 8 over half a side, and along a line no slope jumps.
-// Control: sums of presences limited to 1, as max() does it (slopes jump).
+// Control: presences over the larger of 1 and their sum (slopes jump).
 TEST(WakeWeights, AddUpToOneAndAreSmooth) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
@@ -274,7 +274,7 @@ TEST(WakeWindows, BeginWithTheWavesThatThereAre) {
 }
 
 // What is no number, or has an id twice, is left out and says so.
-// Control: add() without its checks.
+// Control: sources that are taken as they come.
 TEST(WakeWindows, LeaveOutWhatIsNoBody) {
   WakeWindows windows(small());
   const WaveSource wrong{.place_m = {NAN, 0.0}, .rise_mps = 1.0}, flat{.length_m = 0.0, .rise_mps = 1.0};

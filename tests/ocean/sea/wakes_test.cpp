@@ -46,7 +46,7 @@ void run(Sea& sea, double to_s, double frame_s = 1.0 / 60.0, glm::dvec3 from = v
 
 // Queries read what WakeSurface has, in plain numbers, at any place and footprint, with and without one body's window;
 // and their slopes are those of the surface that they make, weights and all.
-// Controls: the weights' derivatives left out (weigh_wakes); a window left out by its number and not by its body.
+// Controls: the weights' derivatives left out (weigh_wakes); a window that is never left out.
 TEST(Wakes, QueriesReadTheirSurface) {
   Sea sea(spec());
   sea.add(std::make_shared<WakeMaker>(two_boats()));
@@ -119,7 +119,7 @@ TEST(Wakes, WhatBodiesFeelDoesNotDependOnTheViewer) {
 }
 
 // The state is the same to the bit too, where there are no dynamic waves.
-// Control: windows that follow the viewer (placement() of a place that advance() was given).
+// Control: windows that lie where their bodies are at the frame's time.
 TEST(Wakes, TheirStateComesOfStepsAlone) {
   const auto hash = [](double frame_s, glm::dvec3 from) {
     Sea sea(spec());
@@ -210,7 +210,7 @@ TEST(Wakes, KnowHowFastTheWaterMoves) {
 }
 
 // Where no body makes waves a sea with wakes answers as one without, to the bit.
-// Control: beside.wakes that is never null.
+// Control: a surface of no windows instead of none.
 TEST(Wakes, AtRestAreNotThere) {
   SeaSpec plain = spec(true);
   plain.wakes.reset();

@@ -1,0 +1,113 @@
+// A minute at the keys of a virtual display: aboard a rowing boat, a boat with an engine that runs into a buoy, and a
+// yacht under sail. Control seen: board not obeyed.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/camera_path.h"
+#include "engine/files.h"
+#include "tests/support/desktop.h"
+
+namespace seascape {
+namespace {
+
+using test::Background;
+using test::TemporaryFolder;
+using test::VirtualDisplay;
+using test::wait_until;
+
+constexpr const char* scene = R"({"version": 1, "effects": ["waves", "models", "boats", "wakes"],
+  "waves": {"wind_speed_mps": 6, "wind_to_deg": 90, "fetch_m": 300},
+  "objects": [
+    {"model": "rowing_boat", "name": "dinghy", "at_m": [0, 0, -3], "float": {}},
+    {"model": "rib", "name": "rib", "at_m": [0, 0, 16], "yaw_deg": 180, "float": {}},
+    {"model": "buoy_lateral_port", "name": "buoy", "at_m": [0, 0, 32], "float": {"moored_m": [[0, 32]]}},
+    {"model": "yacht", "name": "yacht", "at_m": [3, 0, 52], "yaw_deg": 180, "float": {}}],
+  "camera": {"position_m": [1, 1.6, 0]}})";
+
+class Voyage {
+ public:
+  Voyage() {
+    write_atomically(folder_ / "s.json", std::string_view(scene));
+    program_ = std::make_unique<Background>(
+        std::vector<std::string>{SEASCAPE_BUILD_DIR "/seascape", "explore", "--display", "window", "--scene",
+                                 (folder_ / "s.json").string(), "--preset", "low", "--set", "msaa=1", "--set",
+                                 "waves.cascades=3", "--set", "models.seen_in_water=false", "--size", "240x160",
+                                 "--out", (folder_ / "out").string()},
+        std::vector<std::string>{display_.variable(), "SEASCAPE_VALIDATION=1"});
+    wait_until([&] {
+      window_ = display_.xdotool({"search", "--onlyvisible", "--name", "^Seascape: "});
+      window_ = window_.substr(0, window_.find('\n'));
+      return !window_.empty() || !program_->running();
+    });
+    display_.xdotool({"windowfocus", "--sync", window_});
+  }
+  void key(const std::string& name) { display_.xdotool({"key", name}); }
+  void hold(const std::vector<std::string>& names, double seconds) {
+    for (const std::string& name : names) display_.xdotool({"keydown", name});
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    for (const std::string& name : names) display_.xdotool({"keyup", name});
+  }
+  bool says(const std::string& line, double patience_s = 20.0) {
+    wait_until([&] { return program_->out().find(line) != std::string::npos || !program_->running(); }, patience_s);
+    return program_->out().find(line) != std::string::npos;
+  }
+  // Flies on until a boat is boarded.
+  bool boards(const std::string& name) {
+    for (int i = 0; i < 40 && program_->out().find("aboard: " + name) == std::string::npos; ++i) {
+      const std::size_t before = program_->out().size();
+      key("b");
+      wait_until([&] { return program_->out().size() > before || !program_->running(); });
+      if (program_->out().find("aboard: " + name) != std::string::npos) break;
+      if (program_->out().rfind("aboard: ") > before && program_->out().size() > before) key("b");  // another's
+      hold({"w"}, 0.15);
+    }
+    return program_->out().find("aboard: " + name) != std::string::npos;
+  }
+  Background& program() { return *program_; }
+  TemporaryFolder folder_;
+
+ private:
+  VirtualDisplay display_;
+  std::unique_ptr<Background> program_;
+  std::string window_;
+};
+
+TEST(ExploreBoats, AMinuteAtTheKeys) {
+  Voyage voyage;
+  ASSERT_TRUE(voyage.program().running()) << voyage.program().err();
+  voyage.key("r");
+  ASSERT_TRUE(voyage.says("path: recording")) << voyage.program().err();
+  ASSERT_TRUE(voyage.boards("dinghy")) << voyage.program().out();
+  voyage.hold({"j", "l"}, 6.0);
+  voyage.key("2");  // from behind
+  EXPECT_TRUE(voyage.says("looking from behind"));
+  voyage.key("1");
+  voyage.key("b");
+  ASSERT_TRUE(voyage.says("stepped off: dinghy"));
+  voyage.hold({"w"}, 0.6);  // a rower looks astern
+  ASSERT_TRUE(voyage.boards("rib")) << voyage.program().out();
+  voyage.hold({"w"}, 8.0);
+  EXPECT_TRUE(voyage.says("rib: hit")) << voyage.program().out();
+  voyage.key("b");
+  ASSERT_TRUE(voyage.says("stepped off: rib"));
+  voyage.hold({"w"}, 0.8);
+  ASSERT_TRUE(voyage.boards("yacht")) << voyage.program().out();
+  voyage.hold({"e"}, 8.0);
+  voyage.key("b");
+  ASSERT_TRUE(voyage.says("stepped off: yacht"));
+  voyage.key("r");
+  ASSERT_TRUE(voyage.says("path: /"));
+  voyage.key("Escape");
+  EXPECT_EQ(voyage.program().exit_code(60.0), 0) << voyage.program().err();
+  EXPECT_EQ(voyage.program().err().find("alidation"), std::string::npos) << voyage.program().err();
+
+  const CameraPath path = load_camera_path((voyage.folder_ / "out" / "recorded_001.json").string());
+  double farthest = 0.0;
+  for (const PathKey& key : path.keys) farthest = std::max(farthest, key.pose.position_m.z);
+  EXPECT_GT(farthest, 40.0) << "he has come from boat to boat";
+}
+
+}  // namespace
+}  // namespace seascape
