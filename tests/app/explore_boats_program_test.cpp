@@ -26,7 +26,7 @@ constexpr const char* engines = R"({"version": 1, "effects": ["waves", "models",
   "camera": {"position_m": [1, 1.6, 0]}})";
 
 constexpr const char* sailing = R"({"version": 1, "effects": ["waves", "models", "boats", "wakes"],
-  "waves": {"wind_speed_mps": 8, "wind_to_deg": 90, "fetch_m": 300},
+  "waves": {"wind_speed_mps": 9, "wind_to_deg": 112, "fetch_m": 300},
   "objects": [{"model": "yacht", "name": "yacht", "at_m": [0, 0, -4], "float": {}}],
   "camera": {"position_m": [1, 2, 1]}})";
 
@@ -64,7 +64,8 @@ class Voyage {
       const std::size_t before = program_->out().size();
       key("b");
       const auto said = [&] { return program_->out().substr(before); };
-      wait_until([&] { return said().find('\n') != std::string::npos || !program_->running(); });
+      wait_until([&] { return said().find('\n') != std::string::npos || !program_->running(); }, 10.0);
+      if (said().empty()) return false;
       if (said().find("aboard: " + name) != std::string::npos) return true;
       if (said().find("aboard: ") != std::string::npos) {
         key("b");
@@ -119,7 +120,7 @@ TEST(ExploreBoats, AMinuteAtTheKeys) {
   EXPECT_GT(most, 20.0) << "under engine";
 }
 
-// The sheet is hauled in and she sails; let go she does not. Control seen: the sheet not asked for.
+// With the wind before the beam, the sheet is hauled in and she sails. Control seen: the sheet not asked for, so that her sails flog.
 TEST(ExploreBoats, SailsAtTheKeys) {
   Voyage voyage(sailing);
   ASSERT_TRUE(voyage.program().running()) << voyage.program().err();
