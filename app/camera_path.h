@@ -37,7 +37,7 @@ inline constexpr std::size_t most_path_keys = 100'000;
 struct CameraPath {
   std::string name;
   std::vector<PathKey> keys;  // one to most_path_keys
-  std::string on;            // the body that all poses are seen from; empty: the world
+  std::string on;             // the body that all poses are seen from; empty: the world
   double horizon_lock = 0.0;  // share of its pitch and roll that they leave out, 0 to 1
   // What hands and actions did, by the path's time; hands are in the world. Its head is the keys.
   std::optional<InputScript> actions;

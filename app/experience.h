@@ -131,8 +131,8 @@ class Experience {
   std::shared_ptr<Sea> sea_;
   std::shared_ptr<SeaBodies> bodies_;
   std::unique_ptr<BoatShapes> boat_shapes_;  // with the bodies
-  std::weak_ptr<Sea> sea_of_bodies_;  // whose actor they are
-  std::string sea_key_;               // of the scene that it was made of, or has grown into
+  std::weak_ptr<Sea> sea_of_bodies_;         // whose actor they are
+  std::string sea_key_;                      // of the scene that it was made of, or has grown into
   std::unique_ptr<Ocean> ocean_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;

@@ -28,7 +28,7 @@ class OutsideView {
   bool deferred_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSolids> solids_;  // where the experience draws any
-  Pipeline sky_pipeline_;  // where the sky is not lit with the sea
+  Pipeline sky_pipeline_;                // where the sky is not lit with the sea
   Bindings sky_bindings_;
   SeaView held_;
 };

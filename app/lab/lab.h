@@ -82,9 +82,9 @@ std::string sea_name(double wind_mps);
 SeaState lab_sea(double wind_mps, const LabOptions& options);
 
 // What --curve takes, apart from "all".
-inline constexpr std::string_view lab_curve_names[] = {"query",    "transform",  "cascades", "particles", "baked",
-                                                       "dynamic",  "wakes",      "texel",    "fresnel",   "buoyancy",
-                                                       "body_steps", "mesh",     "compute",  "frame"};
+inline constexpr std::string_view lab_curve_names[] = {"query",      "transform", "cascades", "particles", "baked",
+                                                       "dynamic",    "wakes",     "texel",    "fresnel",   "buoyancy",
+                                                       "body_steps", "mesh",      "compute",  "frame"};
 
 // The curves that need no device: query, transform, cascades; particles, baked; dynamic, texel, fresnel; wakes;
 // buoyancy, body_steps; and all of these.

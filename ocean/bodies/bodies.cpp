@@ -41,7 +41,7 @@ class WaterOf final : public BodyWater {
   }
   double wave_number() const override { return all_.wave_number(); }
   std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override {
-    return all_.calm(time_s, place, distance_m);
+    return all_.calm_as(body_, time_s, place, distance_m);
   }
 
  private:

@@ -40,6 +40,12 @@ class BodyWater {
   virtual double wave_number() const = 0;
   // Cheap: whether there are no waves within a distance of a place.
   virtual std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const = 0;
+  // As ask_as().
+  virtual std::optional<CalmWater> calm_as(std::size_t body, double time_s, const glm::dvec2& place,
+                                           double distance_m) const {
+    (void)body;
+    return calm(time_s, place, distance_m);
+  }
 };
 
 }  // namespace seascape

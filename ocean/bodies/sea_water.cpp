@@ -80,9 +80,17 @@ void SeaWater::ground(std::span<const glm::dvec2> places, std::span<double> heig
 }
 
 std::optional<CalmWater> SeaWater::calm(double, const glm::dvec2& place, double distance_m) const {
+  return calm(std::uint64_t(0), place, distance_m);
+}
+
+std::optional<CalmWater> SeaWater::calm_as(std::size_t body, double, const glm::dvec2& place, double distance_m) const {
+  return calm(std::uint64_t(body) + 1, place, distance_m);
+}
+
+std::optional<CalmWater> SeaWater::calm(std::uint64_t without, const glm::dvec2& place, double distance_m) const {
   if (wave_number_ > 0.0) return std::nullopt;
   const glm::dvec2 around(distance_m);
-  if (view_.wakes() != nullptr && view_.wakes()->near(place - around, place + around)) return std::nullopt;
+  if (view_.wakes() != nullptr && view_.wakes()->near(place - around, place + around, without)) return std::nullopt;
   QueryOptions options;
   options.viewer_waves = options.actors_bodies = false;
   options.fields = query_clip;

@@ -24,10 +24,13 @@ class SeaWater final : public BodyWater {
   void ground(std::span<const glm::dvec2> places, std::span<double> heights_m) const;
   double wave_number() const override { return wave_number_; }
   std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override;
+  std::optional<CalmWater> calm_as(std::size_t body, double time_s, const glm::dvec2& place,
+                                   double distance_m) const override;
 
  private:
   void ask(std::uint64_t without_window_of, double footprint_m, std::span<const glm::dvec2> places,
            std::span<WaterHere> answers) const;
+  std::optional<CalmWater> calm(std::uint64_t without_window_of, const glm::dvec2& place, double distance_m) const;
   SeaView view_;
   double wave_number_ = 0.0, variance_ = -1.0;  // of the waves whose number it is
 };

@@ -61,11 +61,12 @@ bool WakeSurface::still(int level) const {
   return std::ranges::all_of(parts(), [&](const Part& part) { return part.surface.still(level); });
 }
 
-bool WakeSurface::near(glm::dvec2 least, glm::dvec2 most) const {
+bool WakeSurface::near(glm::dvec2 least, glm::dvec2 most, std::uint64_t without) const {
   const double reach_m = double(gpu::wake_end) * half_m(levels() - 1);
   return std::ranges::any_of(parts(), [&](const Part& part) {
     const glm::dvec2 low = part.middle_m - reach_m, high = part.middle_m + reach_m;
-    return low.x < most.x && low.y < most.y && high.x > least.x && high.y > least.y;
+    const bool other = without == 0 || part.body != without;
+    return other && low.x < most.x && low.y < most.y && high.x > least.x && high.y > least.y;
   });
 }
 

@@ -33,8 +33,9 @@ class WakeSurface {
   // leave out those of the weights: waves' height over a tenth of a window.
   DynamicSample sea(glm::dvec2 rest_xz_m, double footprint_m, std::uint64_t without = 0) const;
 
-  // Whether anything may be there within the rectangle of these corners (m), the lesser and the greater.
-  bool near(glm::dvec2 least_m, glm::dvec2 most_m) const;
+  // Whether anything may be there within the rectangle of these corners (m), the lesser and the greater; of all windows
+  // but that of `without`.
+  bool near(glm::dvec2 least_m, glm::dvec2 most_m, std::uint64_t without = 0) const;
 
   std::span<const Part> parts() const { return {parts_.data(), std::size_t(count_)}; }
   int levels() const { return parts_.front().surface.levels(); }

@@ -120,7 +120,8 @@ TEST(ExploreBoats, AMinuteAtTheKeys) {
   EXPECT_GT(most, 20.0) << "under engine";
 }
 
-// With the wind before the beam, the sheet is hauled in and she sails. Control seen: the sheet not asked for, so that her sails flog.
+// With the wind before the beam, the sheet is hauled in and she sails. Control seen: the sheet not asked for, so that
+// her sails flog.
 TEST(ExploreBoats, SailsAtTheKeys) {
   Voyage voyage(sailing);
   ASSERT_TRUE(voyage.program().running()) << voyage.program().err();

@@ -17,7 +17,8 @@ namespace {
 struct Afloat {
   explicit Afloat(const std::string& objects)
       : scene(parse_scene(R"({"version": 1, "effects": ["waves", "models", "boats"], "waves": {"wind_speed_mps": 0},
-                              "objects": [)" + objects + "]}",
+                              "objects": [)" +
+                              objects + "]}",
                           "s.json", "low")),
         sea(sea_spec(scene)),
         bodies(scene_bodies(scene)) {
@@ -43,9 +44,9 @@ ActionValues held(Action action, double value) {
   return values;
 }
 
-// The boat whose seat is nearest is boarded, by her helm; what is held drives her and nobody else; stepping off lets her
-// be. Nothing to sit on, or too far away, is not boarded. Controls seen: the farthest seat taken; controls kept after
-// stepping off.
+// The boat whose seat is nearest is boarded, by her helm; what is held drives her and nobody else; stepping off lets
+// her be. Nothing to sit on, or too far away, is not boarded. Controls seen: the farthest seat taken; controls kept
+// after stepping off.
 TEST(Crew, BoardsDrivesAndStepsOff) {
   Afloat afloat(R"({"model": "yacht", "name": "Y", "at_m": [0, 0, 0], "float": {}},
                    {"model": "rib", "name": "R", "at_m": [9, 0, 0], "float": {}},
@@ -99,8 +100,7 @@ TEST(Crew, LooksFromDeckFromBehindAndFromWhereOneWas) {
 // Wheel, rudder, boom, sails and oars turn about their pivots by what the boat does, and nothing else moves. Controls
 // seen: the boom to the other side; a part's children left where they were.
 TEST(BoatShape, PartsStandAsTheBoatIsDriven) {
-  const auto model = std::make_shared<const SolidModel>(
-      load_solid_model(content_directory() / "models" / "yacht.glb"));
+  const auto model = std::make_shared<const SolidModel>(load_solid_model(content_directory() / "models" / "yacht.glb"));
   const BoatShape shape(model);
   ASSERT_TRUE(shape.moves());
   const auto node = [&](const char* name) {
