@@ -83,6 +83,8 @@ constexpr ChoiceMember sea_choice{&choice_of<&Settings::sea, member>, &set_choic
 template <auto member>
 constexpr ChoiceMember lod_choice{&choice_of<&Settings::lod, member>, &set_choice<&Settings::lod, member>};
 template <auto member>
+constexpr ChoiceMember water_choice{&choice_of<&Settings::water, member>, &set_choice<&Settings::water, member>};
+template <auto member>
 constexpr ChoiceMember render_choice{&choice_of<&Settings::render, member>, &set_choice<&Settings::render, member>};
 
 template <auto member>
@@ -770,7 +772,22 @@ const std::vector<Setting>& table() {
       {"lod.earth_curvature", "", "The sea falls away with the curve of the Earth, so that it has a true horizon.",
        lod<&LodSettings::earth_curvature>, 0.0, 1.0},
 
-      {"water.chlorophyll_mg_m3", "mg/m3", "Chlorophyll in the water: 0.01 the bluest ocean, 10 a green coast.",
+      {"water.type",
+       "",
+       "Kind of water: Jerlov's types of ocean (I the clearest, to III) and coast (1C to 9C the murkiest), or what "
+       "water.chlorophyll_mg_m3 or a colour make of it.",
+       water_choice<&WaterSettings::type>,
+       0.0,
+       0.0,
+       {"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C", "chlorophyll", "colour"}},
+      {"water.red", "", "With water.type colour: the share of the red light that deep water sends back.",
+       water<&WaterSettings::red>, 0.0001, 0.3},
+      {"water.green", "", "The same of green.", water<&WaterSettings::green>, 0.0001, 0.3},
+      {"water.blue", "", "The same of blue.", water<&WaterSettings::blue>, 0.0001, 0.3},
+      {"water.sight_m", "m", "With water.type colour: how far off a black thing is seen under water.",
+       water<&WaterSettings::sight_m>, 0.5, 100.0},
+      {"water.chlorophyll_mg_m3", "mg/m3",
+       "With water.type chlorophyll: how much of it is in the water, 0.01 the bluest ocean, 10 a green coast.",
        water<&WaterSettings::chlorophyll_mg_m3>, 0.01, 10.0},
       {"water.crest_light", "", "Strength of sunlight seen through thin crests: 1 as derived, 0 none.",
        water<&WaterSettings::crest_light>, 0.0, 4.0},

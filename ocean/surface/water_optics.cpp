@@ -17,6 +17,7 @@ WaterOptics water_optics(double chlorophyll) {
     optics.absorption[i] = pure[i] + 0.06 * shape[i] * std::pow(c, 0.65) * (1.0 + dissolved);
     const double particles = 0.30 * std::pow(c, 0.62);
     const double share = 0.002 + 0.02 * (0.5 - 0.25 * std::log10(c)) * 550.0 / wavelength[i];
+    optics.scattering[i] = scatter[i] + particles * 550.0 / wavelength[i];
     optics.backscatter[i] = 0.5 * scatter[i] + share * particles;
   }
   return optics;
