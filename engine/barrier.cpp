@@ -110,7 +110,7 @@ void BarrierBatch::add(const Image& image, Access access, bool discard) {
   b.newLayout = next.layout;
   b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   b.image = image.get();
-  b.subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  b.subresourceRange = {image.all_aspects(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
   from_ |= need.from ? need.from : VkPipelineStageFlags(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT);
   to_ |= next.stages;
 }

@@ -226,6 +226,10 @@ void Device::choose_physical(const DeviceOptions& options) {
   facts_.float32_linear =
       (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
   vkGetPhysicalDeviceFormatProperties(physical_, facts_.depth_format, &format);
+  VkFormatProperties both;
+  vkGetPhysicalDeviceFormatProperties(physical_, facts_.depth_stencil_format, &both);
+  if (!(both.optimalTilingFeatures & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+    facts_.depth_stencil_format = VK_FORMAT_D24_UNORM_S8_UINT;
   facts_.depth_linear =
       (format.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) && !options.core_only;
 }

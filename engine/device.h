@@ -52,6 +52,7 @@ struct DeviceFacts {
   std::uint32_t uniform_alignment = 256;
   std::uint32_t sampled_images = 16;  // that one stage of a pipeline may read
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
+  VkFormat depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;  // or D24_UNORM_S8_UINT: every device has one of them
 };
 
 // A discrete GPU, or else an integrated one, or else any; SEASCAPE_DEVICE names another by part of its name. Throws

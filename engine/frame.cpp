@@ -279,7 +279,7 @@ void Frame::begin_eye(const RenderTarget& target, std::size_t pass) {
   VkClearValue clears[3]{};
   const std::uint32_t first = target.has_colour() ? 0 : 1;
   for (int i : {0, 2}) std::memcpy(clears[i].color.float32, spec.clear.data(), sizeof clears[i].color.float32);
-  clears[1].depthStencil = {0.0f, 0};  // reversed depth: infinitely far
+  clears[1].depthStencil = {0.0f, stencil_in_air};  // reversed depth: infinitely far
   VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
   begin.renderPass = target.render_pass();
   begin.framebuffer = target.framebuffer(pass);

@@ -32,6 +32,31 @@ void expect_images_fit(const Device& device, const Shader& shader) {
                 "leave out some of the scene's effects, or use another device");
 }
 
+void set_stencil(VkPipelineDepthStencilStateCreateInfo& info, Stencil use) {
+  if (use == Stencil::none) return;
+  const auto state = [](VkStencilOp op, VkCompareOp compare, std::uint32_t reference) {
+    return VkStencilOpState{VK_STENCIL_OP_KEEP, op, op, compare, 0xff, 0xff, reference};
+  };
+  info.stencilTestEnable = VK_TRUE;
+  switch (use) {
+    case Stencil::none:
+      break;
+    case Stencil::begin_in_water:
+      info.front = info.back = state(VK_STENCIL_OP_REPLACE, VK_COMPARE_OP_ALWAYS, stencil_in_air - 1);
+      break;
+    case Stencil::count:  // what lies behind counts too
+      info.front = state(VK_STENCIL_OP_INCREMENT_AND_WRAP, VK_COMPARE_OP_ALWAYS, 0);
+      info.back = state(VK_STENCIL_OP_DECREMENT_AND_WRAP, VK_COMPARE_OP_ALWAYS, 0);
+      break;
+    case Stencil::in_air:
+      info.front = info.back = state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_LESS_OR_EQUAL, stencil_in_air);
+      break;
+    case Stencil::in_water:
+      info.front = info.back = state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_GREATER, stencil_in_air);
+      break;
+  }
+}
+
 }  // namespace
 
 void Pipeline::make_layout(Device& device, std::string_view name) {
@@ -129,8 +154,9 @@ class GraphicsBuilder {
     depth.depthTestEnable = spec.depth_test && target.has_depth();
     depth.depthWriteEnable = spec.depth_write && target.has_depth();
     depth.depthCompareOp = spec.depth_compare;
+    set_stencil(depth, spec.stencil);
     VkPipelineColorBlendAttachmentState attachment{};
-    attachment.colorWriteMask = 0xf;
+    attachment.colorWriteMask = spec.colour ? 0xf : 0x0;
     attachment.blendEnable = spec.blend;
     attachment.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     attachment.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;

@@ -49,6 +49,18 @@ class Pipeline {
 Pipeline make_compute_pipeline(Device& device, ShaderLibrary& shaders, const std::string& name,
                                const std::vector<SpecValue>& values = {});
 
+// What draws do with the stencil, which counts how often the line of sight through a sample passes the water's surface:
+// from air into water one more, out of it one less, whatever lies before. It begins at what a line that ends in the air
+// or in the water would have to count for an eye in air, so that in the end it is stencil_in_air or more where the eye
+// is in air there, and less where it is in water.
+enum class Stencil {
+  none,
+  begin_in_water,  // the line ends in the water: one less than the picture was cleared to
+  count,           // triangles that face the eye lead into water, others out of it
+  in_air,          // only samples whose line begins in air
+  in_water
+};
+
 struct GraphicsSpec {
   std::string vertex, fragment;   // shader names, "surface.vert"
   std::vector<SpecValue> values;  // for both stages; a stage ignores what it does not have
@@ -60,6 +72,8 @@ struct GraphicsSpec {
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed depth
   bool wireframe = false;
   bool blend = false;  // alpha over
+  bool colour = true;  // false: nothing but depth and stencil is written
+  Stencil stencil = Stencil::none;
 };
 Pipeline make_graphics_pipeline(Device& device, ShaderLibrary& shaders, const RenderTarget& target,
                                 const GraphicsSpec& spec);

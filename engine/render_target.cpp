@@ -24,8 +24,9 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec, const std:
     a.samples = VkSampleCountFlagBits(row.samples);
     a.loadOp = row.load;
     a.storeOp = row.store;
-    a.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    a.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    const bool stencil = spec.stencil && row.part == Part::depth;
+    a.stencilLoadOp = stencil ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    a.stencilStoreOp = stencil ? row.store : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     a.initialLayout = a.finalLayout = row.part == Part::depth || row.part == Part::resolved_depth
                                           ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                           : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -63,8 +64,9 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec, const std:
   info.subpassCount = 1;
   info.pSubpasses = &subpass;
   const std::string key =
-      fmt::format("pass colour {} {} cleared {} samples {} depth {} {} {} views {} {}", int(spec.colour),
-                  int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.keep_depth, spec.show_depth,
+      fmt::format("pass colour {} {} cleared {} samples {} depth {} {} {} {} views {} {}", int(spec.colour),
+                  int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.stencil, spec.keep_depth,
+                  spec.show_depth,
                   spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
   return resolves_depth ? device.cached_render_pass(key, info, depth_resolve) : device.cached_render_pass(key, info);
 }
@@ -72,7 +74,7 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec, const std:
 }  // namespace
 
 // With several samples only the resolved picture is stored: samples, and depth that nobody reads, never leave the tile.
-std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat depth_format) {
+std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, const DeviceFacts& facts) {
   using Part = TargetAttachment::Part;
   constexpr auto stored = VK_ATTACHMENT_STORE_OP_STORE, dropped = VK_ATTACHMENT_STORE_OP_DONT_CARE;
   const bool multi = spec.samples > 1;
@@ -81,7 +83,7 @@ std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat de
   if (spec.colour != VK_FORMAT_UNDEFINED)
     rows.push_back({Part::colour, spec.colour, spec.samples, begin, multi ? dropped : stored});
   if (spec.depth)
-    rows.push_back({Part::depth, depth_format, spec.samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
+    rows.push_back({Part::depth, spec.stencil ? facts.depth_stencil_format : facts.depth_format, spec.samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
                     spec.keep_depth || (spec.show_depth && !multi) ? stored : dropped});
   if (spec.second != VK_FORMAT_UNDEFINED) {
     assert(!multi);
@@ -89,14 +91,14 @@ std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat de
   }
   if (multi) rows.push_back({Part::resolved, spec.colour, 1, VK_ATTACHMENT_LOAD_OP_DONT_CARE, stored});
   if (multi && spec.depth && spec.show_depth)
-    rows.push_back({Part::resolved_depth, depth_format, 1, VK_ATTACHMENT_LOAD_OP_DONT_CARE, stored});
+    rows.push_back({Part::resolved_depth, facts.depth_format, 1, VK_ATTACHMENT_LOAD_OP_DONT_CARE, stored});
   return rows;
 }
 
 RenderTarget::RenderTarget(Device& device, std::string_view name, const TargetSpec& spec, const LentImages* lent)
     : spec_(spec), image_size_{spec.width, spec.height} {
-  if (!spec_.depth || (spec_.samples > 1 && !device.facts().depth_resolve)) spec_.show_depth = false;
-  attachments_ = attachments_of(spec_, device.facts().depth_format);
+  if (!spec_.depth || (spec_.samples > 1 ? !device.facts().depth_resolve : spec_.stencil)) spec_.show_depth = false;
+  attachments_ = attachments_of(spec_, device.facts());
   render_pass_ = make_render_pass(device, spec_, attachments_);
   make_images(device, name, lent);
   make_framebuffers(device, name);
@@ -152,11 +154,13 @@ void RenderTarget::make_images(Device& device, std::string_view name, const Lent
     }
     if (spec_.samples == 1) return;
   }
+  if (spec_.stencil) image.format = device.facts().depth_stencil_format;
   if (spec_.keep_depth) {
     image.usage |= VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     image.transient = false;
   }
   depth_ = Image(device, fmt::format("{} depth", name), image);
+  if (spec_.stencil && spec_.keep_depth) stencil_view_ = depth_.stencil_view();
 }
 
 void RenderTarget::make_framebuffers(Device& device, std::string_view name) {

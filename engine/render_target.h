@@ -9,6 +9,9 @@
 
 namespace seascape {
 
+// What a pass's stencil is cleared to (TargetSpec::stencil): see Stencil in engine/pipeline.h.
+constexpr std::uint32_t stencil_in_air = 128;
+
 struct TargetSpec {
   std::uint32_t width = 1, height = 1;
   int views = 1;         // layers of every image: the eyes
@@ -17,7 +20,8 @@ struct TargetSpec {
   VkFormat second = VK_FORMAT_UNDEFINED;      // of a second colour image that is drawn at once, with one sample
   int samples = 1;
   bool depth = true;
-  bool keep_depth = false;   // a pass after may read it: stored, a layer a view
+  bool stencil = false;      // beside the depth, for the side of the water that a sample is on (GraphicsSpec::stencil)
+  bool keep_depth = false;   // a pass after may read it, and the stencil: stored, a layer a view
   bool show_depth = false;   // whoever shows the picture gets its depth too, one sample a pixel
   bool clear_colour = true;  // or else whoever reads it knows from the depth where nothing was drawn
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 1.0f};
@@ -40,14 +44,14 @@ struct TargetAttachment {
   VkAttachmentStoreOp store;
 };
 // In the order of the pass's attachments.
-std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, VkFormat depth_format);
+std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, const DeviceFacts& facts);
 
 class RenderTarget {
  public:
   RenderTarget() = default;
   // `lent`: what to draw into instead of images of its own; null: nothing. With spec.show_depth a single-sampled depth
   // is among what is kept: that of the pass itself, or of several samples the first (shown_depth() is null where the
-  // device cannot resolve depths).
+  // device cannot resolve depths, or one sample has a stencil beside it, which nobody who shows a picture has).
   RenderTarget(Device& device, std::string_view name, const TargetSpec& spec, const LentImages* lent = nullptr);
 
   // Which of the lent images the next passes draw into. What they hold is lost.
@@ -76,6 +80,8 @@ class RenderTarget {
   // that needs a pass per eye, resolves into layer 0 whatever the view says.
   const Image* resolved_eye() const { return resolved_eye_ ? &resolved_eye_ : nullptr; }
   const Image* multisampled() const { return multisampled_ ? &multisampled_ : nullptr; }
+  // With spec.stencil and spec.keep_depth: what a pass after may read of it; null else.
+  VkImageView stencil_view() const { return stencil_view_; }
   const Image* depth() const { return !spec_.depth ? nullptr : depth_ ? &depth_ : &shown_depths_[chosen_depth_]; }
   // With spec.show_depth: what is shown of it, one layer a view. It is depth() itself where that has one sample.
   const Image* shown_depth() const { return shown_depths_.empty() ? nullptr : &shown_depths_[chosen_depth_]; }
@@ -90,6 +96,7 @@ class RenderTarget {
   std::vector<TargetAttachment> attachments_;
   VkExtent2D image_size_{};  // of every image, or less where images are lent that are larger
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
+  VkImageView stencil_view_ = VK_NULL_HANDLE;
   std::vector<Image> colours_, shown_depths_;  // lent ones, or one
   std::size_t chosen_colour_ = 0, chosen_depth_ = 0;
   Image second_, resolved_eye_, multisampled_, depth_;

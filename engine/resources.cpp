@@ -75,7 +75,7 @@ Image::Image(Device& device, std::string_view name, const ImageSpec& spec)
   check(vkBindImageMemory(device.handle(), image, allocation_.memory(), allocation_.offset()), "vkBindImageMemory");
   const VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-  if (spec.usage & viewable) view_ = make_view(0, spec.levels, 0, spec.layers, spec.array);
+  if (spec.usage & viewable) view_ = make_view(0, spec.levels, 0, spec.layers, spec.array, aspect());
 }
 
 bool host_may_write(const Device& device, const ImageSpec& spec) {
@@ -100,22 +100,31 @@ Image::HostTexels Image::host_texels(std::uint32_t level, std::uint32_t layer) c
 
 Image::Image(Device& device, std::string_view name, VkImage borrowed, const ImageSpec& spec)
     : device_(&device), name_(name), spec_(spec), borrowed_(borrowed) {
-  view_ = make_view(0, spec.levels, 0, spec.layers, spec.array);
+  view_ = make_view(0, spec.levels, 0, spec.layers, spec.array, aspect());
+}
+
+static bool has_stencil(VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT;
 }
 
 VkImageAspectFlags Image::aspect() const {
-  return spec_.format == VK_FORMAT_D32_SFLOAT || spec_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                                                     : VK_IMAGE_ASPECT_COLOR_BIT;
+  return spec_.format == VK_FORMAT_D32_SFLOAT || spec_.format == VK_FORMAT_D16_UNORM || has_stencil(spec_.format)
+             ? VK_IMAGE_ASPECT_DEPTH_BIT
+             : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VkImageAspectFlags Image::all_aspects() const {
+  return aspect() | (has_stencil(spec_.format) ? VkImageAspectFlags(VK_IMAGE_ASPECT_STENCIL_BIT) : 0u);
 }
 
 Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer,
-                                    std::uint32_t layers, bool array) {
+                                    std::uint32_t layers, bool array, VkImageAspectFlags aspect) {
   VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   info.image = get();
   info.viewType = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
   info.format = spec_.format;
   info.components = spec_.channels;
-  info.subresourceRange = {aspect(), level, levels, layer, layers};
+  info.subresourceRange = {aspect, level, levels, layer, layers};
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device_->handle(), &info, nullptr, &view), "vkCreateImageView");
   return Owned<VkImageView>(*device_, view, name_, 0, {std::make_shared<const ImageSpec>(spec_), {}});
@@ -123,7 +132,13 @@ Owned<VkImageView> Image::make_view(std::uint32_t level, std::uint32_t levels, s
 
 VkImageView Image::subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
                            bool array) {
-  subviews_.push_back(make_view(level, levels, layer, layers, array));
+  subviews_.push_back(make_view(level, levels, layer, layers, array, aspect()));
+  return subviews_.back().get();
+}
+
+VkImageView Image::stencil_view() {
+  assert(has_stencil(spec_.format));
+  subviews_.push_back(make_view(0, 1, 0, spec_.layers, true, VK_IMAGE_ASPECT_STENCIL_BIT));
   return subviews_.back().get();
 }
 

@@ -77,7 +77,8 @@ class Image {
   VkImage get() const { return borrowed_ ? borrowed_ : image_.get(); }
   VkImageView view() const { return view_.get(); }
   const ImageSpec& spec() const { return spec_; }
-  VkImageAspectFlags aspect() const;
+  VkImageAspectFlags aspect() const;       // that is read: of depth and stencil, the depth
+  VkImageAspectFlags all_aspects() const;  // that it has
   // Of an image that the host writes: a level of a layer, and the bytes from row to row. Sees what the next submission
   // sees.
   struct HostTexels {
@@ -88,12 +89,14 @@ class Image {
   // A further view of `levels` levels from `level` and `layers` layers from `layer`, owned by the image.
   VkImageView subview(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
                       bool array = true);
+  // Of depth and stencil, the stencil of all layers, as unsigned integers. Owned by the image.
+  VkImageView stencil_view();
   UseState& state() const { return state_; }
   explicit operator bool() const { return get() != VK_NULL_HANDLE; }
 
  private:
   Owned<VkImageView> make_view(std::uint32_t level, std::uint32_t levels, std::uint32_t layer, std::uint32_t layers,
-                               bool array);
+                               bool array, VkImageAspectFlags aspect);
   Device* device_ = nullptr;
   std::string name_;
   ImageSpec spec_;

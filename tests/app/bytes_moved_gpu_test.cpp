@@ -134,7 +134,7 @@ TEST_F(FrameBytes, OfDepthAndSamplesStayInTheTile) {
       const RenderTarget& picture = shot.experience().picture();
       ASSERT_NE(picture.depth(), nullptr);
       ASSERT_NE(picture.multisampled(), nullptr);
-      for (const TargetAttachment& row : attachments_of(picture.spec(), test::device().facts().depth_format)) {
+      for (const TargetAttachment& row : attachments_of(picture.spec(), test::device().facts())) {
         EXPECT_NE(row.load, VK_ATTACHMENT_LOAD_OP_LOAD);
         EXPECT_EQ(row.store == VK_ATTACHMENT_STORE_OP_STORE, row.part == TargetAttachment::Part::resolved);
       }

@@ -111,6 +111,9 @@ inline constexpr ProfileFormat standalone_formats[] = {
     // Vulkan has 32-bit depth or 24-bit, as the device likes.
     {VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
      source::hello_xr},
+    // With a stencil every device has one of two formats, and ours is taken where it is this one.
+    {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
+     source::formats},
 };
 
 // Samples of a target: 1 and 4 on every device (Vulkan 1.1, Required Limits).
