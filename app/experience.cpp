@@ -99,6 +99,11 @@ bool Experience::deferred() const {
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
+bool Experience::underwater() const {
+  const DebugView view = scene_.settings.render.debug;  // the others colour the sea's triangles
+  return calls_for(scene_.effects, "underwater") && (view == DebugView::none || view == DebugView::holes);
+}
+
 void Experience::show_hands(std::vector<ShownHand> hands) {
   assert(options_.hands);
   shown_hands_ = std::move(hands);
@@ -168,6 +173,7 @@ void Experience::build() {
   look.hidden = options_.hidden;
   look.solids = calls_for(scene_.effects, "models") && !scene_.objects.empty();
   look.below = look.solids && s.models.seen_in_water;
+  look.underwater = underwater();
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
   sun_map_.reset();
@@ -189,23 +195,7 @@ void Experience::build() {
   hidden_area_.reset();
   if (options_.hidden)
     hidden_area_ = std::make_unique<HiddenArea>(device_, shaders_, surface_->target(drawn), picture_, look.deferred);
-  sky_pipeline_ = {};
-  if (!look.deferred) {  // or else it is lit with the sea
-    const EffectScope scope(device_, "sky");
-    GraphicsSpec sky;
-    sky.vertex = "sky.vert";
-    sky.fragment = "sky.frag";
-    sky.values = {
-        {gpu::value_multiview, !options_.per_eye}, {gpu::value_tile_shape, tile}, {gpu::value_debug, look.debug}};
-    sky.depth_write = false;
-    sky.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
-    sky_pipeline_ = make_graphics_pipeline(device_, shaders_, drawn, sky);
-    sky_bindings_ = Bindings(device_, sky_pipeline_,
-                             {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                              {.binding = gpu::slot_sky_map, .view = sky_->map().view(), .sampler = sky_->sampler()},
-                              {.binding = gpu::slot_sky_light, .buffer = &sky_->light()}},
-                             "sky");
-  }
+  make_sky(drawn, look);
   tone_pipeline_ = {};
   if (!tile) {
     const EffectScope tone_scope(device_, "frame");
@@ -220,6 +210,42 @@ void Experience::build() {
     bind_tone();
   }
   set_area();
+}
+
+// Where the sea is lit later the sky is lit with it.
+void Experience::make_sky(const RenderTarget& drawn, const SurfaceLook& look) {
+  sky_pipeline_ = {};
+  sky_underwater_ = {};
+  if (look.deferred) return;
+  GraphicsSpec spec;
+  spec.vertex = "sky.vert";
+  spec.fragment = "sky.frag";
+  spec.values = {{gpu::value_multiview, !options_.per_eye},
+                 {gpu::value_tile_shape, look.tile_shape},
+                 {gpu::value_debug, look.debug}};
+  spec.depth_write = false;
+  spec.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+  const auto make = [&](std::string_view effect, Pipeline& pipeline, Bindings& bindings) {
+    const EffectScope scope(device_, effect);
+    pipeline = make_graphics_pipeline(device_, shaders_, drawn, spec);
+    bindings = Bindings(device_, pipeline,
+                        {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
+                         {.binding = gpu::slot_sky_map, .view = sky_->map().view(), .sampler = sky_->sampler()},
+                         {.binding = gpu::slot_sky_light, .buffer = &sky_->light()}},
+                        effect);
+  };
+  make("sky", sky_pipeline_, sky_bindings_);
+  if (!look.underwater) return;
+  spec.values.push_back({gpu::value_underwater, 1});
+  make("underwater", sky_underwater_, sky_underwater_bindings_);
+}
+
+void Experience::draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
+  const bool wet = eyes != EyesIn::air && sky_underwater_;
+  commands.bind(wet ? sky_underwater_ : sky_pipeline_, wet ? sky_underwater_bindings_ : sky_bindings_,
+                {frame_uniform, 0u});
+  commands.push(gpu::DrawPush{commands.eye()});
+  commands.draw(3);
 }
 
 // Bodies stay where they are while their effect is off, and go on from there in whatever sea there is then.
@@ -256,7 +282,7 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
   solids_ = std::make_unique<DrawnSolids>(
       device_, shaders_, drawn, light, solid_sources(),
       SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                look.below ? &surface_->below() : nullptr, look.anisotropy, sun_map_ ? &sun_map_->target() : nullptr});
+                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater, sun_map_ ? &sun_map_->target() : nullptr});
 }
 
 void Experience::bind_tone() {
@@ -277,6 +303,7 @@ void Experience::build_targets() {
   spec.per_eye = options_.per_eye;
   spec.samples = tile ? render.msaa : 1;
   spec.depth = tile && !deferred();
+  spec.stencil = spec.depth && underwater();
   spec.show_depth = options_.show_depth;
   spec.colour = options_.colour;
   picture_ = {};
@@ -289,9 +316,10 @@ void Experience::build_targets() {
     spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
     spec.samples = render.msaa;
     spec.depth = !deferred();
+    spec.stencil = spec.depth && underwater();
     lit_ = RenderTarget(device_, "lit", spec, lent_ ? &depths : nullptr);
   }
-  if (options_.show_depth && deferred() && lent_) {
+  if (options_.show_depth && deferred() && lent_ && !underwater()) {  // whose depth has a stencil beside it
     ImageSpec copied{lent_->width, lent_->height, std::uint32_t(options_.views)};
     copied.format = device_.facts().depth_format;
     copied.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;

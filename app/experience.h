@@ -111,6 +111,8 @@ class Experience {
   bool in_tile() const;
   // Whether the sea's pixels are lit once, after all its triangles are drawn.
   bool deferred() const;
+  // Whether eyes may come into the water.
+  bool underwater() const;
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
@@ -120,6 +122,8 @@ class Experience {
   void make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look);
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
+  void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
+  void draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void set_area();
   // Warns of what there was nothing of to tell before the last change (remarks_of).
   void tell_remarks();
@@ -153,8 +157,8 @@ class Experience {
   std::vector<Image> copied_depths_;  // of lent_, where the surface's depth is copied there
   std::size_t chosen_depth_ = 0;
   Owned<VkSampler> lit_sampler_;
-  Pipeline sky_pipeline_, tone_pipeline_;
-  Bindings sky_bindings_, tone_bindings_;
+  Pipeline sky_pipeline_, sky_underwater_, tone_pipeline_;  // sky_underwater_: for eyes that may be in the water
+  Bindings sky_bindings_, sky_underwater_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
   bool goes_on_ = false;
   std::function<void()> before_build_;

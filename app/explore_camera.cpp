@@ -140,7 +140,9 @@ void ExploreCamera::step(const CameraWish& wish, double dt_s, double water_m) {
     come_to(rest_height(wish.ridden_m.value_or(water_m)), dt_s);
   }
   const double head_m = wish.head ? wish.head->position_m.y - deck_height_m : 0.0;  // above the camera
-  position_m_.y = std::max(position_m_.y, water_m + clearance_m - head_m);
+  const double least_m = (flying ? wish.dives_to_m.value_or(water_m) : water_m) + clearance_m - head_m;
+  held_ = position_m_.y < least_m;
+  position_m_.y = std::max(position_m_.y, least_m);
 }
 
 Pose ExploreCamera::carrier() const {

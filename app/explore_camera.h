@@ -26,6 +26,8 @@ struct CameraWish {
     glm::dvec2 moved_m{0.0}, velocity_mps{0.0};
   };
   std::optional<Swum> swum;
+  // Who flies may dive, and comes no lower than this (m). Nothing: no eye comes into the water.
+  std::optional<double> dives_to_m;
 };
 
 // Poses come from two angles, so the horizon stays level whatever was done before.
@@ -53,6 +55,8 @@ class ExploreCamera {
   // The middle of the floor that a tracked head stands on: deck height below the camera, level.
   Pose carrier() const;
   Travel travel() const { return travel_; }
+  // The water, or the ground, kept it from coming lower in the last step.
+  bool held() const { return held_; }
   double speed_mps() const;                                         // at full push, not fast
   const glm::dvec3& velocity_mps() const { return velocity_mps_; }  // as it pushes itself, nothing of what carries it
   double yaw_deg() const { return yaw_deg_; }
@@ -68,7 +72,7 @@ class ExploreCamera {
   double yaw_deg_ = 0.0, pitch_deg_ = 0.0;
   double speed_factor_ = 1.0;
   double height_above_rest_m_ = 0.0;  // not flying: what is left of the height that the change began with
-  bool height_known_ = false;
+  bool height_known_ = false, held_ = false;
   std::optional<double> swims_head_m_;  // the head's height over the floor as swimming began
   double flown_at_m_ = 0.0;             // before that
   double climb_m_ = 0.0;                // flying: what is left of it to climb

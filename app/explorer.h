@@ -153,6 +153,7 @@ class Explorer {
   std::optional<std::vector<std::string>> wanted_effects_;
   bool at_sea_ = false;  // in the calm that stands for the first scene until it is loaded
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
+  bool told_to_stay_above_ = false;       // the water
   bool aiming_ = false;                   // a teleport is held
   std::optional<glm::dvec3> aimed_at_m_;  // where it would go
   bool screenshot_wanted_ = false, leaving_ = false;

@@ -1,6 +1,7 @@
 // How explore's user moves: what is held pushes, turns and aims, and what a recording keeps of it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -83,7 +84,9 @@ void Explorer::move(const Input& input, double dt_s) {
       if (action == Action::snap_turn) wish.turn_deg.x += value * (c.snap_turn_deg > 0 ? c.snap_turn_deg : 30);
   }
   if (!points_at_widgets()) wish.faster_notches = input.wheel;
-  const double water_m = water_at_camera(*experience_, head().position_m, sea_time_s()).height_m;
+  const QueryAnswer water = water_at_camera(*experience_, head().position_m, sea_time_s());
+  const double water_m = water.height_m;
+  if (experience_->underwater()) wish.dives_to_m = std::min(water.still_m - water.depth_m, water_m);
   if (worn) soften(input, dt_s, water_m, wish);
   if (look_by_button_ || look_by_key_)
     wish.turn_deg += glm::dvec2(input.mouse_pixels.x, worn ? 0.0 : -input.mouse_pixels.y) *
@@ -92,6 +95,8 @@ void Explorer::move(const Input& input, double dt_s) {
   if (now_swims) wish.swum = swim(input, dt_s);
   swam_ = now_swims;
   camera_.step(wish, dt_s, water_m);
+  if (camera_.held() && !std::exchange(told_to_stay_above_, true) && !wish.dives_to_m)
+    tell("the camera stays above the water: to dive, switch the effect underwater on");
   aim(input);
 }
 

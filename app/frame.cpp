@@ -22,6 +22,18 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
+// Tells shaders which eyes may be in the water. A line of sight begins on the near plane, of which a corner is farthest
+// off.
+void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) {
+  double wide = 0.0;  // tangents of a corner
+  for (const View& eye : viewpoint.eyes)
+    for (const double across : {eye.fov.left, eye.fov.right})
+      for (const double up : {eye.fov.up, eye.fov.down}) wide = std::max(wide, std::hypot(across, up));
+  const Ocean::EyesSide side = e.ocean().eyes_in(viewpoint, e.scene().settings.render.near_m * std::hypot(1.0, wide));
+  data.shown.y = int(side.eyes);
+  data.water_scattering.w = float(side.still_m);
+}
+
 }  // namespace
 
 gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height) {
@@ -66,6 +78,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
+  if (e.underwater()) stages.time("queries", [&] { find_eyes(e, data, viewpoint); });
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   if (e.solids_)
     stages.time("things", [&] {
@@ -80,7 +93,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
-  const bool from_air = settings.render.facing_only && e.ocean_->eyes_in_air(viewpoint);
+  const EyesIn eyes = EyesIn(data.shown.y);
+  const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
   if (e.spray_)
@@ -107,13 +121,11 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
-    e.surface_->draw(c, frame, *selection, uniform, from_air);
-    if (e.solids_) e.solids_->draw(c, uniform);
+    e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only);
+    if (e.solids_) e.solids_->draw(c, uniform, eyes);
     if (deferred) return;
-    c.bind(e.sky_pipeline_, e.sky_bindings_, {uniform, 0u});
-    c.push(gpu::DrawPush{c.eye()});
-    c.draw(3);
-    if (e.solids_) e.solids_->draw_blended(c, uniform);
+    e.draw_sky(c, uniform, eyes);
+    if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
     if (e.hands_) e.hands_->draw(c, uniform);
     if (e.spray_) e.spray_->draw(c, uniform);
     finish(c, tile);
@@ -121,8 +133,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (deferred) {
     e.surface_->add_points(uses);
     record("light", drawn, uses, [&](Commands& c) {
-      e.surface_->light(c, uniform);
-      if (e.solids_) e.solids_->draw_blended(c, uniform);
+      e.surface_->light(c, uniform, eyes);
+      if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
       if (e.hands_) e.hands_->draw(c, uniform);
       if (e.spray_) e.spray_->draw(c, uniform);
       finish(c, tile);

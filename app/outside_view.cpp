@@ -48,7 +48,7 @@ OutsideView::OutsideView(Device& device, ShaderLibrary& shaders, Experience& exp
   if (look.solids)
     solids_ = std::make_unique<DrawnSolids>(device, shaders, picture_, light, experience.solid_sources(),
                                             SolidLook{true, deferred_ ? &surface_->target(picture_) : nullptr,
-                                                      surface_->depths(), nullptr, look.anisotropy, nullptr});
+                                                      surface_->depths(), nullptr, look.anisotropy, false, nullptr});
   if (deferred_) return;
   GraphicsSpec behind;
   behind.vertex = "sky.vert";
@@ -85,19 +85,20 @@ void OutsideView::draw(Frame& frame, Experience& e, const Viewpoint& viewpoint) 
   if (solids_) solids_->add_uses(uses);
   if (const SunMap* map = e.sun_map()) uses.add(use(*map->target().depth(), Access::fragment_sample));
   frame.draw_pass("outside", surface_->target(picture_), uses, [&](Commands& c) {
-    surface_->draw(c, frame, selection, uniform, settings.render.facing_only && ocean.eyes_in_air(viewpoint));
-    if (solids_) solids_->draw(c, uniform);
+    surface_->draw(c, frame, selection, uniform, EyesIn::air,
+                   settings.render.facing_only && ocean.eyes_in_air(viewpoint));
+    if (solids_) solids_->draw(c, uniform, EyesIn::air);
     if (deferred_) return;
     c.bind(sky_pipeline_, sky_bindings_, {uniform, 0u});
     c.push(gpu::DrawPush{c.eye()});
     c.draw(3);
-    if (solids_) solids_->draw_blended(c, uniform);
+    if (solids_) solids_->draw_blended(c, uniform, EyesIn::air);
   });
   if (!deferred_) return;
   surface_->add_points(uses);
   frame.draw_pass("outside light", picture_, uses, [&](Commands& c) {
-    surface_->light(c, uniform);
-    if (solids_) solids_->draw_blended(c, uniform);
+    surface_->light(c, uniform, EyesIn::air);
+    if (solids_) solids_->draw_blended(c, uniform, EyesIn::air);
   });
 }
 

@@ -20,7 +20,7 @@ constexpr Effect effects[] = {
     {"spray", true, "waves"},  {"flow", true, ""},          {"sea_depth", true, ""},
     {"level", true, ""},       {"clip", true, ""},          {"shadow", true, ""},
     {"albedo", true, ""},      {"models", true, ""},        {"reflections", false, ""},
-    {"refraction", false, ""}, {"caustics", false, ""},     {"underwater", false, ""},
+    {"refraction", false, ""}, {"caustics", false, ""},     {"underwater", true, ""},
     {"portals", false, ""},    {"boats", true, "models"},   {"wakes", true, "boats"},
     {"clouds", false, ""},     {"sound", false, ""},        {"planet", false, ""},
 };

@@ -7,7 +7,7 @@
 #include "ocean/foam/crest_steps.h"
 #include "ocean/mesh/quadtree.h"
 #include "ocean/mesh/water_below.h"
-#include "ocean/surface/water_optics.h"
+#include "ocean/surface/water_types.h"
 #include "shaders/shared/skirt.h"
 
 namespace seascape {
@@ -201,6 +201,29 @@ bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {
   });
 }
 
+Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const {
+  const double highest_m = this->highest_m() + land_m() + reach_m;
+  if (std::all_of(viewpoint.eyes.begin(), viewpoint.eyes.end(),
+                  [&](const View& eye) { return eye.pose.position_m.y > highest_m; }))
+    return {};
+  constexpr double deviations = 5.0;  // one place in two million lacks more
+  const double apart_m =
+      reach_m + deviations * std::hypot(sea_.left_out_m(SeaDetail::felt), sea_.left_out_m(SeaDetail::drawn));
+  const SeaView felt = sea_.view_at(sea_.time_s(), SeaDetail::felt);
+  EyesSide side;
+  int above = 0, below = 0;
+  for (const View& eye : viewpoint.eyes) {
+    const glm::dvec3& place = eye.pose.position_m;
+    const QueryAnswer water = felt.query({place.x, place.z});
+    side.still_m = water.still_m;
+    above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
+    below += !water.clipped && water.converged && place.y < water.height_m - apart_m;
+  }
+  const int all = int(viewpoint.eyes.size());
+  side.eyes = above == all ? EyesIn::air : below == all ? EyesIn::water : EyesIn::either;
+  return side;
+}
+
 bool Ocean::wants_foam(const OceanSettings& settings) const {
   return settings.foam &&
          keeps_foam(*settings.foam, bool(sea_.shallows()), dynamic_waves_ || wakes_, sea_.spec().actors_foam);
@@ -234,10 +257,11 @@ void Ocean::describe(gpu::FrameData& data, const Viewpoint& viewpoint, const Sur
                           settings_.lod.earth_curvature ? 1.0f / gpu::earth_radius_m : 0.0f);
   data.mesh = s.mesh;
   data.sea.footprint.w = float(4.0 * std::sqrt(sea_.statistics().height_variance + of_sources_.height_variance));
-  const WaterOptics optics = water_optics(settings_.water.chlorophyll_mg_m3);
+  const WaterOptics optics = water_optics(settings_.water);
   data.water_absorption = glm::vec4(glm::vec3(optics.absorption), float(settings_.water.crest_light));
   data.water_backscatter = glm::vec4(glm::vec3(optics.backscatter), float(settings_.water.glitter));
   data.water_reflectance = glm::vec4(glm::vec3(radiance_from_below(optics)), float(sun_share_entering(data.sun.y)));
+  data.water_scattering = glm::vec4(glm::vec3(optics.scattering), 0.0f);
   data.whitecap = glm::vec4(float(settings_.water.whitecaps), 0.4f, 0.0f, 0.0f);
 }
 

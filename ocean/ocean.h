@@ -11,6 +11,7 @@
 #include "ocean/drawn/drawn_wakes.h"
 #include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
+#include "ocean/surface/eyes_in.h"
 #include "ocean/mesh/mesher.h"
 #include "ocean/sea/sea.h"
 #include "ocean/surface/surface.h"
@@ -68,6 +69,13 @@ class Ocean {
   // Whether all eyes are surely above the water, by half a metre: by the highest crest that the sea may have, or where
   // the processor makes the waves by the water beneath them as it was in the last update.
   bool eyes_in_air(const Viewpoint& viewpoint) const;
+  // Where the eyes are of whom pixels see the water that lies `reach_m` or farther before them (a near plane's corners):
+  // by what is felt of the sea, and by all that this may lack of what is drawn.
+  struct EyesSide {
+    EyesIn eyes = EyesIn::air;
+    double still_m = 0.0;  // height of the still water at the viewer, where eyes are not in the air
+  };
+  EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;
 
   // Fills what the surface's shaders are told of sea, place and water.
   void describe(gpu::FrameData& data, const Viewpoint& viewpoint) const { describe(data, viewpoint, *selection_); }

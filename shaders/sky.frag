@@ -7,6 +7,7 @@
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sky_light.glsl"
+#include "lib/underwater.glsl"
 layout(constant_id = value_tile_shape) const bool tile_shape = false;
 layout(constant_id = value_debug) const bool debug = false;
 
@@ -15,9 +16,13 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   const vec3 ray = normalize(pixel_ray);
-  const vec3 sky = sky_light(ray, frame.view[eye_index()].eye.w);
-  vec3 lit = sky * light.exposure.x * exp2(frame.air.y);
+  const ViewData view = frame.view[eye_index()];
+  bool in_air = true;
+  if (underwater) in_air = ends_in_air(ray, view);
+  vec3 lit = in_air ? sky_light(ray, view.eye.w) : vec3(0.0);
+  if (underwater && !in_air) lit = open_water(depth_in_water(view.eye.y), ray);
+  lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.shown.x == debug_holes && is_hole(ray, frame.view[eye_index()])) colour = hole_colour(tile_shape);
+  if (debug && frame.shown.x == debug_holes && in_air && is_hole(ray, view)) colour = hole_colour(tile_shape);
 }

@@ -13,6 +13,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = value_probe) const bool probe = false;
 layout(constant_id = value_debug) const bool debug = false;
+layout(constant_id = value_underwater) const bool underwater = false;  // an eye may be in the water
 layout(constant_id = value_deferred) const bool deferred = false;  // pixels have their place from their depth
 layout(std430, binding = slot_probe) buffer Probe {
   vec4 probed[];
@@ -29,6 +30,7 @@ layout(location = 4) flat out uint flags;
 layout(location = 5) out vec4
     shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz; land
 layout(location = 6) out vec2 rest_at_middle;  // forward: the rest position once more (surface_pixels.glsl)
+layout(location = 7) out vec2 place_at_middle;  // forward, with eyes in the water: where it stands, x and z
 
 void main() {
   const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
@@ -51,6 +53,7 @@ void main() {
   relative.y -= frame.viewer.z;
   if (!deferred) place = relative;
   if (!deferred) rest_at_middle = rest;
+  if (!deferred && underwater) place_at_middle = relative.xz;
   if (deferred && water_clip && (water_clip_kinds & (sea_bed ? 8 : 6)) != 0) height_shear = vec3(d.y, 0.0, 0.0);
   float land = 0.0;
   if (sea_bed) land = d.y <= here.bed.here.x ? 1.0 : 0.0;

@@ -13,6 +13,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 layout(binding = slot_points) uniform usampler2DArray points;
 layout(binding = slot_footprints) uniform usampler2DArray footprints;
 layout(binding = slot_point_depths) uniform sampler2DArray depths;
+layout(binding = slot_point_sides) uniform usampler2DArray sides;
 
 layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
 layout(constant_id = value_debug) const bool debug = false;
@@ -33,7 +34,11 @@ void main() {
     return;
   }
   vec3 lit;
-  if (depth == 0.0) {
+  bool in_air = true;
+  if (underwater) in_air = texelFetch(sides, at, 0).r >= side_in_air;
+  if (depth == 0.0 && underwater && !in_air) {
+    lit = open_water(depth_in_water(view.eye.y), normalize(pixel_ray));
+  } else if (depth == 0.0) {
     lit = sky_light(normalize(pixel_ray), view.eye.w);
   } else {
     const uvec4 kept = texelFetch(points, at, 0);
@@ -62,11 +67,14 @@ void main() {
       p.across = unpackHalf2x16(footprint.y);
     }
     vec3 normal;
-    lit = sea_light(p, view, normal);
+    if (underwater && !in_air)
+      lit = sea_from_below(p, view, normal);
+    else
+      lit = sea_light(p, view, normal);
   }
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.shown.x == debug_holes && depth == 0.0 && is_hole(normalize(pixel_ray), view))
+  if (debug && frame.shown.x == debug_holes && depth == 0.0 && in_air && is_hole(normalize(pixel_ray), view))
     colour = hole_colour(tile_shape);
 }

@@ -56,13 +56,26 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
   for (std::uint32_t i = 0; i < 4; ++i) spec.attributes.push_back({i, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
   for (std::uint32_t i = 0; i < 3; ++i) spec.attributes.push_back({4 + i, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
   spec.facing = true;
-  pipeline_ = make_graphics_pipeline(device_, shaders_, look_.points ? *look_.points : picture, spec);
-  spec.fragment = "solid.frag";
-  spec.blend = true;
-  spec.depth_write = false;
-  spec.values.push_back({gpu::value_blend, true});
-  spec.values.push_back({gpu::value_depth_sampled, look_.depths != nullptr});
-  blended_pipeline_ = make_graphics_pipeline(device_, shaders_, picture, spec);
+  const auto make = [&](GraphicsSpec one, Pipeline& opaque, Pipeline& blended) {
+    opaque = make_graphics_pipeline(device_, shaders_, look_.points ? *look_.points : picture, one);
+    one.fragment = "solid.frag";
+    one.blend = true;
+    one.depth_write = false;
+    one.values.push_back({gpu::value_blend, true});
+    one.values.push_back({gpu::value_depth_sampled, look_.depths != nullptr});
+    if (look_.points) one.stencil = Stencil::none;
+    blended = make_graphics_pipeline(device_, shaders_, picture, one);
+  };
+  make(spec, pipeline_, blended_pipeline_);
+  if (look_.underwater) {
+    const EffectScope scope(device_, "underwater");
+    GraphicsSpec one = spec;
+    one.stencil = Stencil::in_air;
+    make(one, air_side_.opaque, air_side_.blended);
+    one.stencil = Stencil::in_water;
+    one.values.push_back({gpu::value_underwater, 1});
+    make(one, water_side_.opaque, water_side_.blended);
+  }
   if (look_.below == nullptr) return;
   spec.fragment = "solid_below.frag";
   spec.blend = false;
@@ -122,7 +135,8 @@ void DrawnSolids::bind(std::size_t model) {
     if (light_.sun_map != VK_NULL_HANDLE)
       entries.push_back({.binding = gpu::slot_sun_map, .view = light_.sun_map, .sampler = light_.sun_map_sampler});
     if (!material.blends) {
-      made.opaque = Bindings(device_, pipeline_, entries, "solid");
+      made.shown = Bindings(device_, pipeline_, entries, "solid");
+      if (look_.underwater) made.shown_underwater = Bindings(device_, water_side_.opaque, entries, "solid underwater");
       if (look_.below != nullptr) made.in_water = Bindings(device_, in_water_pipeline_, entries, "solid in water");
       if (look_.sun_map != nullptr) made.casting = Bindings(device_, caster_pipeline_, entries, "solid casting");
       continue;
@@ -130,7 +144,8 @@ void DrawnSolids::bind(std::size_t model) {
     if (look_.depths)
       entries.push_back(
           {.binding = gpu::slot_sea_depths, .view = look_.depths->view(), .sampler = depth_sampler_.get()});
-    made.blended = Bindings(device_, blended_pipeline_, entries, "solid blended");
+    made.shown = Bindings(device_, blended_pipeline_, entries, "solid blended");
+    if (look_.underwater) made.shown_underwater = Bindings(device_, water_side_.blended, entries, "solid underwater");
   }
 }
 
@@ -206,9 +221,22 @@ void DrawnSolids::add_uses(Uses& uses) const {
   from_.around->add_uses(uses);
 }
 
-void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const {
+void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const {
   const bool blended = kind == Kind::blended;
-  const Pipeline& pipeline = blended ? blended_pipeline_ : kind == Kind::opaque ? pipeline_ : in_water_pipeline_;
+  const auto one = [&](const Pipeline& pipeline, Bindings Bound::*bindings) {
+    draw(commands, frame_uniform, kind, pipeline, bindings);
+  };
+  if (eyes == EyesIn::air || !look_.underwater) return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown);
+  // Where the sea is lit later no stencil says whose eye is where, for what lets light through.
+  const bool by_pixel = eyes == EyesIn::either && !(blended && look_.points);
+  if (eyes == EyesIn::either) one(blended ? air_side_.blended : air_side_.opaque, &Bound::shown);
+  if (eyes == EyesIn::water || by_pixel)
+    one(blended ? water_side_.blended : water_side_.opaque, &Bound::shown_underwater);
+}
+
+void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
+                       Bindings Bound::*bindings) const {
+  const bool blended = kind == Kind::blended;
   const SolidSelection& selection = kind == Kind::in_water ? in_water_ : selection_;
   const Buffer& instances = (kind == Kind::in_water ? in_water_instances_ : instances_)[std::size_t(slot_)];
   for (std::size_t i = 0; i < selection.draws.size(); ++i) {
@@ -219,10 +247,7 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kin
       const LoadedModels::Material& material = loaded.materials[primitive.material];
       const Bound& bound = bound_[draw.model][primitive.material];
       if (primitive.count == 0 || material.blends != blended) continue;
-      commands.bind(pipeline,
-                    blended                ? bound.blended
-                    : kind == Kind::opaque ? bound.opaque
-                                           : bound.in_water,
+      commands.bind(pipeline, bound.*bindings,
                     {frame_uniform, 0u, std::uint32_t(primitive.material * solid_material_stride)},
                     !material.double_sided && !part.mirrored);
       commands.push(gpu::DrawPush{commands.eye()});

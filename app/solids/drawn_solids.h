@@ -20,6 +20,7 @@ struct SolidLook {
   const Image* depths = nullptr;          // of these points
   const RenderTarget* below = nullptr;    // what is under water is drawn into (Surface::below()); null: nothing is
   float anisotropy = 1.0f;                // of the points (SurfaceLook) and of textures
+  bool underwater = false;                // eyes may be in the water (SurfaceLook)
   const RenderTarget* sun_map = nullptr;  // what things hide from the sun is drawn into it; null: by someone else
 };
 
@@ -52,14 +53,16 @@ class DrawnSolids {
   void draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const;
   void add_uses(Uses& uses) const;
   // Inside the pass that draws the sea (into look.points, where there are any): what hides all that lies behind it.
-  void draw(Commands& commands, std::uint32_t frame_uniform) const { draw(commands, frame_uniform, Kind::opaque); }
+  void draw(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
+    draw(commands, frame_uniform, Kind::opaque, eyes);
+  }
   // After sea and sky, inside the pass into the picture: what lets light through, far things first.
-  void draw_blended(Commands& commands, std::uint32_t frame_uniform) const {
-    draw(commands, frame_uniform, Kind::blended);
+  void draw_blended(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
+    draw(commands, frame_uniform, Kind::blended, eyes);
   }
   // Inside a pass into look.below, where any_in_water().
   void draw_in_water(Commands& commands, std::uint32_t frame_uniform) const {
-    draw(commands, frame_uniform, Kind::in_water);
+    draw(commands, frame_uniform, Kind::in_water, in_water_pipeline_, &Bound::in_water);
   }
   bool any_in_water() const { return !in_water_.draws.empty(); }
 
@@ -68,7 +71,9 @@ class DrawnSolids {
 
  private:
   struct Bound {  // of a material
-    Bindings opaque, blended, in_water, casting;
+    Bindings shown;             // opaque or blended, as the material is
+    Bindings shown_underwater;  // the same for eyes in the water
+    Bindings in_water, casting;
   };
   void make_caster_pipeline();
   void make_room(std::span<const SolidThing> things);
@@ -76,7 +81,10 @@ class DrawnSolids {
   void bind(std::size_t model);
   VkSampler sampler(const SolidTexture& texture);
   enum class Kind { opaque, blended, in_water };
-  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind) const;
+  // Near the surface once for the pixels whose eye is in air, and once for the others.
+  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const;
+  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
+            Bindings Bound::*bindings) const;
   void upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const;
 
   Device& device_;
@@ -87,6 +95,10 @@ class DrawnSolids {
   Owned<VkSampler> depth_sampler_;
   std::vector<std::pair<int, Owned<VkSampler>>> samplers_;  // by how they wrap and filter
   Pipeline pipeline_, blended_pipeline_, in_water_pipeline_, caster_pipeline_;
+  // With look.underwater: of the pixels near the surface whose eye is in air, and of those whose eye is in the water.
+  struct BySide {
+    Pipeline opaque, blended;
+  } air_side_, water_side_;
   std::vector<std::vector<Bound>> bound_;  // of each model its materials
   SunView sun_;
   SolidSelection selection_, in_water_, casters_;

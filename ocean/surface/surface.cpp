@@ -9,17 +9,20 @@
 
 namespace seascape {
 
+static_assert(gpu::side_in_air == stencil_in_air);
+
 namespace {
 // What surface_points.frag writes, for pictures like `picture`.
-RenderTarget make_points(Device& device, const RenderTarget& picture, float anisotropy) {
+RenderTarget make_points(Device& device, const RenderTarget& picture, const SurfaceLook& look) {
   TargetSpec spec;
   spec.width = picture.spec().width;
   spec.height = picture.spec().height;
   spec.views = picture.spec().views;
   spec.per_eye = picture.spec().per_eye;
   spec.colour = VK_FORMAT_R32G32B32A32_UINT;
-  if (anisotropy > 1.0f) spec.second = VK_FORMAT_R32G32_UINT;  // the footprint's two axes
+  if (look.anisotropy > 1.0f) spec.second = VK_FORMAT_R32G32_UINT;  // the footprint's two axes
   spec.keep_depth = true;
+  spec.stencil = look.underwater;
   spec.clear_colour = false;
   return RenderTarget(device, "surface points", spec);
 }
@@ -90,7 +93,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
     spec.attributes.push_back(
         {patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
-  if (look.deferred) points_ = make_points(device, picture, look.anisotropy);
+  if (look.deferred) points_ = make_points(device, picture, look);
   if (look.below) {
     below_ = make_below(device, picture);
     below_sampler_ =
@@ -99,7 +102,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above
   // first.
   spec.facing = !spec.wireframe;
-  pipeline_ = make_graphics_pipeline(device, shaders, target(picture), spec);
+  in_air_.pipeline = make_graphics_pipeline(device, shaders, target(picture), spec);
   std::vector<Bound> own{
       {.binding = gpu::slot_frame, .buffer = light.frame_ring, .range = sizeof(gpu::FrameData)},
       {.binding = gpu::slot_sky_map, .view = light.sky_map, .sampler = light.sky_sampler},
@@ -117,18 +120,54 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
     std::vector<Bound>& entries = entries_.emplace_back(own);
     entries.insert(entries.end(), of_copy.bound().begin(), of_copy.bound().end());
   }
+  if (look.deferred) {
+    points_sampler_ = make_sampler(device, "surface points", {false, false, 1.0f});
+    std::vector<SpecValue> values = spec.values;
+    values.push_back({std::uint32_t(gpu::value_models), look.solids});
+    make_light(shaders, picture, in_air_, std::move(values));
+  }
+  if (look.underwater) make_underwater(shaders, picture, std::move(spec));
   bind();
-  if (!look.deferred) return;
+}
+
+// What lights all pixels once.
+void Surface::make_light(ShaderLibrary& shaders, const RenderTarget& picture, Drawing& drawing,
+                         std::vector<SpecValue> values) {
   GraphicsSpec once;
   once.vertex = "sky.vert";
   once.fragment = "surface_light.frag";
-  once.values = spec.values;
-  once.values.push_back({std::uint32_t(gpu::value_hidden), look.hidden});
-  once.values.push_back({std::uint32_t(gpu::value_models), look.solids});
+  once.values = std::move(values);
+  once.values.push_back({std::uint32_t(gpu::value_hidden), look_.hidden});
   once.depth_test = once.depth_write = false;
-  light_pipeline_ = make_graphics_pipeline(device, shaders, picture, once);
-  points_sampler_ = make_sampler(device, "surface points", {false, false, 1.0f});
-  bind_light();
+  drawing.light = make_graphics_pipeline(device_, shaders, picture, once);
+}
+
+// `spec`: of the surface for eyes in the air.
+void Surface::make_underwater(ShaderLibrary& shaders, const RenderTarget& picture, GraphicsSpec spec) {
+  const EffectScope scope(device_, "underwater");
+  const auto set = [&](int constant, std::uint32_t value) { spec.values.push_back({std::uint32_t(constant), value}); };
+  set(gpu::value_underwater, 1);
+  spec.facing = false;
+  spec.stencil = Stencil::count;
+  in_water_.pipeline = make_graphics_pipeline(device_, shaders, target(picture), spec);
+  set(gpu::value_models, 1);  // the bed is kept as they are
+  if (look_.deferred) make_light(shaders, picture, in_water_, spec.values);
+  GraphicsSpec side;
+  side.vertex = "sky.vert";
+  side.fragment = "water_side.frag";
+  side.values = spec.values;
+  side.depth_test = side.depth_write = side.colour = false;
+  side.stencil = Stencil::begin_in_water;
+  side_pipeline_ = make_graphics_pipeline(device_, shaders, target(picture), side);
+  if (std::none_of(spec.values.begin(), spec.values.end(),
+                   [](const SpecValue& v) { return v.id == std::uint32_t(gpu::value_bed) && v.value != 0; }))
+    return;
+  GraphicsSpec bed;
+  bed.vertex = "sky.vert";
+  bed.fragment = look_.deferred ? "bed_points.frag" : "bed_in_water.frag";
+  bed.values = spec.values;
+  bed.stencil = Stencil::in_water;
+  bed_pipeline_ = make_graphics_pipeline(device_, shaders, target(picture), bed);
 }
 
 std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const {
@@ -141,13 +180,22 @@ std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const 
 }
 
 void Surface::bind() {
-  bindings_.clear();
-  for (const std::vector<Bound>& entries : entries_)
-    bindings_.emplace_back(device_, pipeline_, with_below(entries), "surface");
+  for (Drawing* drawing : {&in_air_, &in_water_}) {
+    drawing->bindings.clear();
+    if (!drawing->pipeline) continue;
+    for (const std::vector<Bound>& entries : entries_)
+      drawing->bindings.emplace_back(device_, drawing->pipeline, with_below(entries), "surface");
+    if (look_.deferred) bind_light(*drawing);
+  }
+  if (side_pipeline_) side_bindings_ = Bindings(device_, side_pipeline_, entries_[0], "water side");
+  bed_bindings_.clear();
+  if (bed_pipeline_)
+    for (const std::vector<Bound>& entries : entries_)
+      bed_bindings_.emplace_back(device_, bed_pipeline_, with_below(entries), "bed in water");
 }
 
-void Surface::bind_light() {
-  light_bindings_.clear();
+void Surface::bind_light(Drawing& drawing) {
+  drawing.light_bindings.clear();
   for (const std::vector<Bound>& entries : entries_) {
     std::vector<Bound> list = with_below(entries);
     list.push_back({.binding = gpu::slot_points, .view = points_.colour().view(), .sampler = points_sampler_.get()});
@@ -156,20 +204,18 @@ void Surface::bind_light() {
           {.binding = gpu::slot_footprints, .view = points_.second()->view(), .sampler = points_sampler_.get()});
     list.push_back(
         {.binding = gpu::slot_point_depths, .view = points_.depth()->view(), .sampler = points_sampler_.get()});
-    light_bindings_.emplace_back(device_, light_pipeline_, list, "surface light");
+    if (look_.underwater)
+      list.push_back(
+          {.binding = gpu::slot_point_sides, .view = points_.stencil_view(), .sampler = points_sampler_.get()});
+    drawing.light_bindings.emplace_back(device_, drawing.light, list, "surface light");
   }
 }
 
 void Surface::resize(const RenderTarget& picture) {
-  if (look_.below) {
-    below_ = make_below(device_, picture);
-    const EffectScope scope(device_, "surface");
-    bind();
-  }
-  if (!look_.deferred) return;
+  if (look_.below) below_ = make_below(device_, picture);
   const EffectScope scope(device_, "surface");
-  points_ = make_points(device_, picture, look_.anisotropy);
-  bind_light();
+  if (look_.deferred) points_ = make_points(device_, picture, look_);
+  if (look_.below || look_.deferred) bind();
 }
 
 void Surface::set_area(std::uint32_t width, std::uint32_t height) {
@@ -198,14 +244,28 @@ void Surface::add_below(Uses& uses) const {
   uses.add(use(*below_.depth(), Access::fragment_sample));
 }
 
-void Surface::light(Commands& commands, std::uint32_t frame_uniform) const {
-  commands.bind(light_pipeline_, light_bindings_[shown()], {frame_uniform, 0u});
+void Surface::light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
+  const Drawing& drawn = drawing(eyes);
+  commands.bind(drawn.light, drawn.light_bindings[shown()], {frame_uniform, 0u});
   commands.push(gpu::DrawPush{commands.eye()});
   commands.draw(3);
 }
 
 void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-                   bool from_air) const {
+                   EyesIn eyes, bool facing_only) const {
+  const Drawing& drawn = drawing(eyes);
+  const auto whole = [&](const Pipeline& pipeline, const Bindings& bindings) {
+    commands.bind(pipeline, bindings, {frame_uniform, 0u});
+    commands.push(gpu::DrawPush{commands.eye()});
+    commands.draw(3);
+  };
+  if (&drawn == &in_water_) whole(side_pipeline_, side_bindings_);
+  draw_patches(commands, frame, selection, frame_uniform, drawn, facing_only && eyes == EyesIn::air);
+  if (&drawn == &in_water_ && bed_pipeline_) whole(bed_pipeline_, bed_bindings_[shown()]);
+}
+
+void Surface::draw_patches(Commands& commands, Frame& frame, const SurfaceSelection& selection,
+                           std::uint32_t frame_uniform, const Drawing& drawn, bool facing) const {
   if (selection.patches.empty()) return;
   constexpr std::size_t group = gpu::patches_an_instance;
   const std::size_t instances = (selection.patches.size() + group - 1) / group;
@@ -214,7 +274,7 @@ void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& sel
   auto* filled =
       std::copy(selection.patches.begin(), selection.patches.end(), static_cast<gpu::PatchInstance*>(list.host));
   std::fill_n(filled, missing, gpu::PatchInstance{selection.patches.back().corner, 1, gpu::patch_nothing});
-  commands.bind(pipeline_, bindings_[shown()], {frame_uniform, 0u}, from_air);
+  commands.bind(drawn.pipeline, drawn.bindings[shown()], {frame_uniform, 0u}, facing);
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(list);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);

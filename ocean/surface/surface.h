@@ -3,6 +3,7 @@
 #include "engine/frame.h"
 #include "ocean/drawn/drawn_piece.h"
 #include "ocean/mesh/surface_selection.h"
+#include "ocean/surface/eyes_in.h"
 
 namespace seascape {
 
@@ -16,6 +17,7 @@ struct SurfaceLook {
   bool hidden = false;    // some pixels may be hidden: what draws them does so before, as near as can be
   bool solids = false;    // solid things are drawn among its points, where it is deferred
   bool below = false;     // things under water are seen through it
+  bool underwater = false;  // eyes may be in the water: the picture has a stencil then (TargetSpec::stencil)
   bool deferred = false;  // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };
@@ -43,13 +45,13 @@ class Surface {
 
   // Where draw() draws: the picture, or with look.deferred what light() will light.
   const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
-  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData.
-  // `from_air`: all eyes are above the water (Ocean::eyes_in_air); what faces away from them is then hidden by what
-  // faces them.
+  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `eyes`: see Ocean::eyes_in; other than
+  // air only with look.underwater, and then the bed before the eyes is drawn too. `facing_only`: from the air, what
+  // faces away from the eyes is not drawn, which what faces them hides.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-            bool from_air) const;
+            EyesIn eyes, bool facing_only) const;
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
-  void light(Commands& commands, std::uint32_t frame_uniform) const;
+  void light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void add_points(Uses& uses) const;
   // With look.below: what things under water are drawn into, for draw() or light(), which also use add_below().
   const RenderTarget& below() const { return below_; }
@@ -58,9 +60,9 @@ class Surface {
   // With look.deferred: how near what draw() drew is, a layer an eye; else null.
   const Image* depths() const { return look_.deferred ? points_.depth() : nullptr; }
 
-  const Pipeline& pipeline() const { return pipeline_; }
+  const Pipeline& pipeline() const { return in_air_.pipeline; }
   // What its pixels are lit by.
-  const Pipeline& lighting() const { return look_.deferred ? light_pipeline_ : pipeline_; }
+  const Pipeline& lighting() const { return look_.deferred ? in_air_.light : in_air_.pipeline; }
   // The specialisation constants of effects that are code in its shaders.
   const std::vector<SurfaceSlots::EffectValue>& effect_values() const { return effect_values_; }
 
@@ -72,9 +74,19 @@ class Surface {
   static constexpr std::uint32_t probe_patches = 98304;  // ultra, masked, in a storm: 73,600
 
  private:
+  // What draws it for eyes in the air, and with look.underwater for others. Bindings: one of each copy.
+  struct Drawing {
+    Pipeline pipeline, light;
+    std::vector<Bindings> bindings, light_bindings;
+  };
   std::vector<Bound> with_below(const std::vector<Bound>& entries) const;
+  void make_underwater(ShaderLibrary& shaders, const RenderTarget& picture, GraphicsSpec spec);
+  void make_light(ShaderLibrary& shaders, const RenderTarget& picture, Drawing& drawing, std::vector<SpecValue> values);
+  void draw_patches(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
+                    const Drawing& drawn, bool facing) const;
   void bind();
-  void bind_light();
+  void bind_light(Drawing& drawing);
+  const Drawing& drawing(EyesIn eyes) const { return eyes == EyesIn::air || !look_.underwater ? in_air_ : in_water_; }
   Device& device_;
   const DrawnPiece* copied_ = nullptr;  // whose images are there several times; null: nobody's
   std::size_t shown() const { return copied_ != nullptr ? copied_->shown() : 0; }
@@ -84,9 +96,11 @@ class Surface {
   std::uint32_t index_count_ = 0;
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
   RenderTarget points_, below_;
-  Pipeline pipeline_, light_pipeline_;
+  Drawing in_air_, in_water_;
+  Pipeline side_pipeline_, bed_pipeline_;  // with look.underwater; the bed where there is one
+  Bindings side_bindings_;
+  std::vector<Bindings> bed_bindings_;
   Owned<VkSampler> points_sampler_, below_sampler_;
-  std::vector<Bindings> bindings_, light_bindings_;  // of each copy
 };
 
 }  // namespace seascape

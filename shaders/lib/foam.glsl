@@ -79,25 +79,35 @@ vec4 foam_lacing(vec2 place, float footprint, inout float covered) {
   return vec4(below, a * first.yz + b * second.yz, mix(first.w, second.w, b));
 }
 
+// Share of the footprint whose Jacobian is below the threshold, taken as Gaussian (Dupuy and Bruneton 2012). The spread
+// of the divergence of a linear choppy sea is chop times that of its slope. `variance`: of the slopes within the pixel.
+float foam_breaking(SeaSlopes s, vec3 variance) {
+  const float sigma =
+      frame.sea.tail.w * sqrt(max(variance.x + variance.y - frame.sea.tail.x - frame.sea.tail.y, 0.0)) + 0.06;
+  return frame.whitecap.x * 0.5 * erfc_approx((sea_jacobian(s) - frame.whitecap.y) / (1.4142136 * sigma));
+}
+
+float foam_footprint(SurfacePoint p) { return min(max(length(p.along), length(p.across)), 1e3); }
+
+// Of the footprint, what foam covers.
+float foam_cover(SurfacePoint p, SeaSlopes s, vec3 variance) {
+  const float breaking = foam_breaking(s, variance);
+  if (!foam_kept) return clamp(breaking, 0.0, 0.9);
+  const vec2 kept = foam_covered(p.rest, foam_footprint(p));
+  float breaks = breaking;
+  if (foam_spared) breaks *= kept.y;
+  return clamp(kept.x + (1.0 - kept.x) * breaks, 0.0, 1.0);
+}
+
 // Lays what covers the water over its light. `variance`: of the slopes within the pixel; `sunlit`: on the surface;
 // `white`: what a white cloth would send to the eye.
 void lay_foam(inout vec3 lit, SurfacePoint p, SeaSlopes s, vec3 variance, vec3 normal, float sunlit, vec3 white,
               FoamWay way) {
-  // Share of the footprint whose Jacobian is below the threshold, taken as Gaussian (Dupuy and Bruneton 2012). The
-  // spread of the divergence of a linear choppy sea is chop times that of its slope.
-  const float sigma =
-      frame.sea.tail.w * sqrt(max(variance.x + variance.y - frame.sea.tail.x - frame.sea.tail.y, 0.0)) + 0.06;
-  const float breaking =
-      frame.whitecap.x * 0.5 * erfc_approx((sea_jacobian(s) - frame.whitecap.y) / (1.4142136 * sigma));
+  const float covered = foam_cover(p, s, variance), footprint = foam_footprint(p);
   if (!foam_kept) {
-    lit = mix(lit, 0.7 * white, clamp(breaking, 0.0, 0.9));
+    lit = mix(lit, 0.7 * white, covered);
     return;
   }
-  const float footprint = min(max(length(p.along), length(p.across)), 1e3);
-  const vec2 kept = foam_covered(p.rest, footprint);
-  float covered = kept.x, breaks = breaking;
-  if (foam_spared) breaks *= kept.y;
-  covered = clamp(covered + (1.0 - covered) * breaks, 0.0, 1.0);
   if (covered < 0.002) return;
   // Bubbles beneath send light back that water has coloured.
   const vec3 veiled = white * 0.2 * exp(-3.0 * frame.water_absorption.rgb);

@@ -30,6 +30,7 @@ struct SurfacePoint {
   bool ramp;           // of a triangle that joins water and land
 };
 
+#include "lib/underwater.glsl"
 #include "lib/foam.glsl"
 #include "lib/sea_bed_light.glsl"
 #include "lib/solids_in_water.glsl"
@@ -160,4 +161,5 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   if (water_albedo > 0) lay_albedo(lit, p.place, p.rest, white);
   return through_air(lit, v, range);
 }
+#include "lib/sea_from_below.glsl"
 #endif

@@ -10,6 +10,7 @@
 #include "lib/sky_light.glsl"
 #include "lib/sun_map.glsl"
 #include "lib/tone.glsl"
+#include "lib/underwater.glsl"
 
 layout(binding = slot_solid_material) uniform Material { SolidMaterialData material; };
 layout(binding = slot_solid_sky) uniform sampler2DArray solid_sky;
@@ -98,11 +99,35 @@ float sun_reaches_thing(SolidPoint p) {
   return max(reaches, turned * round);
 }
 
-// Radiance towards the eye, haze included, exposed, and how much of what lies behind it hides. Discards what its
-// material's mask takes away.
+// Irradiance of what comes evenly through the surface, on a plane under water over that on a level one: the sky fills a
+// cone of 48.6 degrees there, of which a wall has a fifth (integral of the cosine over the cone).
+float of_sky_in_water(float up) { return max(0.2 + up * (0.5 + 0.3 * up), 0.0); }
+
+// Radiance beneath the water of a thing that lies just under it, without what it shines by itself. Around it all is dim,
+// which metals would mirror: they are taken for paint of their colour.
+vec3 solid_sent_in_water(SolidPoint p) {
+  const vec3 l = -refract(-frame.sun.xyz, vec3(0.0, 1.0, 0.0), 1.0 / water_index);
+  const vec3 sun = light.sun_irradiance.rgb * frame.water_reflectance.w, sky = 0.93 * light.sky_irradiance.rgb;
+  // What the water around sends back comes from below, through the surface as radiance_from_below() has it.
+  const vec3 back = 3.14159265 * frame.water_reflectance.rgb * (water_index * water_index / 0.98) * (sun + sky);
+  float reaches = 1.0;
+  if (sun_map_there) reaches = sun_reaches_thing(p);
+  vec3 there = sun * (reaches * max(dot(p.normal, l), 0.0) / l.y) + sky * of_sky_in_water(p.normal.y);
+  there += back * (0.5 - 0.5 * p.normal.y);
+  return p.base.rgb * there * (p.occlusion / 3.14159265);
+}
+
+// Radiance towards the eye, what the air or the water before it makes of it included, exposed, and how much of what lies
+// behind it hides. Discards what its material's mask takes away.
 vec4 solid_light(bool front) {
   const ViewData view = frame.view[eye_index()];
   const SolidPoint p = solid_point(front);
+  if (underwater) {
+    const bool unlit = material.kind.x != 0;
+    const vec3 sent = unlit ? vec3(0.0) : solid_sent_in_water(p),
+               own = (unlit ? p.base.rgb : p.emissive) / light.exposure.x;
+    return vec4(light_in_water(sent, own, relative, view) * (light.exposure.x * exp2(frame.air.y)), p.base.a);
+  }
   const vec3 n = p.normal, to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
   const float range = length(to_eye);
   const vec3 v = to_eye / range;
@@ -138,25 +163,11 @@ vec4 solid_light(bool front) {
   return vec4(lit * (light.exposure.x * exp2(frame.air.y)), p.base.a);
 }
 
-// Irradiance of what comes evenly through the surface, on a plane under water over that on a level one: the sky fills a
-// cone of 48.6 degrees there, of which a wall has a fifth (integral of the cosine over the cone).
-float of_sky_in_water(float up) { return max(0.2 + up * (0.5 + 0.3 * up), 0.0); }
-
 // Radiance beneath the water of a thing that lies just under it, times the exposure: what the water takes away is left
-// to who knows how much of it there is (lib/solids_in_water.glsl). Around it all is dim, which metals would mirror:
-// they are taken for paint of their colour.
+// to who knows how much of it there is (lib/solids_in_water.glsl).
 vec3 solid_in_water(bool front) {
   const SolidPoint p = solid_point(front);
-  const vec3 l = -refract(-frame.sun.xyz, vec3(0.0, 1.0, 0.0), 1.0 / water_index);
-  const vec3 sun = light.sun_irradiance.rgb * frame.water_reflectance.w, sky = 0.93 * light.sky_irradiance.rgb;
-  // What the water around sends back comes from below, through the surface as radiance_from_below() has it.
-  const vec3 back = 3.14159265 * frame.water_reflectance.rgb * (water_index * water_index / 0.98) * (sun + sky);
-  float reaches = 1.0;
-  if (sun_map_there) reaches = sun_reaches_thing(p);
-  vec3 there = sun * (reaches * max(dot(p.normal, l), 0.0) / l.y) + sky * of_sky_in_water(p.normal.y);
-  there += back * (0.5 - 0.5 * p.normal.y);
-  vec3 lit = p.base.rgb * there * (p.occlusion / 3.14159265) * light.exposure.x + p.emissive;
-  if (material.kind.x != 0) lit = p.base.rgb;
-  return lit;
+  if (material.kind.x != 0) return p.base.rgb;
+  return solid_sent_in_water(p) * light.exposure.x + p.emissive;
 }
 #endif

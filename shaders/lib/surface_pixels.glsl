@@ -7,6 +7,7 @@
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/tone.glsl"
+#include "lib/water_side.glsl"
 
 layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here, in the tile
 layout(constant_id = value_debug) const bool debug = false;
@@ -23,6 +24,7 @@ layout(location = 4) flat in uint flags;
 // Centroids lie where samples are covered, elsewhere in each pixel of an edge: what is derived is known at pixels'
 // middles.
 layout(location = 6) in vec2 rest_at_middle;
+layout(location = 7) in vec2 place_at_middle;
 
 layout(location = 0) out vec4 colour;
 
@@ -83,7 +85,14 @@ void main() {
   vec3 normal;
   SurfacePoint p = SurfacePoint(seen, rest, place, along, across, height_shear.xy, derivatives, false);
   if (sea_bed) p.ramp = joins_land(height_shear.z);
-  vec3 lit = sea_light(p, frame.view[eye_index()], normal);
+  bool below = false;
+  if (underwater)
+    below = seen_from_below(along, across, dFdx(place_at_middle), dFdy(place_at_middle));
+  vec3 lit;
+  if (underwater && below)
+    lit = sea_from_below(p, frame.view[eye_index()], normal);
+  else
+    lit = sea_light(p, frame.view[eye_index()], normal);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (debug) lit = debug_colour(lit, normal);
   if (tile_shape && !(debug && frame.shown.x > debug_lod)) lit = tone_map(lit);

@@ -3,8 +3,14 @@
 #define SEASCAPE_WATER_LIGHT_GLSL
 
 #include "shared/fresnel.h"
+#include "shared/water_volume.h"
 
 const float pi = 3.14159265;
+
+// Of the sun's rays under a level surface.
+float sun_cosine_in_water() {
+  return sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
+}
 
 // How much of the light of a column of water, and of what lies in it, is between the surface and `way` metres below: of
 // what deep water scatters back, and of what lies there (Lee, Carder, Mobley, Steward and Patch 1998, eqs. 1, 2, 5 and
@@ -15,7 +21,7 @@ struct WaterColumn {
 WaterColumn water_column(float way, float eye_cosine) {
   const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb,
              u = frame.water_backscatter.rgb / attenuation;
-  const float sun_cosine = sqrt(max(1.0 - (1.0 - frame.sun.y * frame.sun.y) / (water_index * water_index), 0.1));
+  const float sun_cosine = sun_cosine_in_water();
   const vec3 of_column = 1.03 * sqrt(1.0 + 2.4 * u), of_thing = 1.04 * sqrt(1.0 + 5.4 * u);
   return WaterColumn(1.0 - exp(-(1.0 / sun_cosine + of_column / eye_cosine) * attenuation * way),
                      exp(-(1.0 / sun_cosine + of_thing / eye_cosine) * attenuation * way));
@@ -27,12 +33,6 @@ WaterColumn water_column(float way, float eye_cosine) {
 vec3 light_out_of_water(WaterColumn column, vec3 deep, vec3 sent, vec3 down) {
   const vec3 arrived = sent * column.passed, again = min(1.5 * arrived / max(down, vec3(1e-9)), vec3(0.48));
   return deep * column.scattered + arrived / (water_index * water_index * (1.0 - again));
-}
-
-// Henyey and Greenstein (1941).
-float henyey_greenstein(float cosine, float g) {
-  const float d = max(1.0 + g * g - 2.0 * g * cosine, 1e-4);
-  return (1.0 - g * g) / (4.0 * pi * d * sqrt(d));
 }
 
 // Smith's Lambda of a Beckmann surface (Walter 2007, eq. 15): a = cot(theta) / (sqrt 2 sigma).

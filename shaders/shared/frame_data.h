@@ -25,17 +25,23 @@ struct FrameData {
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
                            // enters a level sea
+  vec4 water_scattering;   // rgb: all of it, 1/m; w: height of the still water at the viewer, m
   vec4 whitecap;           // x: strength; y: Jacobian below which foam forms; z, w: unused
   // Where a place (x, z: metres from the viewer along the still sea; y: above it) is in the map of the sun: rows of its
   // column and row from 0 to 1, and of how near the sun, 1 nearest.
   vec4 sun_map_column, sun_map_row, sun_map_near;
   vec4 sun_map;  // x: a texel, m; y: its reach from the viewer, m; z: from nearest to farthest, m; w: 1 it is there
-  ivec4 shown;   // x: a debug view; y, z, w: unused
+  ivec4 shown;   // x: a debug view; y: where the eyes are; z, w: unused
   MeshData mesh;
   SeaData sea;
   FoamData foam;         // where it is simulated
   SolidsInWater solids;  // where there are any
 };
+
+// Values of shown.y: all in air; near the surface, so that each pixel decides; all in water.
+SEASCAPE_CONST int eyes_in_air = 0;
+SEASCAPE_CONST int eyes_in_either = 1;
+SEASCAPE_CONST int eyes_in_water = 2;
 
 // Values of shown.x, in the order of app/render_settings.h's DebugView.
 SEASCAPE_CONST int debug_none = 0;

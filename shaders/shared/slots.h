@@ -20,7 +20,7 @@ SEASCAPE_CONST int slot_level = 27, slot_bed = 15, slot_bed_waves = 28, slot_flo
 SEASCAPE_CONST int slot_clip = 30, slot_clip_nodes = 38, slot_clip_volumes = 39, slot_clip_hulls = 40;
 SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;
 SEASCAPE_CONST int slot_foam = 34, slot_foam_lace = 35;
-SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18;
+SEASCAPE_CONST int slot_points = 16, slot_footprints = 17, slot_point_depths = 18, slot_point_sides = 68;
 SEASCAPE_CONST int slot_sea_depths = 36;
 SEASCAPE_CONST int slot_sun_map = 54, slot_comfort = 55;
 SEASCAPE_CONST int slot_solid_material = 56, slot_solid_sky = 57, slot_solid_albedo = 58;
@@ -41,7 +41,10 @@ SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
 SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
-                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30;
+                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30, value_underwater = 33;
+
+// Of the stencil of the sea's points: from here on the eye's line of sight begins in the air.
+SEASCAPE_CONST uint side_in_air = 128u;
 
 // Of the points of the sea that are lit later: the last word of one that is a solid thing, no two half floats that a
 // sea's point has there.

@@ -215,6 +215,32 @@ TEST(ExploreCamera, TheWheelChangesTheSpeedWithinLimits) {
   EXPECT_NEAR(camera.speed_mps(), 0.6, 1e-9);
 }
 
+// Who flies may dive to the ground where the scene lets him, and is held above the water where it does not; who walks
+// or rides stays where he is carried. Control: the ground asked of all.
+TEST(ExploreCamera, DivesToTheGroundWhereItMay) {
+  CameraWish down;
+  down.move.y = -1.0;
+  ExploreCamera dry(Pose{{0.0, 3.0, 0.0}}), diver(Pose{{0.0, 3.0, 0.0}}), rider(Pose{{0.0, 3.0, 0.0}});
+  CameraWish dive = down;
+  dive.dives_to_m = -6.0;
+  rider.set_travel(Travel::ride);
+  for (int i = 0; i < 400; ++i) {
+    dry.step(down, 0.01, 0.2);
+    diver.step(dive, 0.01, 0.2);
+    rider.step(dive, 0.01, 0.2);
+  }
+  EXPECT_NEAR(dry.pose().position_m.y, 0.2 + ExploreCamera::clearance_m, 1e-9);
+  EXPECT_TRUE(dry.held());
+  EXPECT_NEAR(diver.pose().position_m.y, -6.0 + ExploreCamera::clearance_m, 1e-9);
+  EXPECT_TRUE(diver.held());
+  EXPECT_NEAR(rider.pose().position_m.y, 0.2 + ExploreCamera::ride_height_m, 1e-3);
+  EXPECT_FALSE(rider.held());
+  CameraWish up = dive;
+  up.move.y = 1.0;
+  diver.step(up, 0.5, 0.2);
+  EXPECT_FALSE(diver.held());
+}
+
 // Controls: keys with the clock's time instead of the path's, and no last key, each fail here.
 TEST(PathRecorder, TakesAKeyEveryHalfSecondAndTheLastPose) {
   PathRecorder recorder;

@@ -42,7 +42,7 @@ struct Camera {
     Uses uses{use(e.sky().map(), Access::surface_read), use(e.sky().light(), Access::surface_read)};
     e.ocean().add_uses(uses);
     frame.draw_pass("a viewpoint", picture, uses,
-                    [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform, false); });
+                    [&](Commands& c) { e.surface().draw(c, frame, *selection, uniform, EyesIn::air, false); });
   }
   Image8 read(SeaShot& shot) const {
     return {int(width), int(height), 4, read_image(shot.device(), picture.colour(), 0)};
