@@ -27,12 +27,13 @@ void main() {
   const vec4 from = vec4(corner_place.xyz, 1.0);
   const vec3 on_sea = vec3(dot(row_x, from), dot(row_y, from), dot(row_z, from));
   relative = curved(on_sea.xz, on_sea.y, frame.viewer.w) - vec3(0.0, frame.viewer.z, 0.0);
-  // The cofactors, which turn normals of flattened things too; those of mirrored ones inwards, but what faces the eye
-  // counts as its back then, whose normal is turned round (solid_light).
+  // The cofactors, which turn normals of flattened things too, and of mirrored ones inwards: their triangles are turned
+  // round, so these are turned back.
   const vec3 x = row_x.xyz, y = row_y.xyz, z = row_z.xyz;
   const mat3 cofactors = mat3(cross(y, z), cross(z, x), cross(x, y));
   normal = vec3(dot(cofactors[0], corner_normal.xyz), dot(cofactors[1], corner_normal.xyz),
                 dot(cofactors[2], corner_normal.xyz));
+  if (dot(x, cofactors[0]) < 0.0) normal = -normal;
   uv = corner_uv;
   tint = corner_colour;
   gl_Position = frame.view[eye_index()].clip_from_relative * vec4(relative, 1.0);

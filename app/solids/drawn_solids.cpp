@@ -243,13 +243,14 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kin
     const SolidDraw& draw = selection.draws[blended ? selection.far_first[i] : i];
     const LoadedModels::Loaded& loaded = (*from_.loaded)[draw.model];
     const SolidPart& part = from_.models[draw.model].parts()[draw.part];
-    for (const LoadedModels::Primitive& primitive : loaded.meshes[std::size_t(part.mesh)]) {
+    const std::size_t turned = part.mirrored ? loaded.meshes.size() / 2 : 0;
+    for (const LoadedModels::Primitive& primitive : loaded.meshes[turned + std::size_t(part.mesh)]) {
       const LoadedModels::Material& material = loaded.materials[primitive.material];
       const Bound& bound = bound_[draw.model][primitive.material];
       if (primitive.count == 0 || material.blends != blended) continue;
       commands.bind(pipeline, bound.*bindings,
                     {frame_uniform, 0u, std::uint32_t(primitive.material * solid_material_stride)},
-                    !material.double_sided && !part.mirrored);
+                    !material.double_sided);
       commands.push(gpu::DrawPush{commands.eye()});
       commands.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
       commands.bind_vertices({&instances, draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);

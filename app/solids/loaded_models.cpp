@@ -42,6 +42,42 @@ gpu::SolidMaterialData data_of(const SolidMaterial& material) {
   return data;
 }
 
+LoadedModels::Primitive make_primitive(Device& device, const std::string& name, const SolidPrimitive& source,
+                                       std::span<const std::uint32_t> indices, std::size_t no_material) {
+  LoadedModels::Primitive primitive;
+  primitive.material = source.material >= 0 ? std::size_t(source.material) : no_material;
+  primitive.count = std::uint32_t(indices.size());
+  if (primitive.count == 0) return primitive;
+  std::vector<gpu::SolidVertex> corners(source.positions.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::vec2 first = source.uvs[0].empty() ? glm::vec2(0.0f) : source.uvs[0][i];
+    corners[i] = {glm::vec4(source.positions[i], 1.0f), glm::vec4(source.normals[i], 0.0f),
+                  glm::vec4(first, source.uvs[1].empty() ? first : source.uvs[1][i]),
+                  source.colours.empty() ? glm::vec4(1.0f) : source.colours[i]};
+  }
+  primitive.vertices = make_filled_buffer(device, name, corners.data(), corners.size() * sizeof corners.front(),
+                                          VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  primitive.indices =
+      make_filled_buffer(device, name, indices.data(), indices.size_bytes(), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  return primitive;
+}
+
+// Behind a model's meshes, those that mirrored parts show once more: there each triangle's corners go the other way
+// round, so that its front stays its front.
+void add_turned(Device& device, const PlacedModel& placed, LoadedModels::Loaded& loaded) {
+  const SolidModel& model = placed.model();
+  loaded.meshes.resize(2 * model.meshes.size());
+  for (const SolidPart& part : placed.parts()) {
+    std::vector<LoadedModels::Primitive>& primitives = loaded.meshes[model.meshes.size() + std::size_t(part.mesh)];
+    if (!part.mirrored || !primitives.empty()) continue;
+    for (const SolidPrimitive& source : model.meshes[std::size_t(part.mesh)].primitives) {
+      std::vector<std::uint32_t> turned = source.indices;
+      for (std::size_t i = 0; i + 2 < turned.size(); i += 3) std::swap(turned[i + 1], turned[i + 2]);
+      primitives.push_back(make_primitive(device, model.name, source, turned, loaded.materials.size() - 1));
+    }
+  }
+}
+
 Image one_texel(Device& device, std::string_view name, std::array<std::uint8_t, 4> texel) {
   const std::array<Image8, 1> level{Image8{1, 1, 4, {texel.begin(), texel.end()}}};
   return make_texture(device, name, level, TexelKind::linear);
@@ -55,7 +91,10 @@ LoadedModels::LoadedModels(Device& device, std::span<const PlacedModel> models, 
   white_ = one_texel(device, "white", {255, 255, 255, 255});
   flat_ = one_texel(device, "flat", {128, 128, 255, 255});
   loaded_.reserve(models.size());
-  for (const PlacedModel& model : models) load(device, model.model());
+  for (const PlacedModel& model : models) {
+    load(device, model.model());
+    add_turned(device, model, loaded_.back());
+  }
 }
 
 // A picture is a texture for each kind of numbers that it is read as.
@@ -123,24 +162,8 @@ void LoadedModels::load(Device& device, const SolidModel& model) {
       make_filled_buffer(device, "solid materials", data.data(), data.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   for (const SolidMesh& mesh : model.meshes) {
     std::vector<Primitive>& primitives = loaded.meshes.emplace_back();
-    for (const SolidPrimitive& source : mesh.primitives) {
-      Primitive& primitive = primitives.emplace_back();
-      primitive.material = source.material >= 0 ? std::size_t(source.material) : materials.size() - 1;
-      primitive.count = std::uint32_t(source.indices.size());
-      if (primitive.count == 0) continue;
-      std::vector<gpu::SolidVertex> corners(source.positions.size());
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::vec2 first = source.uvs[0].empty() ? glm::vec2(0.0f) : source.uvs[0][i];
-        corners[i] = {glm::vec4(source.positions[i], 1.0f), glm::vec4(source.normals[i], 0.0f),
-                      glm::vec4(first, source.uvs[1].empty() ? first : source.uvs[1][i]),
-                      source.colours.empty() ? glm::vec4(1.0f) : source.colours[i]};
-      }
-      primitive.vertices =
-          make_filled_buffer(device, model.name, corners.data(), corners.size() * sizeof corners.front(),
-                             VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-      primitive.indices = make_filled_buffer(device, model.name, source.indices.data(), source.indices.size() * 4,
-                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    }
+    for (const SolidPrimitive& source : mesh.primitives)
+      primitives.push_back(make_primitive(device, model.name, source, source.indices, materials.size() - 1));
   }
 }
 

@@ -28,7 +28,7 @@ class LoadedModels {
   struct Loaded {
     std::vector<Image> textures;
     std::vector<Material> materials;
-    std::vector<std::vector<Primitive>> meshes;  // of each mesh its primitives
+    std::vector<std::vector<Primitive>> meshes;  // of each mesh its primitives; then of each as mirrored parts show it
     Buffer material_data;                        // SolidMaterialData, solid_material_stride apart
   };
 

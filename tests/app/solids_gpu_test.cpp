@@ -175,6 +175,30 @@ TEST_F(Solids, ColoursMasksAndGlassAreThere) {
   }
 }
 
+// A plate whose node is mirrored is lit as the plain one is, and like it not seen from behind. Controls seen: mirrored
+// parts drawn on both sides; their triangles not turned round; their normals not turned back.
+TEST_F(Solids, MirroredThingsShowTheirFrontsAlone) {
+  const std::string grey = R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}})";
+  const auto drawn = [&](const test::FrameLook& look, const char* scale, double yaw_deg) {
+    SceneObjects objects;
+    test::stand(objects,
+                test::solid_model(test::solid_plate(1.0f), grey, R"({"mesh":0,"scale":)" + std::string(scale) + "}"),
+                pose({0.0, 6.0, -3.0}, yaw_deg, 90.0));
+    return shot_of(look, objects).picture(before_plate, 1.0);
+  };
+  for (const test::FrameLook& look : test::frame_looks) {
+    const Image8 plain = drawn(look, "[1,1,1]", 0.0), behind = drawn(look, "[1,1,1]", 180.0);
+    EXPECT_GT(test::differing_pixels(plain, behind), 1000) << look.name;
+    for (const char* mirrored : {"[-1,1,1]", "[1,1,-1]"}) {
+      const Image8 front = drawn(look, mirrored, 0.0);
+      for (int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(texel(front, width / 2, height / 2)[channel], texel(plain, width / 2, height / 2)[channel], 1)
+            << look.name << mirrored;
+      EXPECT_EQ(test::differing_pixels(drawn(look, mirrored, 180.0), behind), 0) << look.name << mirrored;
+    }
+  }
+}
+
 // What lets light through, under the sea, is hidden by it, and before it is not. Control seen: depth_sampled taken
 // for false in solid.frag.
 TEST_F(Solids, GlassUnderTheSeaIsHidden) {
