@@ -47,7 +47,7 @@ std::vector<std::string> exr_channels_from_memory(std::span<const std::uint8_t> 
 
 // The same on bytes; `where` names them in errors.
 Image8 read_png_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
-// A PNG or a JPEG, by its first bytes.
+// A PNG or a JPEG, by its first bytes, its numbers as they are stored: what a PNG says of its colours is ignored.
 Image8 read_picture_from_memory(std::span<const std::uint8_t> bytes, const std::string& where);
 ImageF read_exr_from_memory(std::span<const std::uint8_t> bytes, const std::string& where,
                             Values values = Values::finite);

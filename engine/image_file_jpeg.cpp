@@ -3,6 +3,7 @@
 #include <turbojpeg.h>
 
 #include <memory>
+#include <string_view>
 
 #include "engine/error.h"
 #include "engine/image_file.h"
@@ -41,11 +42,34 @@ Image8 read_jpeg(std::span<const std::uint8_t> bytes, const std::string& where) 
   return image;
 }
 
+// A PNG that says of its colours nothing but that they are sRGB, as glTF takes them whatever a file says (2.0, section
+// 3.9.2): libpng would convert them by its other chunks, and 16 bits as linear light. What is broken stays so.
+std::vector<std::uint8_t> called_srgb(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t first = 33;  // a signature of 8 bytes, and the header of 25
+  constexpr std::uint8_t srgb[] = {0, 0, 0, 1, 's', 'R', 'G', 'B', 0, 0xae, 0xce, 0x1c, 0xe9};  // its sum last
+  if (bytes.size() < first) return {bytes.begin(), bytes.end()};
+  std::vector<std::uint8_t> made(bytes.begin(), bytes.begin() + first);
+  made.reserve(bytes.size() + sizeof srgb);
+  made.insert(made.end(), std::begin(srgb), std::end(srgb));
+  std::size_t at = first;
+  while (bytes.size() - at >= 12) {
+    std::uint64_t size = 12;
+    for (std::size_t i = 0; i < 4; ++i) size += std::uint64_t{bytes[at + i]} << (24 - 8 * i);
+    if (size > bytes.size() - at) break;
+    const std::string_view type(reinterpret_cast<const char*>(bytes.data() + at + 4), 4);
+    if (type != "gAMA" && type != "cHRM" && type != "sRGB" && type != "iCCP")
+      made.insert(made.end(), bytes.begin() + std::ptrdiff_t(at), bytes.begin() + std::ptrdiff_t(at + size));
+    at += std::size_t(size);
+  }
+  made.insert(made.end(), bytes.begin() + std::ptrdiff_t(at), bytes.end());
+  return made;
+}
+
 }  // namespace
 
 Image8 read_picture_from_memory(std::span<const std::uint8_t> bytes, const std::string& where) {
   if (bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff) return read_jpeg(bytes, where);
-  if (bytes.size() >= 4 && bytes[0] == 0x89 && bytes[1] == 'P') return read_png_from_memory(bytes, where);
+  if (bytes.size() >= 4 && bytes[0] == 0x89 && bytes[1] == 'P') return read_png_from_memory(called_srgb(bytes), where);
   throw Error(where, "is neither a PNG nor a JPEG", "give one of these");
 }
 

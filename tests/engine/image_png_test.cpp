@@ -3,6 +3,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "engine/files.h"
@@ -82,6 +83,44 @@ TEST(PngFile, OtherKindsBecomeRgbOrRgba) {
                                    0, 0};  // 16-bit linear light; 13933/65535 is sRGB 127.1; libpng takes 1/2.2: 126.1
   image = read_png_from_memory(other_png(PNG_FORMAT_LINEAR_RGB, 2, 1, linear), "linear");
   EXPECT_THAT(image.pixels, ElementsAre(0, 255, testing::AllOf(testing::Ge(126), testing::Le(128)), 255, 0, 0));
+}
+
+// A chunk right behind the header, which has 25 bytes after the 8 of the signature.
+std::vector<std::uint8_t> with_chunk(std::vector<std::uint8_t> bytes, std::string_view type,
+                                     const std::vector<std::uint8_t>& data) {
+  const auto big_endian = [](std::vector<std::uint8_t>& to, std::size_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) to.push_back(std::uint8_t(value >> shift));
+  };
+  std::vector<std::uint8_t> chunk;
+  big_endian(chunk, data.size());
+  chunk.insert(chunk.end(), type.begin(), type.end());
+  chunk.insert(chunk.end(), data.begin(), data.end());
+  big_endian(chunk, crc32(0, chunk.data() + 4, static_cast<unsigned>(chunk.size() - 4)));
+  bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());
+  return bytes;
+}
+
+std::vector<std::uint8_t> without_chunk(std::vector<std::uint8_t> bytes, std::string_view type) {
+  const auto at = std::search(bytes.begin(), bytes.end(), type.begin(), type.end());
+  if (at == bytes.end()) return bytes;
+  const auto first = at - 4;
+  const std::ptrdiff_t size = first[2] * 256 + first[3];
+  bytes.erase(first, first + size + 12);
+  return bytes;
+}
+
+// glTF's pictures are taken as they are stored, whatever they say of their gamma and with 8 bits or 16. Controls seen:
+// the file as it is; without what it says, but with no sRGB chunk put in.
+TEST(PngFile, PicturesOfModelsAreAsStored) {
+  const std::uint8_t grey[3] = {0, 85, 170};
+  const std::vector<std::uint8_t> plain = other_png(PNG_FORMAT_GRAY, 3, 1, grey);
+  const std::vector<std::uint8_t> linear =
+      with_chunk(without_chunk(without_chunk(plain, "sRGB"), "gAMA"), "gAMA", {0, 1, 0x86, 0xa0});  // a gamma of 1
+  EXPECT_NE(read_png_from_memory(linear, "linear").pixels, read_png_from_memory(plain, "plain").pixels);
+  EXPECT_THAT(read_picture_from_memory(linear, "linear").pixels, ElementsAre(0, 0, 0, 85, 85, 85, 170, 170, 170));
+  const std::uint16_t sixteen[3] = {0, 85 * 257, 65535};
+  EXPECT_THAT(read_picture_from_memory(other_png(PNG_FORMAT_LINEAR_Y, 3, 1, sixteen), "sixteen").pixels,
+              ElementsAre(0, 0, 0, 85, 85, 85, 255, 255, 255));
 }
 
 // Control: without the walk over the chunks a file without its end mark is read as if whole.
