@@ -1,12 +1,12 @@
 // Any bytes as the picture of a model, JPEG or PNG (with its check sums mended): an Error, or a texture with all its
-// levels. The first byte says as what the picture is read.
+// levels, and these in blocks. The first byte says as what the picture is read.
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
-#include "app/solids/picture_levels.h"
+#include "app/solids/block_texture.h"
 #include "engine/error.h"
 #include "engine/solid_model.h"
 #include "tests/fuzz/png_sums.h"
@@ -53,7 +53,7 @@ std::vector<std::uint8_t> model_with(const std::vector<std::uint8_t>& picture) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const auto kind = seascape::TexelKind(data[0] % 3);
+  const auto kind = seascape::TexelKind(data[0] % 4);
   try {
     const seascape::SolidModel model =
         seascape::load_solid_model_from_memory(model_with(seascape::fuzz::with_sums(data + 1, size - 1)), "input");
@@ -65,6 +65,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (levels.back().width != 1 || levels.back().height != 1) std::abort();
       for (const seascape::Image8& level : levels)
         if (level.pixels.size() != 4 * std::size_t(level.width) * std::size_t(level.height)) std::abort();
+      const std::vector<seascape::BlockLevel> blocks = seascape::block_levels(levels, kind);
+      if (!blocks.empty() && blocks.size() != levels.size()) std::abort();
+      for (const seascape::BlockLevel& level : blocks) {
+        const std::size_t count = std::size_t(level.width + 3) / 4 * (std::size_t(level.height + 3) / 4);
+        if (level.blocks.size() != 8 * count && level.blocks.size() != 16 * count) std::abort();
+      }
     }
   } catch (const seascape::Error&) {
   }
