@@ -6,17 +6,30 @@ layout(constant_id = value_solids_in_water) const bool solids_in_water = false;
 layout(binding = slot_solids_in_water) uniform texture2DArray solids_below;
 layout(binding = slot_depths_in_water) uniform sampler2DArray solids_below_depths;  // of whole texels
 
-// Between texels of one thing it lies on their plane, as depths change evenly in the picture. Around its edge it is as
-// near as the nearest, and the cover says how much of it is there. `texel`: one over the picture's sides.
-float solid_depth(vec2 pixel, vec2 texel) {
-  // Lines begin in middles of texels, where rounding would choose its neighbours anew in each frame.
-  const vec2 corner = floor(pixel + 0.49), between = clamp(pixel + 0.5 - corner, 0.0, 1.0);
-  const vec4 four = textureGather(solids_below_depths, vec3(corner * texel, eye_index()));
-  const float least = min(min(four.x, four.y), min(four.z, four.w)),
-              most = max(max(four.x, four.y), max(four.z, four.w));
-  if (least < 0.8 * most) return most;
-  const vec2 pair = mix(four.wx, four.zy, between.x);
-  return mix(pair.x, pair.y, between.y);
+// What of the picture's nearest thing is around a place: how much of a texel it covers there, and how near it is, as
+// its own texels have it in between. Both change evenly along a line, or its edge would come and go from frame to
+// frame.
+struct SolidThere {
+  float cover, depth;
+};
+SolidThere solid_there(vec2 pixel, vec2 texel) {
+  const vec2 corner = floor(pixel + 0.5), between = pixel + 0.5 - corner;
+  const vec4 four = textureGather(solids_below_depths, vec3(corner * texel, eye_index())),
+             share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
+                     vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
+  const float most = max(max(four.x, four.y), max(four.z, four.w));
+  if (most <= 0.0) return SolidThere(0.0, 0.0);
+  const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing
+  const float cover = own.x + own.y + own.z + own.w;
+  return SolidThere(cover, cover > 1e-4 ? dot(own, four) / cover : most);
+}
+
+// Towards more of it, of a pixel's length.
+vec2 solid_inwards(vec2 pixel, vec2 texel) {
+  const vec4 four = textureGather(solids_below_depths, vec3(floor(pixel + 0.5) * texel, eye_index()));
+  const vec4 own = step(0.8 * max(max(four.x, four.y), max(four.z, four.w)), four);
+  const vec2 more = vec2(own.y + own.z - own.x - own.w, own.x + own.y - own.z - own.w);
+  return more / max(length(more), 1e-3);
 }
 
 struct SolidSeen {
@@ -25,8 +38,64 @@ struct SolidSeen {
   float cover;  // 0: none is met
 };
 
+// A line of sight under water as it is in the picture, where it is straight and depths along it change evenly.
+struct SolidLine {
+  vec3 at, to;  // in pixels, and its depth
+  vec2 texel;   // one over the picture's sides
+};
+
+bool is_behind(SolidThere thing, float depth) { return thing.cover > 0.0 && thing.depth > depth; }
+
+// Where, between two shares of the line, it first is behind a thing; or behind `last`, which it was before, where that
+// has ended.
+float first_behind(SolidLine line, float outside, float within, float last) {
+  for (int k = 0; k < 9; ++k) {
+    const float middle = 0.5 * (outside + within);
+    const vec3 on = mix(line.at, line.to, middle);
+    const SolidThere thing = solid_there(on.xy, line.texel);
+    if (is_behind(thing, on.z) || (thing.depth < 0.8 * last && last > on.z))
+      within = middle;
+    else
+      outside = middle;
+  }
+  return within;
+}
+
+// How much of a pixel's lines have met a thing where the line in its middle comes behind it, at `there` of the picture,
+// and where they meet it. Farther inside its edge, all: beside it, as much as is covered there. Around a round thing's
+// edge, or along one, the line may come farther inside before the thing's front is a pixel away from it: the most of it
+// counts, as that changes evenly when waves move the line. What stands before the line, as a hull's topside does, is
+// not met by it.
+float met_at(SolidLine line, inout vec3 there) {
+  SolidThere thing = solid_there(there.xy, line.texel);
+  if (!is_behind(thing, there.z)) return 0.0;
+  // By how much the way through the water and the front change over a pixel.
+  const vec3 a_pixel = (line.to - line.at) / max(length(line.to.xy - line.at.xy), 1e-3);
+  const vec2 inwards = solid_inwards(there.xy, line.texel);
+  const float range = frame.air.z / thing.depth, passes = frame.air.z / there.z;
+  float front = 0.0;
+  if (thing.cover < 0.99) {
+    const SolidThere inside = solid_there(there.xy + inwards, line.texel);
+    if (inside.cover > thing.cover) front = abs(frame.air.z / inside.depth - range);
+  }
+  const float near = max(abs(a_pixel.z) * passes / there.z + front, 1e-3);
+  float best = thing.cover * (1.0 - smoothstep(0.0, near, passes - range));
+  vec3 on = there;
+  for (int i = 0; i < 3 && thing.cover < 0.99; ++i) {
+    on += a_pixel;
+    thing = solid_there(on.xy, line.texel);
+    if (!is_behind(thing, on.z)) break;
+    const float met = thing.cover * (1.0 - smoothstep(0.0, near, frame.air.z / on.z - frame.air.z / thing.depth));
+    if (met > best) {
+      best = met;
+      there = on;
+    }
+  }
+  return best;
+}
+
 // The thing that the line of sight meets that enters the water at `from` and goes on as `inside` (from the viewer,
-// world axes). The line is straight in the picture, and depths along it change evenly there.
+// world axes).
 SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData view) {
   const SolidSeen none = SolidSeen(vec3(0.0), 0.0, 0.0);
   const vec4 seen = frame.solids.seen[eye_index()];
@@ -38,49 +107,48 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData vie
   const vec4 first = view.clip_from_relative * vec4(from, 1.0);
   vec4 last = view.clip_from_relative * vec4(from + (deepest / -inside.y) * inside, 1.0);
   if (last.w < 0.5 * first.w) last = mix(first, last, 0.5 * first.w / (first.w - last.w));  // it comes towards the eye
-  const vec3 begin = first.xyz / first.w, end = last.xyz / last.w;
+  const vec2 size = frame.solids.reach.zw;
+  vec3 begin = first.xyz / first.w, end = last.xyz / last.w;
+  // With several samples a pixel `from` is the middle of those that a triangle covers, and leaps about as its edges
+  // cross them.
+  const vec2 leapt = 2.0 * gl_FragCoord.xy / size - 1.0 - begin.xy;
+  begin.xy += leapt;
+  end.xy += leapt;
   if (any(lessThan(max(begin.xy, end.xy), seen.xy)) || any(greaterThan(min(begin.xy, end.xy), seen.zw))) return none;
-  const vec2 size = frame.solids.reach.zw, texel = 1.0 / vec2(textureSize(solids_below_depths, 0).xy);
-  const vec3 at = vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
-             to = vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z);
-  const int steps = int(clamp(length(to.xy - at.xy) / 4.0, 2.0, 16.0));  // of four pixels, or longer
-  bool before = true;                                                    // the line is not behind anything
-  float last_depth = solid_depth(at.xy, texel);                          // of the step before
-  for (int i = 1; i <= steps; ++i) {
+  const SolidLine line = SolidLine(vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
+                                   vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z),
+                                   1.0 / vec2(textureSize(solids_below_depths, 0).xy));
+  const int steps = int(clamp(length(line.to.xy - line.at.xy) / 4.0, 2.0, 16.0));  // of four pixels, or longer
+  float best = 0.0;
+  vec3 best_at = vec3(0.0);
+  bool behind = false;     // some thing, a step ago
+  float last_depth = 0.0;  // of the thing that it was before then
+  for (int i = 0; i <= steps && best < 0.99; ++i) {
     const float share = float(i) / float(steps);
-    vec3 on = mix(at, to, share);
-    if (any(lessThan(on.xy, vec2(0.0))) || any(greaterThanEqual(on.xy, size))) return none;
-    const float depth = solid_depth(on.xy, texel);
-    const bool behind = depth > on.z;
+    const vec3 on = mix(line.at, line.to, share);
+    if (any(lessThan(on.xy, vec2(0.0))) || any(greaterThanEqual(on.xy, size))) break;
+    const SolidThere thing = solid_there(on.xy, line.texel);
+    const bool now_behind = is_behind(thing, on.z);
     // It is behind a thing now, or it would be had the one of the step before not ended: then it may have met that.
-    if (before && max(depth, last_depth) > on.z) {
-      float outside = share - 1.0 / float(steps), within = share, there = depth;
-      for (int k = 0; k < 9; ++k) {
-        const float middle = 0.5 * (outside + within);
-        on = mix(at, to, middle);
-        const float found = solid_depth(on.xy, texel);
-        if (found > on.z || (found < 0.8 * last_depth && last_depth > on.z)) {
-          within = middle;
-          there = found;
-        } else {
-          outside = middle;
-        }
-      }
-      on = mix(at, to, within);
-      // What stands before the line, as a hull's topside does, is not met by it.
-      const float range = frame.air.z / max(there, 1e-9), passes = frame.air.z / on.z;
-      if (abs(passes - range) < 0.05 + 0.01 * passes) {
-        const vec2 clip = (2.0 * on.xy / size - 1.0) * solid_margin;
-        const float met = view.eye.y + range * (clip.x * view.ray_x.y + clip.y * view.ray_y.y + view.ray_z.y);
-        const vec4 lit =
-            textureLod(sampler2DArray(solids_below, smooth_sampler), vec3(on.xy * texel, eye_index()), 0.0);
-        return SolidSeen(lit.rgb / max(lit.a, 1e-3), max(from.y - met, 0.0), lit.a);
+    if (!behind && (now_behind || last_depth > on.z)) {
+      vec3 there =
+          mix(line.at, line.to, i == 0 ? 0.0 : first_behind(line, share - 1.0 / float(steps), share, last_depth));
+      const float met = met_at(line, there);
+      if (met > best) {
+        best = met;
+        best_at = there;
       }
     }
-    before = !behind;
-    last_depth = depth;
+    behind = now_behind;
+    last_depth = now_behind ? 0.0 : thing.depth;
   }
-  return none;
+  if (best <= 0.0) return none;
+  const vec2 clip = (2.0 * best_at.xy / size - 1.0) * solid_margin;
+  const vec3 ray = clip.x * view.ray_x.xyz + clip.y * view.ray_y.xyz + view.ray_z.xyz;
+  const float way = from.y - view.eye.y - frame.air.z / solid_there(best_at.xy, line.texel).depth * ray.y;
+  const vec4 lit =
+      textureLod(sampler2DArray(solids_below, smooth_sampler), vec3(best_at.xy * line.texel, eye_index()), 0.0);
+  return SolidSeen(lit.rgb / max(lit.a, 1e-3), max(way, 0.0), best);
 }
 
 // Lays it over what is seen of water and bed; `ground`: how deep the bed is met, m.
