@@ -243,6 +243,7 @@ BodySpec body_spec(const BoatModel& model, const FloatSpec& floats, double scale
   for (const glm::dvec3& v : hull->vertices) least = glm::min(least, v), most = glm::max(most, v);
   const glm::dmat3& i = spec.mass.inertia_kg_m2;
   const double length = std::max(most.x - least.x, most.z - least.z);
+  spec.planes = model.is_boat;
   if (model.is_boat) {
     // Added masses over the boat's own, and the times in which sway and yaw die down, of a slender hull of 2 m (MSS's
     // Otter, Fossen 2021), longer ones by Froude's rule; heave and pitch come to a fifth, roll to a tenth of critical

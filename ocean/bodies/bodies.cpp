@@ -49,6 +49,13 @@ class WaterOf final : public BodyWater {
   std::size_t body_;
 };
 
+// A body's axes turned by the least angle to where its upright one, or that one's opposite, is the world's.
+glm::dmat3 levelled(const glm::dmat3& to_world) {
+  const glm::dvec3 up = to_world[1].y < 0.0 ? -to_world[1] : to_world[1], axis(-up.z, 0.0, up.x);  // up x y
+  const glm::dmat3 cross(0.0, axis.z, -axis.y, -axis.z, 0.0, axis.x, axis.y, -axis.x, 0.0);
+  return (glm::dmat3(1.0) + cross + cross * cross * (1.0 / (1.0 + up.y))) * to_world;
+}
+
 bool symmetric_and_not_negative(const Matrix6& m, const Matrix6& scale) {
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
@@ -79,6 +86,9 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
     check(specs[n]);
     Body& body = bodies_[n];
     body.spec = std::move(specs[n]);
+    if (body.spec.planes && body.spec.level == BodyLevel::hull)
+      for (const std::size_t i : {0u, 1u, 3u, 4u})  // its stations have them
+        for (std::size_t j = 0; j < 6; ++j) body.spec.mass.added.rows[i][j] = body.spec.mass.added.rows[j][i] = 0.0;
     const BodySpec& spec = body.spec;
     body.about_centre = *spec.hull;
     double area = 0.0, front = 1e300, back = -1e300;
@@ -102,6 +112,14 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
     }
     body.inside = Inside(spec.inside, spec.mass_centre_m, spec.name.c_str());
     const FloatingUpright upright = float_upright(body.about_centre, spec.mass.mass_kg, settings.media);
+    if (spec.planes && spec.level == BodyLevel::hull) {
+      body.bottom = PlaningBottom(body.about_centre);
+      body.sideways = body.bottom.sideways(upright.waterline_m, settings.media.density_kg_m3);
+      for (const std::size_t i : {1u, 3u})
+        for (std::size_t j = 0; j < 6; ++j) body.spec.damping.rows[i][j] = body.spec.damping.rows[j][i] = 0.0;
+      body.spec.damping = body.spec.damping + body.bottom.radiates(upright.waterline_m, weight * upright.waterplane_m2,
+                                                                   spec.mass.mass_kg, settings.media);
+    }
     body.columns = columns_of(body.about_centre, upright);
     body.wets_m2 = spec.level == BodyLevel::probes ? 4.0 * body.columns.area_m2 : upright.facing_down_m2;
     BodyState& state = states_[n];
@@ -110,6 +128,7 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
     state.motion.centre_m = spec.at_m + state.motion.orientation * spec.mass_centre_m;
     state.at_m = spec.at_m;
     state.added_share = 1.0;  // what starts in the water does not slam into it
+    weigh(body, glm::mat3_cast(state.motion.orientation), 1.0);
   }
   if (!contacts) return;
   std::vector<HullMesh> hulls;
@@ -142,7 +161,7 @@ void Bodies::touch(double dt_s) {
   colliders_.clear(), untouched_.clear();
   impulses_.resize(bodies_.size());
   for (std::size_t n = 0; n < bodies_.size(); ++n) {
-    const bool laden = bodies_[n].pool_kg > 0.0;
+    const bool laden = bodies_[n].has_own_mass();
     colliders_.push_back(
         {{&states_[n].motion, laden ? &bodies_[n].laden : &bodies_[n].spec.mass, laden ? 1.0 : states_[n].added_share},
          states_[n].asleep || states_[n].lost});
@@ -237,12 +256,22 @@ void Bodies::step_body(Body& body, BodyState& state, double end_s, double dt_s, 
 // The water in a boat goes with her, as a mass where it lies now.
 void Bodies::load(Body& body, const BodyState& state) const {
   body.pool_kg = state.filled_m3 * settings_.media.density_kg_m3;
-  if (!(body.pool_kg > 0.0)) return;
+  if (!body.has_own_mass()) return;
   const glm::dmat3 axes = glm::mat3_cast(state.motion.orientation);
-  body.pool = body.inside.pool(axes, state.filled_m3);
+  if (body.pool_kg > 0.0) body.pool = body.inside.pool(axes, state.filled_m3);
+  weigh(body, axes, state.added_share);
+}
+
+void Bodies::weigh(Body& body, const glm::dmat3& axes, double share) {
   body.laden = body.spec.mass;
-  body.laden.added =
-      body.spec.mass.added * state.added_share + mass_at(glm::transpose(axes) * body.pool.centre_m, body.pool_kg);
+  // What the stations have of it sideways and in roll is theirs.
+  const double side_ways = body.sideways.rows[0][0] * share, theirs = body.strips.rows[0][0];
+  body.added = body.spec.mass.added * share + body.strips;
+  if (side_ways > theirs) body.added = body.added + body.sideways * (share * (1.0 - theirs / side_ways));
+  body.added.rows[5][5] -= std::min(body.strips.rows[5][5], body.spec.mass.added.rows[5][5] * share);
+  body.laden.added = body.added;
+  if (body.pool_kg > 0.0)
+    body.laden.added = body.added + mass_at(glm::transpose(axes) * body.pool.centre_m, body.pool_kg);
 }
 
 // What comes in brings its own momentum; what leaves takes the boat's.
@@ -258,8 +287,7 @@ void Bodies::let_in(Body& body, BodyState& state, double dt) const {
   const glm::dvec2 place(pose.centre_m.x, pose.centre_m.z);
   const Inside::Pool pool = body.inside.pool(pose.to_world, now);
   const Matrix6 come = mass_at(pool.centre_m, (now - before) * density);
-  const Matrix6 had = rigid_mass(body.spec.mass, pose.to_world) +
-                      turned(body.spec.mass.added, pose.to_world) * state.added_share +
+  const Matrix6 had = rigid_mass(body.spec.mass, pose.to_world) + turned(body.added, pose.to_world) +
                       mass_at(pool.centre_m, before * density);
   const Vector6 slip = state.motion.velocity - Vector6{body.water.velocity(place), {}};
   state.motion.velocity = state.motion.velocity - Cholesky6(had + come).solve(come * slip);
@@ -271,9 +299,9 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   BodyMotion& motion = state.motion;
   const glm::dvec2 flow = body.water.current_mps();
   const glm::dvec3 current(flow.x, 0.0, flow.y);
-  const bool laden = body.pool_kg > 0.0;
+  const bool laden = body.has_own_mass();
   const BodyMass& mass = laden ? body.laden : spec.mass;
-  drift(motion, mass, laden ? 1.0 : state.added_share, current, 0.5 * dt);
+  drift(motion, mass, laden ? 1.0 : state.added_share, current, 0.5 * dt, body.shed);
   const BodyPose pose{motion.centre_m, glm::mat3_cast(motion.orientation)};
   const HullForces forces =
       spec.level == BodyLevel::hull
@@ -288,21 +316,30 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   const glm::dvec3 water = body.water.velocity(place);
   const glm::dvec3 before = motion.velocity.linear;
   slam(motion, spec.mass, state.added_share, share, water);
+  PlaningBottom::Lift lift;
+  if (!body.bottom.empty()) {
+    lift = body.bottom.lift(pose, motion.velocity, body.water, settings_.media, dt, body.stations);
+    body.strips = lift.added;
+    body.shed_sideways_kg_m = lift.sideways_kg_m;
+    body.shed = {lift.added * lift.sheds, lift.passing, lift.sheds > 0.0};
+  }
+  // As far as the hull has come into the water since, its share of the mass has changed.
+  if (laden) weigh(body, pose.to_world, share);
+  if (!body.bottom.empty()) take_along(motion, mass, lift.grown, water);
   state.slam_mps += glm::length(motion.velocity.linear - before);
   state.added_share = share;
-  if (laden)  // as far as the hull has come into the water since, its share of the mass has changed
-    body.laden.added =
-        spec.mass.added * share + mass_at(glm::transpose(pose.to_world) * body.pool.centre_m, body.pool_kg);
 
   const double g = settings_.media.gravity_mps2;
   Vector6 force = forces.pressure + forces.carried + body.pushed;
   force.linear.y -= spec.mass.mass_kg * g;
-  if (laden) {
+  if (body.pool_kg > 0.0) {
     const glm::dvec3 weight(0.0, -body.pool_kg * g, 0.0);
     force = force + Vector6{weight, glm::cross(body.pool.centre_m, weight)};
   }
-  const Matrix6 damping = turned(spec.damping, pose.to_world) * share;
-  Matrix6 resists = forces.resists + damping;
+  force = force + lift.carried;
+  // Of a hull that planes a steady rise along its own trim makes no waves: up and down are the water's.
+  const Matrix6 damping = turned(spec.damping, body.bottom.empty() ? pose.to_world : levelled(pose.to_world)) * share;
+  Matrix6 resists = forces.resists + lift.resists + damping;
   force = force + damping * Vector6{water, {}};
   if (!body.water.flat() && forces.submerged_m3 > 0.0) {
     // The added mass of water that is itself under way (Newman 1977, section 4.15): what the pressure does to the
@@ -312,13 +349,13 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
     glm::dvec3 rises = forces.pressure.linear / displaced;
     rises.y = body.water.rise(depth, g);
     rises = glm::clamp(rises, glm::dvec3(-g), glm::dvec3(g));
-    force = force + turned(spec.mass.added, pose.to_world) * share * Vector6{rises, {}};
+    force = force + turned(laden ? body.added : spec.mass.added * share, pose.to_world) * Vector6{rises, {}};
   }
   // Where substeps do not suffice, what restores is taken at the step's end too: its damping is of the time step.
   if (body.quickest_rad_s * dt > most_phase * 1.001 && forces.submerged_m3 > 0.0)
     resists = resists + body.stiffness * dt;
   kick(motion, mass, laden ? 1.0 : share, force, resists, dt);
-  drift(motion, mass, laden ? 1.0 : share, current, 0.5 * dt);
+  drift(motion, mass, laden ? 1.0 : share, current, 0.5 * dt, body.shed);
 }
 
 void Bodies::push(std::size_t n, const glm::dvec3& force, const glm::dvec3& at) {
@@ -334,7 +371,9 @@ void Bodies::wake(std::size_t n) { bodies_[n].quiet_s = 0.0, states_[n].asleep =
 void Bodies::hit(std::size_t n, const glm::dvec3& impulse, const glm::dvec3& at) {
   BodyState& state = states_[n];
   const Vector6 whole{impulse, glm::cross(at - state.motion.centre_m, impulse)};
-  kick(state.motion, bodies_[n].spec.mass, state.added_share, whole, {}, 1.0);
+  const Body& body = bodies_[n];
+  const bool laden = body.has_own_mass();
+  kick(state.motion, laden ? body.laden : body.spec.mass, laden ? 1.0 : state.added_share, whole, {}, 1.0);
   wake(n);
 }
 
@@ -353,6 +392,7 @@ void Bodies::moor(std::vector<MooringLine> lines) {
 
 void Bodies::place(std::size_t n, const BodyMotion& motion) {
   BodyState& state = states_[n];
+  if (glm::length(motion.centre_m - state.motion.centre_m) > bodies_[n].length_m) bodies_[n].stations.known = false;
   state.motion = motion;
   state.motion.orientation = glm::normalize(motion.orientation);
   state.at_m = motion.centre_m - state.motion.orientation * bodies_[n].spec.mass_centre_m;

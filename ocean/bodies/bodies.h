@@ -8,6 +8,7 @@
 
 #include "ocean/bodies/contacts.h"
 #include "ocean/bodies/hull_forces.h"
+#include "ocean/bodies/planing_bottom.h"
 #include "ocean/bodies/probes.h"
 #include "ocean/bodies/rigid_body.h"
 #include "ocean/bodies/swamping.h"
@@ -35,6 +36,10 @@ struct BodySpec {
   glm::dvec3 mass_centre_m{0.0};  // in the hull's axes
   Matrix6 damping;                // of radiated waves and the like: linear, N s/m ..., the body's axes
   HullDrag drag;
+  // At the level hull, of one that goes ahead along -z: lift of its bottom, and by its stations (PlaningBottom)
+  // added mass in heave, pitch, sway and yaw instead of `mass`'s, and damping in heave and pitch instead of
+  // `damping`'s.
+  bool planes = false;
   InsideSpec inside;
   glm::dvec3 at_m{0.0};  // of the hull's origin
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
@@ -65,6 +70,8 @@ class Bodies {
   const std::vector<BodyState>& result() const { return states_; }
   const BodySpec& spec(std::size_t body) const { return bodies_[body].spec; }
   const BodySettings& settings() const { return settings_; }
+  // Lift that its bottom has of a drift, over speed ahead and drift (PlaningBottom), as of the last step.
+  double shed_sideways_kg_m(std::size_t body) const { return bodies_[body].shed_sideways_kg_m; }
   double inside_m3(std::size_t body) const { return bodies_[body].inside.volume_m3(); }  // 0 without an inside
 
   // Acts in the next step alone, at a place of the world; wakes the body.
@@ -95,16 +102,25 @@ class Bodies {
     ProbeColumns columns;
     WaterPatch water;
     HullClip clip;
+    PlaningBottom bottom;
     Vector6 pushed;
     Inside inside;
     Inside::Pool pool;
     double pool_kg = 0.0;
-    BodyMass laden;  // with the water in it and the added mass whole, where there is any
+    bool has_own_mass() const { return pool_kg > 0.0 || !bottom.empty(); }  // `laden` counts, its added mass whole
+    BodyMass laden;  // with the stations' added mass and the water in it, where there is any
+    PlaningBottom::Before stations;
+    Matrix6 strips;    // the stations' added mass in the last substep
+    Matrix6 sideways;  // theirs of a drift, at rest
+    Matrix6 added;     // all of the added mass by now
+    ShedMass shed;     // what of that is left behind
+    double shed_sideways_kg_m = 0.0;
     double quiet_s = 0.0;
     CalmWater slept_in;
   };
   void step_body(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;
   void load(Body& body, const BodyState& state) const;
+  static void weigh(Body& body, const glm::dmat3& to_world, double share);
   void let_in(Body& body, BodyState& state, double dt_s) const;
   void substep(Body& body, BodyState& state, double dt_s) const;
   bool sleeps(Body& body, BodyState& state, double end_s, double dt_s, const BodyWater& water) const;

@@ -143,15 +143,16 @@ double HullCourse::wave_drag_n(double speed) const {
   return drag_n_[i] + (at - double(i)) * (drag_n_[i + 1] - drag_n_[i]);
 }
 
-Vector6 HullCourse::forces(const BodyPose& pose, const Vector6& through, double wet) const {
+Vector6 HullCourse::forces(const BodyPose& pose, const Vector6& through, double wet, double bottom) const {
   const glm::dvec3 linear = glm::transpose(pose.to_world) * through.linear;
   const glm::dvec3 spin = glm::transpose(pose.to_world) * through.angular;
   // In the sense of ship theory: u ahead, v to starboard, r to starboard.
   const double u = -linear.z, v = linear.x, r = -spin.y, speed = std::abs(u);
   const double share = std::clamp(wet, 0.0, 2.0);
   const double ahead = -std::copysign(wave_drag_n(u), u) * share * share;
-  const double sway = -speed * lift_ * (v + lever_m_ * r) * share;
-  const double yaw = -speed * lift_ * (lever_m_ * v + lever_squared_ * r) * share;
+  const double lift = std::max(lift_ * share - bottom, 0.0);
+  const double sway = -speed * lift * (v + lever_m_ * r);
+  const double yaw = -speed * lift * (lever_m_ * v + lever_squared_ * r);
   Vector6 force;
   force.linear = pose.to_world * glm::dvec3(sway, 0.0, -ahead);
   force.angular = pose.to_world * glm::dvec3(0.0, -yaw, 0.0);

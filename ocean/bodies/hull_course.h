@@ -22,8 +22,8 @@ class HullCourse {
   // The forces of a step at a motion through the water (world axes, about the centre of mass): the waves' drag, and the
   // lift of the hull and its keel as a wing of very small aspect ratio (Jones 1946, with the breadth's part of Clarke,
   // Gedling and Hine 1983), shared out along the hull by its lateral area. `wet`: the share of the water that it
-  // displaces at rest.
-  Vector6 forces(const BodyPose& pose, const Vector6& through_water, double wet) const;
+  // displaces at rest. `bottom_kg_m`: what of the lift its bottom has already (PlaningBottom).
+  Vector6 forces(const BodyPose& pose, const Vector6& through_water, double wet, double bottom_kg_m = 0.0) const;
 
   double length_m() const { return length_m_; }
 

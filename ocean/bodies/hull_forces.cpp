@@ -20,7 +20,8 @@ void HullClip::press(const Corner& a, const Corner& b, const Corner& c, const Hu
       (heads * (a.at + b.at + c.at) + a.head * a.at + b.head * b.at + c.head * c.at) / 12.0;  // X / A
   out_.pressure.linear -= weight * heads / 3.0 * area;
   out_.pressure.angular -= weight * glm::cross(arm, area);
-  out_.wetted_m2 += glm::length(area);
+  const double size = glm::length(area);
+  out_.wetted_m2 += size, head_m3_ += heads / 3.0 * size;
   out_.facing_down_m2 += std::max(-area.y, 0.0);
   // The volume between the triangle and the surface above it; upper faces count negatively.
   const double depths = a.depth + b.depth + c.depth, volume = -area.y * depths / 3.0;
@@ -40,12 +41,7 @@ void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_par
   even_rr[3] += er.x * r.y, even_rr[4] += er.y * r.z, even_rr[5] += er.z * r.x;
   glm::dvec3 force = even * carrier;
   if (normal_part != 0.0) {
-    const glm::dvec3 t = glm::cross(r, normal);
-    const std::array<double, 6> w{normal.x, normal.y, normal.z, t.x, t.y, t.z};
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double part = normal_part * w[i];
-      for (std::size_t j = 0; j < 6; ++j) along[i][j] += part * w[j];
-    }
+    along.add_along(r, normal, normal_part);
     force += normal_part * glm::dot(normal, carrier) * normal;
   }
   carried.linear += force, carried.angular += glm::cross(r, force);
@@ -53,8 +49,7 @@ void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_par
 
 // J^T k J with J = (1, -[r]) and k = even 1 + normal_part n n^T, summed over the triangles.
 Matrix6 HullClip::DragSums::resists() const {
-  Matrix6 out;
-  out.rows = along;
+  Matrix6 out = along;
   const glm::dvec3& r = even_r;
   const double rr[3][3] = {{0.0, -r.z, r.y}, {r.z, 0.0, -r.x}, {-r.y, r.x, 0.0}};
   const double second[3][3] = {{even_rr[1] + even_rr[2], -even_rr[3], -even_rr[5]},
@@ -71,7 +66,10 @@ Matrix6 HullClip::DragSums::resists() const {
 }
 
 // Drag of one triangle at its middle: of the wetted part against the water, of the rest against the air.
-void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, double wet, const BodyPose& pose) {
+// A face that is left behind is no emptier than the air lets it be: its suction ends where its water's own pressure
+// does, and a transom runs dry (at about U^2 = 5 g T, as those of ships do; Doctors 2006).
+void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, double wet, double head_m3,
+                      const BodyPose& pose) {
   const double square = glm::dot(area, area);
   if (!(square > 0.0)) return;
   const double size = std::sqrt(square);
@@ -85,7 +83,10 @@ void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, do
                  half = 0.5 * media.density_kg_m3 * size * wet;
     const double skin =
         flow_.drag->friction ? half * friction_coefficient(speed * flow_.length_m / media.viscosity_m2_s) * speed : 0.0;
-    const double form = half * (ahead > 0.0 ? flow_.drag->form : flow_.drag->suction) * std::abs(ahead);
+    const double form = ahead > 0.0
+                            ? half * flow_.drag->form * ahead
+                            : std::min(half * flow_.drag->suction * -ahead,
+                                       media.density_kg_m3 * media.gravity_mps2 * head_m3 / std::max(-ahead, 1e-9));
     drag_.add(middle, skin, form - skin, normal, water);
   }
   if (wet < 1.0 && flow_.drag->wind > 0.0) {
@@ -102,6 +103,7 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
   out_ = {};
   moment_ = {};
   drag_ = {};
+  head_m3_ = 0.0;
   flow_ = {velocity, &water, &media, &drag, length_m};
   corners_.resize(mesh.vertices.size());
   for (std::size_t n = 0; n < corners_.size(); ++n) {
@@ -113,7 +115,7 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
   for (const auto& indices : mesh.triangles) {
     std::array<Corner, 3> t{corners_[indices[0]], corners_[indices[1]], corners_[indices[2]]};
     const glm::dvec3 area = 0.5 * glm::cross(t[1].at - t[0].at, t[2].at - t[0].at);
-    const double before = out_.wetted_m2;
+    const double before = out_.wetted_m2, head_before = head_m3_;
     const int wet_corners = (t[0].depth > 0.0) + (t[1].depth > 0.0) + (t[2].depth > 0.0);
     const auto cut = [](const Corner& wet, const Corner& dry) {  // where the depth is 0
       const double f = wet.depth / (wet.depth - dry.depth);
@@ -134,7 +136,7 @@ const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, c
       press(first, t[2], last, media);
     }
     const double size = glm::length(area);
-    resist(t, area, size > 0.0 ? std::min((out_.wetted_m2 - before) / size, 1.0) : 0.0, pose);
+    resist(t, area, size > 0.0 ? std::min((out_.wetted_m2 - before) / size, 1.0) : 0.0, head_m3_ - head_before, pose);
   }
   out_.resists = drag_.resists(), out_.carried = drag_.carried;
   if (out_.submerged_m3 > 0.0) out_.submerged_centre_m = moment_ / out_.submerged_m3;

@@ -22,7 +22,7 @@ struct HullMedia {
 struct HullDrag {
   bool friction = true;  // ITTC-57
   double form = 0.8;     // of a face that goes ahead, per half rho v_n^2
-  double suction = 0.2;  // of one that is left behind
+  double suction = 0.2;  // of one that is left behind, no more than empties it
   double wind = 0.8;     // of the dry part, along the wind
 };
 
@@ -54,7 +54,8 @@ class HullClip {
     double head = 0.0;   // pressure / (rho g), m
   };
   void press(const Corner& a, const Corner& b, const Corner& c, const HullMedia& media);
-  void resist(const std::array<Corner, 3>& t, const glm::dvec3& normal2, double wet_part, const BodyPose& pose);
+  void resist(const std::array<Corner, 3>& t, const glm::dvec3& normal2, double wet_part, double head_m3,
+              const BodyPose& pose);
   // The drag of many triangles: an even part of each and one along its normal n, at r from the centre of mass.
   struct DragSums {
     void add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal, const glm::dvec3& carrier);
@@ -62,7 +63,7 @@ class HullClip {
     double even_sum = 0.0;
     glm::dvec3 even_r{0.0};
     std::array<double, 6> even_rr{};  // xx, yy, zz, xy, yz, zx
-    std::array<std::array<double, 6>, 6> along{};
+    Matrix6 along;
     Vector6 carried;
   } drag_;
   struct Flow {
@@ -75,6 +76,7 @@ class HullClip {
   std::vector<Corner> corners_;
   HullForces out_;
   glm::dvec3 moment_{0.0};  // of the submerged volume
+  double head_m3_ = 0.0;    // of the wetted triangles so far: pressure head over area
 };
 
 }  // namespace seascape

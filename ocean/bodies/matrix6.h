@@ -58,6 +58,15 @@ struct Matrix6 {
         rows[std::size_t(i + 3)][std::size_t(j + 3)] -= rkr[j][i];
       }
   }
+  // The same of k n n^T, along a unit vector n alone.
+  void add_along(const glm::dvec3& r, const glm::dvec3& n, double k) {
+    const glm::dvec3 t = glm::cross(r, n);
+    const std::array<double, 6> w{n.x, n.y, n.z, t.x, t.y, t.z};
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double part = k * w[i];
+      for (std::size_t j = 0; j < 6; ++j) rows[i][j] += part * w[j];
+    }
+  }
 };
 
 // The lower factor L of a symmetric matrix L L^T (Cholesky); `positive` is false where the matrix is not positive

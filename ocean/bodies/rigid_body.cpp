@@ -48,7 +48,8 @@ Matrix6 rigid_mass(const BodyMass& mass, const glm::dmat3& to_world) {
   return turned(own_mass({mass.mass_kg, mass.inertia_kg_m2, {}}, 0.0), to_world);
 }
 
-void drift(BodyMotion& motion, const BodyMass& mass, double share, const glm::dvec3& water, double dt) {
+void drift(BodyMotion& motion, const BodyMass& mass, double share, const glm::dvec3& water, double dt,
+           const ShedMass& shed) {
   if (const double turn = glm::length(motion.velocity.angular) * dt; turn > most_turn)
     motion.velocity.angular *= most_turn / turn;
   const glm::dmat3 to_world = glm::mat3_cast(motion.orientation);
@@ -63,10 +64,11 @@ void drift(BodyMotion& motion, const BodyMass& mass, double share, const glm::dv
   for (int i = 0; i < 30; ++i) {
     const Vector6 p = (momentum + after) * 0.5;
     middle = inverse.solve(p);
-    const Vector6 next =
-        momentum + Vector6{glm::cross(p.linear, middle.angular),
-                           glm::cross(p.angular, middle.angular) + glm::cross(p.linear, middle.linear)} *
-                       dt;
+    const Vector6 kept = shed.any ? p - shed.added * middle : p;
+    Vector6 turns{glm::cross(kept.linear, middle.angular),
+                  glm::cross(kept.angular, middle.angular) + glm::cross(kept.linear, middle.linear)};
+    if (shed.any) turns = turns + shed.passing * middle * middle.linear.z;
+    const Vector6 next = momentum + turns * dt;
     const Vector6 change = next - after;
     after = next;
     const double size = dot(change, change);
@@ -87,6 +89,13 @@ void kick(BodyMotion& motion, const BodyMass& mass, double share, const Vector6&
           double dt) {
   const Matrix6 m = turned(own_mass(mass, share), glm::mat3_cast(motion.orientation));
   motion.velocity = Cholesky6(m + resists * dt).solve(m * motion.velocity + force * dt);
+}
+
+void take_along(BodyMotion& motion, const BodyMass& mass, const Matrix6& grown, const glm::dvec3& water) {
+  const glm::dmat3 to_world = glm::mat3_cast(motion.orientation);
+  const Vector6 slip = motion.velocity - Vector6{water, {}};
+  motion.velocity =
+      motion.velocity - Cholesky6(turned(own_mass(mass, 1.0), to_world)).solve(turned(grown, to_world) * slip);
 }
 
 void slam(BodyMotion& motion, const BodyMass& mass, double before, double now, const glm::dvec3& water) {

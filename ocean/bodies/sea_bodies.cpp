@@ -98,7 +98,7 @@ void SeaBodies::keep_course(std::size_t n, double end_s) {
   through.linear -= glm::dvec3(here.velocity_mps.x, 0.0, here.velocity_mps.z);
   const BodyPose pose{state.motion.centre_m, glm::mat3_cast(state.motion.orientation)};
   const double at_rest_m3 = bodies_.spec(n).mass.mass_kg / media_.density_kg_m3;
-  bodies_.resist(n, courses_[n]->forces(pose, through, state.submerged_m3 / at_rest_m3));
+  bodies_.resist(n, courses_[n]->forces(pose, through, state.submerged_m3 / at_rest_m3, bodies_.shed_sideways_kg_m(n)));
 }
 
 void SeaBodies::makes_waves(std::size_t n, std::shared_ptr<const HullWake> hull, double least_length_m) {
