@@ -88,12 +88,13 @@ struct Person {
   }
 };
 
-// What floats has come where it is by its own history: the frames before the first that is drawn are lived through,
-// undrawn.
+// What floats has come where it is by its own history, and so has its foam: the frames before the first that is drawn
+// are lived through, undrawn.
 void live_through(Experience& experience, const CameraPath& path, const std::optional<InputTimeline>& acted,
                   Person& person, double fps, int frames) {
   if (experience.bodies() == nullptr || frames == 0) return;
   Progress progress("replay: frame before --start", std::size_t(frames));
+  Stages undrawn;  // nobody reads their times
   for (int frame = 0; frame < frames; ++frame) {
     const PathSample sample = path.at(frame / fps);
     const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
@@ -101,6 +102,7 @@ void live_through(Experience& experience, const CameraPath& path, const std::opt
       person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), person.at_m, time_s);
     person.at_m = pose_in_world(experience, path, sample, time_s, person.at_m).position_m;
     experience.sea()->advance(time_s, person.at_m);
+    experience.ocean().live_through(undrawn, time_s, person.at_m);
     (void)experience.bodies()->take_events();
     progress.step(std::size_t(frame) + 1);
   }

@@ -80,6 +80,10 @@ OceanState Ocean::give_up() {
 
 void Ocean::make_waves(Frame& frame, double time_s) { waves_->make(frame, time_s); }
 
+void Ocean::live_through(Stages& stages, double time_s, const glm::dvec3& viewer_m) {
+  step_together(foam_ != nullptr ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
+}
+
 void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
   Stages& stages = frame.stages();
   water_ = {};  // whose memory the next one may take
@@ -88,7 +92,7 @@ void Ocean::update(Frame& frame, double time_s, const glm::dvec3& viewer_m) {
     // What is beneath the viewer: the picture's own waves where the processor makes them.
     water_ = waves_->by_processor() ? waves_->view() : sea_.view_at(time_s, SeaDetail::felt);
   });
-  step_together(foam_ != nullptr ? &foam_->sea() : nullptr, spray_.get(), time_s, viewer_m, stages);
+  live_through(stages, time_s, viewer_m);
   const DrawnMoment moment{sea_, water_, time_s, viewer_m};
   for (const auto& piece : pieces_) stages.time(piece->stage(), [&] { piece->update(frame, moment); });
   near_.clear();

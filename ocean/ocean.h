@@ -50,6 +50,9 @@ class Ocean {
   // What a frame takes of the sea, which has been advanced to this time, in order: each only if the scene asked for it.
   // What belongs to a place follows the viewer.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
+  // Of a frame that nobody draws what later ones depend on: foam that is kept, and spray. Stages are timed as in a
+  // frame.
+  void live_through(Stages& stages, double time_s, const glm::dvec3& viewer_m);
   // Has the waves of a time in this frame's images; nothing where they are there. update() does it too: who asks the
   // sea for felt water before it calls this first, so that what both need is made once.
   void make_waves(Frame& frame, double time_s);

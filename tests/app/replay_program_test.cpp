@@ -55,15 +55,20 @@ TEST(Replay, BothViewsAreTheEyesDrawnAlone) {
   }
 }
 
-// What floats has lived through what came before, wherever a replay begins: the same picture, poses and hash of the
-// sea. A camera rides a body. Control seen: the frames before --start left out.
+// What floats has lived through what came before, wherever a replay begins: the same picture, with the foam of an
+// engine's wash, poses and hash of the sea. A camera rides a body. Controls seen: the frames before --start left out;
+// the foam of these frames left out (the picture alone differs).
 TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
   const TemporaryFolder folder;
-  write_atomically(folder / "s.json", R"({"version": 1, "effects": ["waves", "models", "boats", "wakes"], "objects": [
-    {"model": "rowing_boat", "name": "A", "at_m": [0, 0, -6], "float": {"velocity_mps": [1, 0]}},
-    {"model": "crate", "at_m": [3, 0, -8], "float": {"level": "probes"}}]})");
+  const auto scene = [&](const std::string& effects) {
+    write_atomically(folder / "s.json", R"({"version": 1, "effects": ["waves", "models", "boats", )" + effects +
+                                            R"("wakes"], "objects": [
+    {"model": "rib", "name": "A", "at_m": [0, 0, -6], "yaw_deg": 90, "float": {"velocity_mps": [3, 0], "throttle": 1}},
+    {"model": "crate", "at_m": [3, 0, -14], "float": {"level": "probes"}}]})");
+  };
+  scene(R"("foam", "spray", )");
   write_atomically(folder / "p.json", R"({"version": 1, "on": "A", "horizon_lock": 0.5, "keys": [
-    {"time_s": 0, "position_m": [0, 2.5, 6]}, {"time_s": 2, "position_m": [1, 2.5, 6]}]})");
+    {"time_s": 0, "position_m": [0, 4, 12]}, {"time_s": 2, "position_m": [1, 4, 12]}]})");
   const auto record = [&](const std::vector<std::string>& more, Files& files) {
     const TemporaryFolder out;
     std::vector<std::string> words{"replay",
@@ -87,8 +92,11 @@ TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
     for (const std::string& name : out.names()) files[name] = read_bytes(out / name);
     return nlohmann::json::parse(read_text(out / "replay.json")).at("frames");
   };
-  Files all, one;
+  Files all, one, none;
   const auto frames = record({"--frames", "18"}, all), alone = record({"--start", "17", "--frames", "1"}, one);
+  scene("");
+  record({"--start", "17", "--frames", "1"}, none);
+  EXPECT_NE(all.at("frame_0017.png"), none.at("frame_0017.png")) << "foam is in the picture";
   ASSERT_EQ(frames.size(), 18u);
   ASSERT_EQ(alone.size(), 1u);
   EXPECT_EQ(all.at("frame_0017.png"), one.at("frame_0017.png"));
