@@ -325,7 +325,7 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   }
   // As far as the hull has come into the water since, its share of the mass has changed.
   if (laden) weigh(body, pose.to_world, share);
-  if (!body.bottom.empty()) take_along(motion, mass, lift.grown, water);
+  if (lift.grown.rows[1][1] > 0.0) take_along(motion, mass, lift.grown, water);
   state.slam_mps += glm::length(motion.velocity.linear - before);
   state.added_share = share;
 

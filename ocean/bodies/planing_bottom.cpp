@@ -70,11 +70,9 @@ PlaningBottom::PlaningBottom(const HullMesh& mesh) {
     Station station;
     station.keel_m = {0.0, 1e300, z};
     for (const auto& segment : outline.segments)
-      for (const glm::dvec2& at : segment)
-        station.keel_m.y = std::min(station.keel_m.y, at.y);
+      for (const glm::dvec2& at : segment) station.keel_m.y = std::min(station.keel_m.y, at.y);
     if (outline.segments.empty()) station.keel_m.y = 0.0;
-    for (const int s : {0, 1})
-      station.sides[std::size_t(s)] = side_of(outline, s == 0 ? -1.0 : 1.0, station.keel_m.y);
+    for (const int s : {0, 1}) station.sides[std::size_t(s)] = side_of(outline, s == 0 ? -1.0 : 1.0, station.keel_m.y);
     stations_.push_back(station);
   }
 }
@@ -92,8 +90,10 @@ PlaningBottom::Side PlaningBottom::side_of(const Outline& outline, double to_sid
   bool wide = false;
   for (int k = 0; k < fine && chine == breadth; ++k) {
     const double from = breadth * k / fine, to = breadth * (k + 1) / fine;
-    if (slope(from, to) <= steepest) wide = true;
-    else if (wide) chine = from;
+    if (slope(from, to) <= steepest)
+      wide = true;
+    else if (wide)
+      chine = from;
   }
   for (int k = 0; k < cells; ++k) {
     const bool before = k < inner_cells;
@@ -102,32 +102,68 @@ PlaningBottom::Side PlaningBottom::side_of(const Outline& outline, double to_sid
     if (!(width > 1e-9 * breadth)) continue;
     const double inner = outline.lowest(to_side, x) - keel, outer = outline.lowest(to_side, x + width) - keel;
     if (!(inner < 1e200 && outer < 1e200) || (!before && slope(x, x + width) > steepest)) continue;
-    side.bottom[std::size_t(side.count++)] = {
-        std::max(inner, flattest * x), std::max(outer, flattest * (x + width)), x, width, slope(x, x + width), before};
+    const double tangent = slope(x, x + width);
+    side.bottom[std::size_t(side.count++)] = {std::max(inner, flattest * x),
+                                              std::max(outer, flattest * (x + width)),
+                                              x,
+                                              width,
+                                              tangent,
+                                              std::atan(tangent),
+                                              before};
   }
   return side;
 }
 
-PlaningBottom::Half PlaningBottom::half_of(const Side& side, double to_side, double depth, double cosine, double sine) {
+PlaningBottom::Half PlaningBottom::half_of(const Side& side, double to_side, double depth, double heel, double cosine,
+                                           double sine) {
   Half out;
-  double slopes = 0.0;
+  double slopes = 0.0, deadrises = 0.0;
   for (int k = 0; k < side.count; ++k) {
     const Cell& cell = side.bottom[std::size_t(k)];
     // Heights over the keel, of the heeled station.
     double low = cell.inner_m * cosine + to_side * cell.x_m * sine;
     double high = cell.outer_m * cosine + to_side * (cell.x_m + cell.width_m) * sine;
     if (low > high) std::swap(low, high);
-    const double reach = cell.before_chine ? pile_up : 1.0, rise = std::max(high - low, 1e-3 * cell.width_m);
-    const double wet = std::clamp((reach * depth - low) / rise, 0.0, 1.0);
-    out.width_m += wet * cell.width_m, slopes += wet * cell.width_m * cell.slope;
+    const double reaches = (cell.before_chine ? pile_up : 1.0) * depth;
+    if (!(reaches > low)) continue;
+    const double width = reaches >= high ? cell.width_m : cell.width_m * ((reaches - low) / (high - low));
+    out.width_m += width, slopes += width * cell.slope, deadrises += width * cell.deadrise;
   }
   if (!(out.width_m > 0.0)) return out;
   // Of the heeled station: a hull rights itself on the side that lies flatter.
   out.slope = slopes / out.width_m;
-  const double deadrise = std::atan(out.slope) + to_side * std::atan2(sine, cosine);
+  const double deadrise = deadrises / out.width_m + to_side * heel;
   out.mass_kg_m = 0.25 * pi * out.width_m * out.width_m * std::clamp(1.0 - deadrise / no_impact_rad, 0.0, 1.0);
   return out;
 }
+
+// Of all stations m J J^T, and m J D^T, of which `passing` is the skew part: J is how a motion moves the bottom along
+// its normal there, D how that changes from station to station. Neither normal nor D has a part along z.
+struct PlaningBottom::StationSums {
+  void add(const glm::dvec3& r, const glm::dvec3& n, double mass, bool passes = false) {
+    const glm::dvec3 t = glm::cross(r, n);
+    const std::array<double, 5> j{n.x, n.y, t.x, t.y, t.z};
+    for (std::size_t a = 0; a < 5; ++a) {
+      const double part = mass * j[a];
+      for (std::size_t b = a; b < 5; ++b) own[a][b] += part * j[b];
+      if (passes) along[a][0] -= part * n.y, along[a][1] += part * n.x;
+    }
+  }
+  void give(Matrix6& whole) const {
+    for (std::size_t a = 0; a < 5; ++a)
+      for (std::size_t b = a; b < 5; ++b) whole.rows[at[a]][at[b]] = whole.rows[at[b]][at[a]] = own[a][b];
+  }
+  void give_passing(Matrix6& skew, double share) const {
+    for (std::size_t a = 0; a < 5; ++a)
+      for (std::size_t b = 0; b < 2; ++b) {
+        skew.rows[at[a]][3 + b] += share * along[a][b];
+        skew.rows[3 + b][at[a]] -= share * along[a][b];
+      }
+  }
+  static constexpr std::array<std::size_t, 5> at{0, 1, 3, 4, 5};
+  std::array<std::array<double, 5>, 5> own{};
+  std::array<std::array<double, 2>, 5> along{};
+};
 
 PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& velocity, const WaterPatch& water,
                                         const HullMedia& media, double dt, Before& before) const {
@@ -136,16 +172,17 @@ PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& vel
   const glm::dvec3 &across = pose.to_world[0], &up = pose.to_world[1], &aft = pose.to_world[2];
   const glm::dvec3 normal = water.plane_normal(), current = water.velocity({pose.centre_m.x, pose.centre_m.z});
   const double ahead = -glm::dot(aft, velocity.linear - current), upright = std::max(glm::dot(up, normal), 0.0);
-  const double sine = glm::dot(across, normal);
+  const double sine = glm::dot(across, normal), heel = std::atan2(sine, upright);
   std::array<std::array<Half, 2>, stations> halves{};
   std::array<double, 2> most{};
   std::array<double, stations> depths{};
   for (std::size_t i = 0; i < stations && upright > 0.0; ++i) {
     const Station& station = stations_[i];
-    const double depth = depths[i] = water.below(pose.centre_m + pose.to_world * station.keel_m).depth_m;
+    const glm::dvec3 keel = pose.centre_m + pose.to_world * station.keel_m;
+    const double depth = depths[i] = water.dry({keel.x, keel.z}) ? -1.0 : water.height({keel.x, keel.z}) - keel.y;
     if (!(depth > 0.0)) continue;
     for (std::size_t s = 0; s < 2; ++s) {
-      Half& half = halves[i][s] = half_of(station.sides[s], s == 0 ? -1.0 : 1.0, depth, upright, sine);
+      Half& half = halves[i][s] = half_of(station.sides[s], s == 0 ? -1.0 : 1.0, depth, heel, upright, sine);
       half.mass_kg_m *= media.density_kg_m3 * upright;
       most[s] = std::max(most[s], half.mass_kg_m);
     }
@@ -154,6 +191,7 @@ PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& vel
   if (most[0] + most[1] > 0.0)
     out.sheds = (halves[last][0].mass_kg_m + halves[last][1].mass_kg_m) / (most[0] + most[1]);
   const double rate = 0.5 * out.sheds * std::abs(ahead);
+  StationSums sums, grew;
   for (std::size_t s = 0; s < 2; ++s) {
     const double to_side = s == 0 ? -1.0 : 1.0;
     // A side's force is normal to its bottom.
@@ -169,7 +207,7 @@ PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& vel
       const glm::dvec3 n = pose.to_world * own_normal;
       // It has no force where it rises, and leaves the water with what it gave it.
       if (glm::dot(n, velocity.linear + glm::cross(velocity.angular, r) - carrier) >= 0.0) return;
-      if (grown > 0.0) out.grown.add_along(own, own_normal, grown);
+      if (grown > 0.0) grew.add(own, own_normal, grown);
       if (!(mass_per_s > 0.0)) return;
       out.resists.add_along(r, n, mass_per_s);
       const glm::dvec3 force = mass_per_s * glm::dot(n, carrier) * n;
@@ -188,8 +226,7 @@ PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& vel
       if (!(half.mass_kg_m > 0.0)) continue;
       const glm::dvec3 middle = place(i, centroid), own_normal = normal_of(half);
       const double mass = half.mass_kg_m * spacing_m_;
-      out.added.add_along(middle, own_normal, mass);
-      out.add_passing(middle, own_normal, 0.5 * out.sheds * mass);
+      sums.add(middle, own_normal, mass, true);
       // What a rising hull's stations lose they do not take: d/dt and U d/ds are one rate.
       const double takes = std::max(rate * passes + std::min(grown, 0.0) / dt, 0.0);
       if (!(takes > 0.0 || grown > 0.0)) continue;
@@ -211,6 +248,8 @@ PlaningBottom::Lift PlaningBottom::lift(const BodyPose& pose, const Vector6& vel
     }
   }
   before.known = true;
+  sums.give(out.added), grew.give(out.grown);
+  sums.give_passing(out.passing, 0.5 * out.sheds);
   return out;
 }
 
@@ -227,7 +266,7 @@ Matrix6 PlaningBottom::sideways(double waterline, double density) const {
 Matrix6 PlaningBottom::radiates(double waterline, double stiffness, double mass, const HullMedia& media) const {
   Matrix6 out;
   const auto half_at = [&](const Station& station, std::size_t s, double depth) {
-    return half_of(station.sides[s], s == 0 ? -1.0 : 1.0, depth, 1.0, 0.0);
+    return half_of(station.sides[s], s == 0 ? -1.0 : 1.0, depth, 0.0, 1.0, 0.0);
   };
   double added = 0.0;
   for (const Station& station : stations_)
@@ -247,15 +286,6 @@ Matrix6 PlaningBottom::radiates(double waterline, double stiffness, double mass,
     out.add_along({0.0, 0.0, station.keel_m.z}, {0.0, 1.0, 0.0}, damps * spacing_m_);
   }
   return out;
-}
-
-// m J D^T less its transpose: J is how a motion moves the bottom along its normal there, D how that changes from
-// station to station.
-void PlaningBottom::Lift::add_passing(const glm::dvec3& r, const glm::dvec3& n, double mass) {
-  const glm::dvec3 t = glm::cross(r, n), d = glm::cross(glm::dvec3(0.0, 0.0, 1.0), n);
-  const std::array<double, 6> j{n.x, n.y, n.z, t.x, t.y, t.z}, along{0.0, 0.0, 0.0, d.x, d.y, d.z};
-  for (std::size_t a = 0; a < 6; ++a)
-    for (std::size_t b = 0; b < 6; ++b) passing.rows[a][b] += mass * (j[a] * along[b] - j[b] * along[a]);
 }
 
 }  // namespace seascape

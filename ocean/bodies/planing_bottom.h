@@ -15,12 +15,12 @@ namespace seascape {
 // Dobrovol'skaya's exact solution has (1969). The flow leaves a hull at its chine, where it becomes steeper than 60
 // degrees.
 //
-// Of U d(m w)/ds the sum over all stations does work: half of the wake's and half of the spray's, w U dm w / 2 each. That
-// part is a drag here, symmetric and not negative; the rest does none, and drift() has it (rigid_body.h). Where a hull
-// tapers off the water gives back what it took (Kirchhoff's equations); a share `sheds` of it does not come back, the
-// last station's of the widest's.
+// Of U d(m w)/ds the sum over all stations does work: half of the wake's and half of the spray's, w U dm w / 2 each.
+// That part is a drag here, symmetric and not negative; the rest does none, and drift() has it (rigid_body.h). Where a
+// hull tapers off the water gives back what it took (Kirchhoff's equations); a share `sheds` of it does not come back,
+// the last station's of the widest's.
 class PlaningBottom {
-  static constexpr int stations = 24, inner_cells = 8, cells = 12;
+  static constexpr int stations = 20, inner_cells = 6, cells = 8;
 
  public:
   PlaningBottom() = default;  // of no hull: no forces
@@ -29,7 +29,7 @@ class PlaningBottom {
 
   // The stations' masses a step ago, by station and side, kg/m.
   struct Before {
-    std::array<std::array<double, 2>, stations> mass_kg_m;
+    std::array<std::array<double, 2>, stations> mass_kg_m{};
     bool known = false;
   };
   // About the centre of mass.
@@ -40,10 +40,6 @@ class PlaningBottom {
     double sheds = 0.0;
     double sideways_kg_m = 0.0;  // of what is left behind, sideways: over speed ahead and drift a lift
     Matrix6 passing;  // half of what stations pass on as they go by, skew: drift() has it, in the body's axes
-
-   private:
-    friend class PlaningBottom;
-    void add_passing(const glm::dvec3& r, const glm::dvec3& n, double mass_kg);
   };
   Lift lift(const BodyPose& pose, const Vector6& velocity, const WaterPatch& water, const HullMedia& media, double dt_s,
             Before& before) const;
@@ -60,7 +56,7 @@ class PlaningBottom {
   struct Cell {
     double inner_m, outer_m;  // heights of its ends over the keel
     double x_m, width_m;      // of its inner end from the middle, to its side
-    double slope;             // tangent of its deadrise
+    double slope, deadrise;   // tangent of the angle, and the angle
     bool before_chine;        // of the part that water piles up on
   };
   struct Side {
@@ -75,8 +71,10 @@ class PlaningBottom {
     double mass_kg_m = 0.0, width_m = 0.0, slope = 0.0;  // the slope: the tangent of its deadrise
   };
   struct Outline;
+  struct StationSums;
   static Side side_of(const Outline& outline, double to_side, double keel_m);
-  static Half half_of(const Side& side, double to_side, double depth_m, double cosine, double sine);  // for a density of 1
+  // Of a density of 1; cosine and sine of the heel.
+  static Half half_of(const Side& side, double to_side, double depth_m, double heel_rad, double cosine, double sine);
   std::vector<Station> stations_;
   double spacing_m_ = 0.0;
 };

@@ -60,6 +60,21 @@ BENCHMARK(step)
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 
+// Hulls under way whose bottoms lift them, beside the same that do not.
+void planing(benchmark::State& state) {
+  std::vector<BodySpec> specs = fleet(100, BodyLevel::hull);
+  for (BodySpec& spec : specs) spec.planes = state.range(0) != 0, spec.velocity_mps.z = -5.0;
+  Bodies bodies({}, specs);
+  const OneAnswer water;
+  int n = 0;
+  for (auto _ : state) {
+    ++n;
+    bodies.step(n / 60.0, 1.0 / 60.0, water);
+  }
+  state.SetLabel(state.range(0) != 0 ? "planing" : "without");
+}
+BENCHMARK(planing)->Name("bodies/planing")->DenseRange(0, 1)->Unit(benchmark::kMicrosecond)->UseRealTime();
+
 // The sources of hulls of so many sections, on waves of a formula, each hull of 300 triangles.
 void wakes(benchmark::State& state) {
   const HullWake wake(test::wigley_hull(6.0, 2.0, 0.6, 0.5, 12, 5), int(state.range(0)));
