@@ -46,8 +46,8 @@ void DrawnWakes::find_mesh_errors(glm::dvec2 viewer) {
   for (const WakeSurface::Part& part : surface_->parts())
     for (int i = 0; i < surface_->levels(); ++i) {
       if (part.surface.still(i)) continue;
-      const double reach_m =
-          glm::distance(part.middle_m, viewer) + std::numbers::sqrt2 * double(gpu::wake_end) * surface_->half_m(i);
+      const double reach_m = glm::distance(part.middle_m[std::size_t(i)], viewer) +
+                             std::numbers::sqrt2 * double(gpu::wake_end) * surface_->half_m(i);
       const double stepped_m = std::exp2(std::ceil(8.0 * std::log2(reach_m)) / 8.0);
       if (const auto near = near_mesh_error(part.surface.extent(i), stepped_m)) mesh_errors_.push_back(*near);
     }
@@ -72,9 +72,10 @@ void DrawnWakes::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const
   for (std::size_t n = 0; n < surface.parts().size(); ++n) {
     const WakeSurface::Part& part = surface.parts()[n];
     gpu::WakeWindow& window = data.window[n];
-    window.middle = glm::vec4(glm::vec2(part.middle_m - grid_origin_m), float(part.presence), 0.0f);
     const gpu::LodWindows windows = part.surface.windows(grid_origin_m);
     for (int i = 0; i < surface.levels(); ++i) {
+      window.middle[i] =
+          glm::vec4(glm::vec2(part.middle_m[std::size_t(i)] - grid_origin_m), float(part.presence), 0.0f);
       window.slice[i] = windows.slice[i];
       window.level[i] = glm::vec4(glm::vec3(part.surface.extent(i).slope_moments), part.surface.still(i) ? 0.0f : 1.0f);
     }

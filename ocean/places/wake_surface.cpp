@@ -28,7 +28,7 @@ void WakeSurface::evaluate(std::span<const Source> windows, double ahead_s, bool
     Part& part = parts_[i];
     part.body = windows[i].body;
     part.presence = windows[i].presence;
-    part.middle_m = windows[i].waves->placement().viewer;
+    part.middle_m = windows[i].middle_m;
     part.surface.evaluate(*windows[i].waves, ahead_s, velocity);
   });
   double squeeze = 0.0;
@@ -62,11 +62,17 @@ bool WakeSurface::still(int level) const {
 }
 
 bool WakeSurface::near(glm::dvec2 least, glm::dvec2 most, std::uint64_t without) const {
-  const double reach_m = double(gpu::wake_end) * half_m(levels() - 1);
+  const auto overlaps = [&](const Part& part, int level) {
+    const double reach_m = double(gpu::wake_end) * half_m(level);
+    const glm::dvec2 low = part.middle_m[std::size_t(level)] - reach_m,
+                     high = part.middle_m[std::size_t(level)] + reach_m;
+    return low.x < most.x && low.y < most.y && high.x > least.x && high.y > least.y;
+  };
   return std::ranges::any_of(parts(), [&](const Part& part) {
-    const glm::dvec2 low = part.middle_m - reach_m, high = part.middle_m + reach_m;
-    const bool other = without == 0 || part.body != without;
-    return other && low.x < most.x && low.y < most.y && high.x > least.x && high.y > least.y;
+    if (without != 0 && part.body == without) return false;
+    for (int level = 0; level < levels(); ++level)
+      if (overlaps(part, level)) return true;
+    return false;
   });
 }
 
@@ -79,7 +85,7 @@ DynamicSample WakeSurface::sea(glm::dvec2 rest, double footprint, std::uint64_t 
       const Part& part = parts()[i];
       if (without != 0 && part.body == without) continue;
       const float present =
-          float(part.presence) * gpu::wake_present(glm::vec2(rest - part.middle_m), float(half_m(level)));
+          float(part.presence) * gpu::wake_present(glm::vec2(rest - part.middle_m[l]), float(half_m(level)));
       weights[i][l] = present;
       sum += present;
       all = gpu::wake_joined(all, present);

@@ -1,6 +1,7 @@
 // The surface of the windows of waves that belong to bodies, at one time: of each window the levels, and how windows
 // are weighed against each other.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,14 +18,15 @@ class WakeSurface {
 
   struct Part {
     std::uint64_t body = 0;
-    glm::dvec2 middle_m{0.0};
-    double presence = 0.0;  // 0 to 1
+    std::array<glm::dvec2, gpu::max_wake_levels> middle_m{};  // of each level's window
+    double presence = 0.0;                                    // 0 to 1
     DynamicSurface surface;
   };
   // Windows with waves, as they are `ahead_s` later if nothing pushes them meanwhile.
   struct Source {
     std::uint64_t body;
     double presence;
+    std::array<glm::dvec2, gpu::max_wake_levels> middle_m;
     const DynamicWaves* waves;
   };
   void evaluate(std::span<const Source> windows, double ahead_s, bool velocity);

@@ -13,6 +13,23 @@ namespace seascape {
 
 namespace {
 
+// Of half a level's window: a window astern lies so much farther back on the track, so that what is read whole of both
+// (wake_whole) overlaps by as much as it takes to be drawn from one to the other.
+constexpr double astern_halves = 0.9;
+// How far back the hull's own window lies at most.
+constexpr double back_halves = 0.5;
+// Of half a window: where the one astern is drawn to the own one, within what is read whole of this and before its
+// border begins to absorb (DynamicWaves); and where of the one astern, over the border that would absorb what comes
+// from there.
+constexpr double drawn_whole = double(gpu::wake_whole), drawn_end = 0.75, there_whole = 0.75, there_end = 0.95;
+constexpr int drawn_every = 2;         // steps,
+constexpr float drawn_a_time = 0.35f;  // by this share of what is between them
+// A body that is somewhere else at once has left no track, finest half windows a step; and so short are the pieces of a
+// track, of half the finest window.
+constexpr double jump_halves = 0.5, piece_halves = 1.0 / 32.0;
+// A wake goes on astern when its waves are so much higher than what comes to rest.
+constexpr double worth_astern = 10.0;
+
 constexpr double keeps = 0.5;  // of what a body needs to ask for a window, it needs to keep one
 
 double smooth(double faded) { return faded * faded * (3.0 - 2.0 * faded); }
@@ -61,8 +78,24 @@ void WakeWindows::apply(const WakeSettings& settings) {
   if (active()) ++version_;  // its waves may be sharper
 }
 
-LodPlacement WakeWindows::placement(glm::dvec2 place_m) const {
-  return lod_placement(settings_.waves.windows, place_m, {});
+double WakeWindows::half_m(int level) const {
+  const LodWindowSettings& windows = settings_.waves.windows;
+  return 0.5 * windows.resolution * std::ldexp(windows.texel_m, level);
+}
+
+// How far behind a body a level's window lies: so that its hull, and two texels more, are in what is read whole.
+double WakeWindows::back_m(double length_m, int level) const {
+  const double half = half_m(level), texel_m = std::ldexp(settings_.waves.windows.texel_m, level);
+  return std::clamp(double(gpu::wake_whole) * half - 0.5 * length_m - 2.0 * texel_m, 0.0, back_halves * half);
+}
+
+// Each level's window has its own middle; the viewer, whose speed the borders know, is the body.
+LodPlacement WakeWindows::placement(const Window& window) const {
+  const LodWindowSettings& windows = settings_.waves.windows;
+  LodPlacement result = lod_placement(windows, window.place_m, {});
+  for (std::size_t i = 0; i < std::size_t(windows.slices); ++i)
+    result.first[i] = lod_placement(windows, window.middle_m[i], {}).first[i];
+  return result;
 }
 
 double WakeWindows::presence(int window) const { return smooth(windows_[std::size_t(window)].faded); }
@@ -93,7 +126,7 @@ WakeWindows::Body* WakeWindows::known(std::uint64_t id) {
 
 WakeWindows::Window* WakeWindows::of(std::uint64_t id) {
   const auto at = std::find_if(windows_.begin(), windows_.end(), [&](const Window& w) {
-    return w.body == id && (w.state == State::held || w.state == State::kept);
+    return w.body == id && !w.astern && (w.state == State::held || w.state == State::kept);
   });
   return at == windows_.end() ? nullptr : &*at;
 }
@@ -124,16 +157,98 @@ void WakeWindows::hear(double dt_s) {
   std::erase_if(bodies_, [](const Body& body) { return !body.said; });
 }
 
+// The body's own window, which one astern goes on from; null where that is gone or has jumped.
+WakeWindows::Window* WakeWindows::before(const Window& astern) {
+  const auto at = std::find_if(windows_.begin(), windows_.end(), [&](const Window& w) {
+    return w.body == astern.body && !w.astern && w.state != State::free && w.steps >= astern.steps;
+  });
+  return at == windows_.end() ? nullptr : &*at;
+}
+
+void WakeWindows::go_with(Window& window, const WakeBody& body) {
+  const int last = settings_.waves.windows.slices - 1;
+  if (window.steps == 0 || glm::distance(body.place_m, window.track.now()) > jump_halves * half_m(0)) {
+    window.track.begin(body.place_m);
+    window.steps = 0;
+  }
+  window.place_m = body.place_m;
+  window.track.go_to(body.place_m, piece_halves * half_m(0), (back_halves + astern_halves) * half_m(last));
+  for (int i = 0; i <= last; ++i) window.middle_m[std::size_t(i)] = window.track.behind(back_m(body.length_m, i));
+}
+
 // Windows go along with their bodies, and know whether these move.
 void WakeWindows::follow() {
   for (Window& window : windows_) {
-    if (window.state == State::free) continue;
+    if (window.state == State::free || window.astern) continue;
     const Body* const body = known(window.body);
-    if (body != nullptr) window.place_m = body->is.place_m;
+    if (body != nullptr) go_with(window, body->is);
+  }
+  for (Window& window : windows_) {
+    if (window.state == State::free) continue;
+    ++window.steps;
+    const Body* const body = known(window.body);
+    if (window.astern) {
+      const Window* const own = before(window);
+      if (own != nullptr && body != nullptr) {
+        window.place_m = own->place_m;
+        for (int i = 0; i < settings_.waves.windows.slices; ++i)
+          window.middle_m[std::size_t(i)] = own->track.behind(back_m(body->is.length_m, i) + astern_halves * half_m(i));
+      }
+      if (window.state == State::trails && own == nullptr) window.state = State::kept;
+      if (window.state != State::leaving && !window.waves.active()) window.release();
+      continue;
+    }
     if (window.state == State::leaving) continue;
     window.state = body != nullptr && body->asks ? State::held : State::kept;
     if (window.state == State::kept && !window.waves.active()) window.release();
   }
+}
+
+// Of windows astern that with the least waves, or else of those whose bodies have stopped, or else that of the body
+// that pushes least; null where all are leaving.
+WakeWindows::Window* WakeWindows::first_to_go() {
+  Window* least = nullptr;
+  int least_kind = 0;
+  double least_of = 0.0;
+  for (Window& window : windows_) {
+    if (window.state == State::free || window.state == State::leaving) continue;
+    const Body* const owner = window.state == State::held ? known(window.body) : nullptr;
+    const int kind = window.astern ? 0 : window.state == State::kept ? 1 : 2;
+    const double counts = owner != nullptr ? owner->average : window.waves.energy_m2();
+    if (least == nullptr || kind < least_kind || (kind == least_kind && counts < least_of))
+      least = &window, least_kind = kind, least_of = counts;
+  }
+  return least;
+}
+
+// A window that nobody asks for goes on astern of the body that pushes hardest and has none there.
+void WakeWindows::hand_on_astern() {
+  const auto free =
+      std::find_if(windows_.begin(), windows_.end(), [](const Window& w) { return w.state == State::free; });
+  if (free == windows_.end()) return;
+  const Window* own = nullptr;
+  const Body* hardest = nullptr;
+  for (const Window& window : windows_) {
+    if (window.state != State::held || window.faded < 1.0 || window.track.length_m() < half_m(0)) continue;
+    const double worth_m = worth_astern * settings_.waves.idle_m;
+    if (window.waves.energy_m2() < worth_m * worth_m) continue;
+    const bool has = std::any_of(windows_.begin(), windows_.end(), [&](const Window& w) {
+      return w.astern && w.body == window.body && w.state != State::kept;
+    });
+    const Body* const body = known(window.body);
+    if (has || body == nullptr || (hardest != nullptr && body->average <= hardest->average)) continue;
+    own = &window, hardest = body;
+  }
+  if (own == nullptr) return;
+  free->state = State::trails;
+  free->body = own->body;
+  free->astern = true;
+  free->steps = 0;
+  free->faded = 0.0;
+  free->place_m = own->place_m;
+  for (int i = 0; i < settings_.waves.windows.slices; ++i)
+    free->middle_m[std::size_t(i)] = own->track.behind(back_m(hardest->is.length_m, i) + astern_halves * half_m(i));
+  give(*free);
 }
 
 void WakeWindows::hand_out(double dt_s) {
@@ -154,31 +269,25 @@ void WakeWindows::hand_out(double dt_s) {
     if (free != windows_.end()) {
       free->state = State::held;
       free->body = body->is.id;
-      free->place_m = body->is.place_m;
       free->faded = 0.0;
+      free->steps = 0;
+      go_with(*free, body->is);
       body->waits = 0.0;
       continue;
     }
     if (comes-- > 0) continue;
-    // Of windows whose bodies have stopped that with the least waves, or else that of the body that pushes least.
-    Window* least = nullptr;
-    double least_of = 0.0;
-    for (Window& window : windows_) {
-      if (window.state != State::kept && window.state != State::held) continue;
-      const Body* const owner = window.state == State::held ? known(window.body) : nullptr;
-      const double counts = owner != nullptr ? owner->average : window.waves.energy_m2();
-      const bool before = least == nullptr || (window.state == State::kept && least->state == State::held) ||
-                          (window.state == least->state && counts < least_of);
-      if (before) least = &window, least_of = counts;
-    }
+    Window* const least = first_to_go();
     if (least == nullptr) break;
     if (least->state == State::held) {
+      const Body* const owner = known(least->body);
+      const double least_of = owner != nullptr ? owner->average : 0.0;
       body->waits = body->average > harder * least_of ? body->waits + dt_s : 0.0;
       if (body->waits < waits_s) continue;
     }
     body->waits = 0.0;
     least->state = State::leaving;
   }
+  if (asking.empty()) hand_on_astern();
 }
 
 void WakeWindows::fade(double dt_s) {
@@ -195,7 +304,7 @@ void WakeWindows::fade(double dt_s) {
 
 // The waves that other windows have where this one lies, level by level; texels of all are the same squares.
 void WakeWindows::give(Window& window) {
-  const LodPlacement at = placement(window.place_m);
+  const LodPlacement at = placement(window);
   window.waves.calm_at(at);
   const std::int64_t n = settings_.waves.windows.resolution;
   const std::size_t texels = std::size_t(n * n);
@@ -215,7 +324,7 @@ void WakeWindows::give(Window& window) {
       for (std::int64_t z = begin.y; z < end.y; ++z)
         for (std::int64_t x = begin.x; x < end.x; ++x) {
           const glm::dvec2 place = (glm::dvec2(double(x), double(z)) + 0.5) * texel_m;
-          const float present = gpu::wake_present(glm::vec2(place - other.waves.placement().viewer), half_m);
+          const float present = gpu::wake_present(glm::vec2(place - other.middle_m[l]), half_m);
           const std::size_t texel = std::size_t(z & (n - 1)) * std::size_t(n) + std::size_t(x & (n - 1));
           h[texel] += present * from_h[texel], q[texel] += present * from_q[texel], sum[texel] += present;
           any = any || present > 0.0f;
@@ -228,22 +337,57 @@ void WakeWindows::give(Window& window) {
   }
 }
 
+// One astern is drawn to the body's own window, and never the own one to that, so that nothing can build up between
+// them.
+void WakeWindows::flow_astern(const Window& own, Window& astern) const {
+  const std::int64_t n = settings_.waves.windows.resolution;
+  const auto within = [](double halves, double whole, double end) {
+    return smooth(std::clamp((end - halves) / (end - whole), 0.0, 1.0));
+  };
+  tbb::parallel_for(0, settings_.waves.windows.slices, [&](int level) {
+    const auto l = std::size_t(level);
+    const WaveLevel& from = own.waves.level(level);
+    WaveLevel& to = astern.waves.level(level);
+    if (from.still() && to.still()) return;
+    const double half = half_m(level), texel_m = std::ldexp(settings_.waves.windows.texel_m, level);
+    // Along each axis, of texels that lie in both windows.
+    std::array<std::vector<float>, 2> along;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      along[axis].assign(std::size_t(n), 0.0f);
+      const int which = int(axis);
+      const std::int64_t first = own.waves.placement().first[l][which],
+                         first_astern = astern.waves.placement().first[l][which];
+      for (std::int64_t w = std::max(first, first_astern); w < std::min(first, first_astern) + n; ++w) {
+        const double at = (double(w) + 0.5) * texel_m;
+        along[axis][std::size_t(w & (n - 1))] =
+            float(within(std::abs(at - own.middle_m[l][which]) / half, drawn_whole, drawn_end) *
+                  within(std::abs(at - astern.middle_m[l][which]) / half, there_whole, there_end));
+      }
+    }
+    to.draw_towards(from, drawn_a_time, along[0], along[1]);
+  });
+}
+
 void WakeWindows::move_on(double dt_s) {
+  const int last = settings_.waves.windows.slices - 1;
   for (Window& window : windows_) {
     window.sources.clear();
     if (window.state == State::free) continue;
-    const double reach_m = 0.5 * settings_.waves.windows.resolution *
-                           std::ldexp(settings_.waves.windows.texel_m, settings_.waves.windows.slices - 1);
     for (const WaveSource& s : sources_) {
-      const glm::dvec2 away = glm::abs(s.place_m - window.place_m);
-      if (std::max(away.x, away.y) < reach_m && pushes(s)) window.sources.push_back(s);
+      const glm::dvec2 away = glm::abs(s.place_m - window.middle_m[std::size_t(last)]);
+      if (std::max(away.x, away.y) < half_m(last) && pushes(s)) window.sources.push_back(s);
     }
     if (!window.waves.active() && !window.sources.empty()) give(window);
   }
   tbb::parallel_for(std::size_t{0}, windows_.size(), [&](std::size_t i) {
     Window& window = windows_[i];
-    if (window.state != State::free) window.waves.advance(dt_s, placement(window.place_m), window.sources);
+    if (window.state != State::free) window.waves.advance(dt_s, placement(window), window.sources);
   });
+  for (Window& window : windows_) {
+    if (!window.astern || window.state == State::free || window.steps % drawn_every != 0) continue;
+    const Window* const own = before(window);
+    if (own != nullptr && own->waves.active() && window.waves.active()) flow_astern(*own, window);
+  }
 }
 
 void WakeWindows::step(double dt_s) {
@@ -277,7 +421,7 @@ std::shared_ptr<const WakeSurface> WakeWindows::shared_surface() {
   std::array<WakeSurface::Source, most> sources;
   std::size_t count = 0;
   for (const Window& window : windows_)
-    if (window.waves.active()) sources[count++] = {window.body, smooth(window.faded), &window.waves};
+    if (window.waves.active()) sources[count++] = {window.body, smooth(window.faded), window.middle_m, &window.waves};
   if (count == 0) return nullptr;
   if (!stale_) return surfaces_[current_];
   for (current_ = 0; current_ < surfaces_.size() && surfaces_[current_].use_count() > 1;) ++current_;

@@ -12,6 +12,7 @@
 #include "ocean/places/dynamic_waves.h"
 #include "ocean/places/wake_settings.h"
 #include "ocean/places/wake_surface.h"
+#include "ocean/places/wake_track.h"
 
 namespace seascape {
 
@@ -31,6 +32,11 @@ double push_m3ps(std::span<const WaveSource> sources);
 // another's window when for a second it has pushed half as hard again, and a window whose body has stopped is kept
 // until its waves rest or another body asks. A window fades in and out over a second. Where it comes to lie it begins
 // with the waves that other windows have there: all texels are parts of one grid.
+//
+// Waves are behind who makes them: each level's window lies that far back on its body's track that the hull is just
+// within what is read whole of it. Windows that nobody asks for go on where those of the hardest pushing bodies end, a
+// window's side times 0.45 farther back on the track (astern). Waves flow into it from
+// the body's own: where that is read whole, the one astern is drawn to it. It is the first to go when a body asks.
 //
 // A source presses every window that it lies in. A body outside all windows makes no waves.
 //
@@ -62,11 +68,15 @@ class WakeWindows {
   void apply(const WakeSettings& settings);
   const WakeSettings& settings() const { return settings_; }
 
-  // What a window does, for tests and for plans.
-  enum class State : std::uint8_t { free, held, kept, leaving };
+  // What a window does, for tests and for plans. `trails`: astern of its body's own.
+  enum class State : std::uint8_t { free, held, kept, leaving, trails };
   State state(int window) const { return windows_[std::size_t(window)].state; }
   std::uint64_t body(int window) const { return windows_[std::size_t(window)].body; }  // 0: none
   const DynamicWaves& waves(int window) const { return windows_[std::size_t(window)].waves; }
+  // The middle of a level's window, m.
+  glm::dvec2 middle_m(int window, int level) const {
+    return windows_[std::size_t(window)].middle_m[std::size_t(level)];
+  }
   double presence(int window) const;  // 0 to 1, smooth over time
   bool active() const;                // whether any window has waves
 
@@ -80,13 +90,17 @@ class WakeWindows {
     explicit Window(const DynamicWavesSettings& settings) : waves(settings) {}
     State state = State::free;
     std::uint64_t body = 0;
-    glm::dvec2 place_m{0.0};
-    double faded = 0.0;  // along the way from 0 to 1
+    glm::dvec2 place_m{0.0};  // of its body
+    WakeTrack track;          // of its body; not kept by one astern
+    std::array<glm::dvec2, gpu::max_wake_levels> middle_m{};
+    bool astern = false;
+    std::int64_t steps = 0;  // since it began
+    double faded = 0.0;      // along the way from 0 to 1
     DynamicWaves waves;
     std::vector<WaveSource> sources;  // of a step
     void release() {
       waves.calm();
-      state = State::free, body = 0, faded = 0.0;
+      state = State::free, body = 0, faded = 0.0, astern = false;
     }
   };
   struct Body {
@@ -100,13 +114,20 @@ class WakeWindows {
   };
   void hear(double dt_s);
   void follow();
+  void go_with(Window& window, const WakeBody& body);
   void hand_out(double dt_s);
+  Window* first_to_go();
+  void hand_on_astern();
   void give(Window& window);
+  void flow_astern(const Window& own, Window& astern) const;
   void fade(double dt_s);
   void move_on(double dt_s);
   Body* known(std::uint64_t id);
   Window* of(std::uint64_t id);
-  LodPlacement placement(glm::dvec2 place_m) const;
+  Window* before(const Window& astern);
+  double half_m(int level) const;
+  double back_m(double length_m, int level) const;
+  LodPlacement placement(const Window& window) const;
   WakeSettings settings_;
   std::vector<Window> windows_;
   std::vector<Body> bodies_;  // by id
@@ -130,6 +151,8 @@ void WakeWindows::each_number(const Take& take) const {
     take(std::uint64_t(window.state));
     take(window.body);
     for (const double number : {window.faded, window.place_m.x, window.place_m.y}) take(number);
+    for (const glm::dvec2& middle : window.middle_m) take(middle.x), take(middle.y);
+    take(std::uint64_t(window.steps));
     for (int i = 0; window.waves.active() && i < window.waves.levels(); ++i)
       for (const std::complex<double>& mode : window.waves.level(i).modes()) take(mode.real()), take(mode.imag());
   }

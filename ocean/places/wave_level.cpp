@@ -1,6 +1,7 @@
 #include "ocean/places/wave_level.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -139,6 +140,29 @@ void WaveLevel::take_off(std::span<const float> along_x, std::span<const float> 
   // What is taken away is what goes back: of the rest no transform rounds anything.
   multiply_by_loss(re_.data(), im_.data(), n_, stride, along_x.data(), along_z.data(), open);
   forward_band(to_waves_, band_, re_.data(), im_.data(), stride, spectrum_re_.data(), spectrum_im_.data(), workspace_);
+  add_to_modes(modes_, share_.data(), 1.0 / (double(n_) * n_), spectrum_re_.data(), spectrum_im_.data());
+}
+
+void WaveLevel::draw_towards(const WaveLevel& other, float share, std::span<const float> along_x,
+                             std::span<const float> along_z) {
+  assert(other.n_ == n_ && other.texel_m_ == texel_m_);
+  if (still_ && other.still_) return;
+  still_ = false;
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    const std::complex<double> between = other.modes_[i] - modes_[i];
+    spectrum_re_[i] = float(between.real()), spectrum_im_[i] = float(between.imag());
+  }
+  const std::size_t n = std::size_t(n_), stride = n + 16;
+  inverse_fft(to_texels_, spectrum_re_.data(), spectrum_im_.data(), re_.data(), im_.data(), int(stride), workspace_);
+  for (std::size_t z = 0; z < n; ++z) {
+    const float across = share * along_z[z];
+    for (std::size_t x = 0; x < n; ++x) {
+      const float by = across * along_x[x];
+      re_[z * stride + x] *= by, im_[z * stride + x] *= by;
+    }
+  }
+  forward_band(to_waves_, band_, re_.data(), im_.data(), int(stride), spectrum_re_.data(), spectrum_im_.data(),
+               workspace_);
   add_to_modes(modes_, share_.data(), 1.0 / (double(n_) * n_), spectrum_re_.data(), spectrum_im_.data());
 }
 

@@ -39,7 +39,11 @@ class WaveLevel {
   // Multiplies height and potential at texel (x, z), modulo the samples, by along_x[x] along_z[z] open[z][x] (1 where
   // `open` is null), all between 0 and 1. No wave grows by it.
   void take_off(std::span<const float> along_x, std::span<const float> along_z, const float* open);
-  // The same for any field that is added: a[z][x], samples^2 each.
+  // Draws height and potential towards those of another level of as many texels of the same size, which lie at the same
+  // places modulo the samples: by `share` along_x[x] along_z[z] of what is between them, all 0 to 1.
+  void draw_towards(const WaveLevel& other, float share, std::span<const float> along_x,
+                    std::span<const float> along_z);
+  // Adds any field: a[z][x], samples^2 each.
   void add(std::span<const float> height_m, std::span<const float> quarter_m);
 
   // Texel (x, z) then holds what lay at (x + by.x, z + by.y), anywhere between texels.

@@ -71,7 +71,7 @@ HWY_INLINE Dual<V, count> dynamic_share(const PlacedLayer& layer, const Dual<V, 
   return times(clamped(times(inside, layer.per_border)), layer.counts);
 }
 
-// How much there is of each window's waves of the level whose windows' half side this is, at the rest positions of
+// How much there is of each window's waves of a level, half of whose windows' side this is, at the rest positions of
 // points i to i + lanes - 1 (wake_present and wake_share in shaders/shared/wake_windows.h).
 template <class V, int count>
 struct WakeShares {
@@ -80,7 +80,8 @@ struct WakeShares {
 };
 template <int count, class D, class V = hn::Vec<D>>
 HWY_INLINE void weigh_wakes(D d, const PlacePlan& plan, const Places& at, const Dual<V, count>& way_x,
-                            const Dual<V, count>& way_z, float half_m, int i, WakeShares<V, count>& shares) {
+                            const Dual<V, count>& way_z, std::size_t level, float half_m, int i,
+                            WakeShares<V, count>& shares) {
   shares.half_m = half_m;
   constexpr float per_fade = 1.0f / (gpu::wake_end - gpu::wake_whole);
   const auto zero = constant<count>(hn::Zero(d)), three = constant<count>(hn::Set(d, 3.0f)),
@@ -92,8 +93,9 @@ HWY_INLINE void weigh_wakes(D d, const PlacePlan& plan, const Places& at, const 
   };
   Dual<V, count> sum = zero, all = zero;
   for (std::size_t w = 0; w < std::size_t(plan.wakes.count); ++w) {
-    const auto from_x = constant<count>(hn::Load(d, at.from_body_x[w] + i)) + way_x,
-               from_z = constant<count>(hn::Load(d, at.from_body_z[w] + i)) + way_z;
+    const glm::vec2 middle = plan.wakes.from_middle_m[w][level];
+    const auto from_x = constant<count>(hn::Sub(hn::Load(d, at.from_body_x[w] + i), hn::Set(d, middle.x))) + way_x,
+               from_z = constant<count>(hn::Sub(hn::Load(d, at.from_body_z[w] + i), hn::Set(d, middle.y))) + way_z;
     shares.of[w] = times(along(from_x) * along(from_z), plan.wakes.presence[w]);
     sum = sum + shares.of[w];
     all = all + shares.of[w] - shares.of[w] * all;
@@ -110,7 +112,8 @@ HWY_INLINE Dual<V, count> window_share(D d, const PlacePlan& plan, const Places&
   if (layer.kind == PlacedLayer::dynamic)
     return dynamic_share(layer, constant<count>(hn::Load(d, at.from_viewer_x + i)) + way_x,
                          constant<count>(hn::Load(d, at.from_viewer_z + i)) + way_z);
-  if (layer.end_m != wakes.half_m) weigh_wakes<count>(d, plan, at, way_x, way_z, layer.end_m, i, wakes);
+  if (layer.end_m != wakes.half_m)
+    weigh_wakes<count>(d, plan, at, way_x, way_z, std::size_t(layer.bent), layer.end_m, i, wakes);
   return times(wakes.of[std::size_t(layer.share)], layer.counts);
 }
 

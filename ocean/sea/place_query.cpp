@@ -172,7 +172,9 @@ void place_wakes(PlacePlan& plan, const WakeSurface& wakes, double footprint_m, 
     if (without != 0 && part.body == without) continue;
     const auto window = std::size_t(plan.wakes.count++);
     parts[window] = &part;
-    plan.wakes.middle_m[window] = part.middle_m;
+    plan.wakes.middle_m[window] = part.middle_m[0];
+    for (std::size_t i = 0; i < part.middle_m.size(); ++i)
+      plan.wakes.from_middle_m[window][i] = glm::vec2(part.middle_m[i] - part.middle_m[0]);
     plan.wakes.presence[window] = float(part.presence);
   }
   for (int i = 0; i < wakes.levels(); ++i)
@@ -183,7 +185,7 @@ void place_wakes(PlacePlan& plan, const WakeSurface& wakes, double footprint_m, 
       const auto at = std::size_t(plan.waves.count++);
       plan.placed[at] = {.kind = PlacedLayer::wake,
                          .share = std::int8_t(window),
-                         .bent = -1,
+                         .bent = std::int8_t(i),
                          .runs_up = false,
                          .even = wakes.share() == 1.0,
                          .pattern = -1,

@@ -46,7 +46,7 @@ struct PlacedLayer {
   Kind kind;
   std::int8_t share;    // which of a bed's shares: a cascade's number, gpu::max_cascades for other sources; of wakes
                         // which window
-  std::int8_t bent;     // which of the shifts; -1: none
+  std::int8_t bent;     // which of the shifts; -1: none. Of wakes which level
   bool runs_up;         // its height has the run-up's share besides
   bool even;            // its sideways displacement is multiplied with the same as its height
   std::int8_t pattern;  // 0 and 1: of two that a current carries; -1: there is no current
@@ -60,7 +60,9 @@ struct PlacedLayer {
 // Windows of waves that belong to bodies.
 struct PlacedWakes {
   int count = 0;
-  std::array<glm::dvec2, gpu::max_wake_windows> middle_m;
+  std::array<glm::dvec2, gpu::max_wake_windows> middle_m;  // of level 0
+  std::array<std::array<glm::vec2, gpu::max_wake_levels>, gpu::max_wake_windows>
+      from_middle_m;  // each level's from there
   std::array<float, gpu::max_wake_windows> presence;
 };
 

@@ -1,22 +1,26 @@
 // What waves in the windows of bodies add to sea_displacement(), and how windows are weighed. Part of lib/sea.glsl; the
 // C++ twin is ocean/places/wake_surface.cpp.
 
-// How much of a level of each window there is at a rest position.
-vec4 wake_presences(float half_m, vec2 rest) {
+// How much of a level of a window there is at a rest position.
+float wake_presence(int window, int level, float half_m, vec2 rest) {
+  const vec4 middle = frame.sea.wakes.window[window].middle[level];
+  return middle.z * wake_present(rest - middle.xy, half_m);
+}
+
+// The same of each window.
+vec4 wake_presences(int level, vec2 rest) {
+  const float half_m = frame.sea.wakes.half_m[level];
   vec4 present = vec4(0.0);
-  present.x = frame.sea.wakes.window[0].middle.z * wake_present(rest - frame.sea.wakes.window[0].middle.xy, half_m);
-  if (frame.sea.wakes.count.x > 1)
-    present.y = frame.sea.wakes.window[1].middle.z * wake_present(rest - frame.sea.wakes.window[1].middle.xy, half_m);
-  if (frame.sea.wakes.count.x > 2)
-    present.z = frame.sea.wakes.window[2].middle.z * wake_present(rest - frame.sea.wakes.window[2].middle.xy, half_m);
-  if (frame.sea.wakes.count.x > 3)
-    present.w = frame.sea.wakes.window[3].middle.z * wake_present(rest - frame.sea.wakes.window[3].middle.xy, half_m);
+  present.x = wake_presence(0, level, half_m, rest);
+  if (frame.sea.wakes.count.x > 1) present.y = wake_presence(1, level, half_m, rest);
+  if (frame.sea.wakes.count.x > 2) present.z = wake_presence(2, level, half_m, rest);
+  if (frame.sea.wakes.count.x > 3) present.w = wake_presence(3, level, half_m, rest);
   return present;
 }
 
 // What each of them counts.
 vec4 wake_weights(int level, vec2 rest) {
-  const vec4 present = wake_presences(frame.sea.wakes.half_m[level], rest);
+  const vec4 present = wake_presences(level, rest);
   float all = present.x;
   all = wake_joined(all, present.y);
   all = wake_joined(all, present.z);

@@ -14,10 +14,11 @@ SEASCAPE_CONST int max_wake_windows = 4, max_wake_levels = 3;
 SEASCAPE_CONST float wake_whole = 0.6f, wake_end = 0.85f;
 
 struct WakeWindow {
-  vec4 middle;                  // x, y: its body's x and z from the grid origin, m; z: how much of it there is, 0 to 1
-  vec4 slice[max_wake_levels];  // x, y: the grid origin's coordinates in the texture; z: 1 / the side; w: a texel, m
-  vec4 level[max_wake_levels];  // xyz: means of (dh/dx)^2, (dh/dz)^2, product over the window; w: 1, or 0 where it
-                                // rests
+  vec4 middle[max_wake_levels];  // x, y: x and z of the level's middle from the grid origin, m; z: how much of the
+                                 // window there is, 0 to 1
+  vec4 slice[max_wake_levels];   // x, y: the grid origin's coordinates in the texture; z: 1 / the side; w: a texel, m
+  vec4 level[max_wake_levels];   // xyz: means of (dh/dx)^2, (dh/dz)^2, product over the window; w: 1, or 0 where it
+                                 // rests
 };
 
 // Level l of window i in layer i max_wake_levels + l of its textures.
