@@ -88,15 +88,21 @@ SolidPoint solid_point(bool front) {
 
 // How much of the sun's light the map of the sun leaves. A round thing's triangles turn from the sun before its normals
 // do, or after, and hide from it what those have lit: a jagged band. So where a triangle is turned from the sun no
-// farther than it is from its round shape, the shape counts (the shadow terminator: Woo, Pearce and Ouellette 1996).
+// farther than it is from its round shape, the shape counts (the shadow terminator: Woo, Pearce and Ouellette 1996),
+// and only what stands farther towards the sun than its own triangles reach: some chords of the round shape, of as much
+// of a turn as normal and triangle are apart.
 float sun_reaches_thing(SolidPoint p) {
   const vec3 at = flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w), l = frame.sun.xyz;
   const float reaches = sun_reaches(at, p.smooth_normal);
+  const float turns_along = length(dFdx(p.smooth_normal)) / max(length(dFdx(relative)), 1e-9),
+              turns_across = length(dFdy(p.smooth_normal)) / max(length(dFdy(relative)), 1e-9);  // 1/m
   const float apart = length(p.flat_normal - p.smooth_normal);
   if (apart < 0.01) return reaches;
   const float turned = 1.0 - clamp(dot(p.flat_normal, l) / apart, 0.0, 1.0),
               round = clamp(10.0 * dot(p.smooth_normal, l) / apart, 0.0, 1.0);
-  return max(reaches, turned * round);
+  if (turned * round <= reaches) return reaches;
+  const float farther = min(4.0 * apart / max(max(turns_along, turns_across), 1e-6), frame.sun_map.y);
+  return max(reaches, turned * round * sun_reaches(at + farther * l, p.smooth_normal));
 }
 
 // Irradiance of what comes evenly through the surface, on a plane under water over that on a level one: the sky fills a

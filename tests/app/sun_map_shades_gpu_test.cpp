@@ -275,5 +275,35 @@ TEST_F(SunMapShades, RoundThingsDoNotShadeThemselves) {
     }
 }
 
+// In a wall's shade a round pile of few sides is as dark everywhere as one of many. Control seen: sun_reaches_thing()
+// of lib/solid_light.glsl without its second sun_reaches(), by which such triangles are sunlit in any shade.
+TEST_F(SunMapShades, RoundThingsAreShadedByOthers) {
+  for (const test::FrameLook& look : test::frame_looks)
+    for (const char* to_deg : {"90", "104", "117"}) {
+      const auto drawn = [&](int sides, const char* texels) {
+        SceneObjects objects;
+        test::stand(objects, test::solid_model(test::solid_pile(1.5f, -1.0f, 5.0f, sides), rough),
+                    Pose{{0.0, 0.0, -6.0}});
+        test::stand(objects, test::solid_model(test::solid_box({0.3f, 8.0f, 10.0f}), rough), Pose{{8.0, 4.0, -6.0}});
+        ShotOptions options = options_of(look, objects, 15.0, texels);
+        options.set.emplace_back("sky.sun_to_deg", to_deg);
+        return SeaShot(options).picture(pose({0.0, 2.0, 0.0}, 0.0, 0.0), 1.0);
+      };
+      const Image8 few = drawn(10, "2048"), many = drawn(96, "2048"), bare = drawn(10, "0");
+      int wrong = 0, most = 0, shaded = 0;
+      for (std::uint32_t y = height / 4; y < height / 2; ++y)
+        for (std::uint32_t x = width / 2 - 18; x < width / 2 + 18; ++x) {
+          const int off = std::abs(light_of(few, x, y) - light_of(many, x, y));
+          most = std::max(most, off);
+          wrong += off > 15;  // of 765
+          shaded += light_of(bare, x, y) > light_of(few, x, y) + 60;
+        }
+      EXPECT_GT(shaded, 100) << look.name << " " << to_deg << test::leave(bare, std::string("shaded_bare_") + to_deg);
+      EXPECT_EQ(wrong, 0) << look.name << " " << to_deg << ", most " << most
+                          << test::leave(few, std::string("shaded_round_") + to_deg)
+                          << test::leave(many, std::string("shaded_many_") + to_deg);
+    }
+}
+
 }  // namespace
 }  // namespace seascape
