@@ -58,8 +58,8 @@ TEST_F(TowingTank, IsKelvinsAsItIsDrawn) {
       for (const double froude : {0.25, 0.4}) is_kelvins({.froude = froude, .course_deg = course, .preset = preset});
 }
 
-// The control: over 0.8 m of water, which the hull outruns, there is a wedge of its own and no transverse wave; and with
-// gravity a tenth lower waves are as much longer. Neither passes a bar. With SEASCAPE_LONG.
+// The control: over 0.8 m of water, which the hull outruns, there is a wedge of its own and no transverse wave; and
+// with gravity a tenth lower waves are as much longer. Neither passes a bar. With SEASCAPE_LONG.
 TEST_F(TowingTank, OverShallowsAndWithOtherGravityIsNot) {
   if (!asked_for_long()) GTEST_SKIP() << "SEASCAPE_LONG=1 asks for it";
   TankRun run{.froude = 0.4, .way_m = 80.0};
@@ -89,10 +89,9 @@ TEST_F(TowingTank, NarrowsAtSpeedAsItIsDrawn) {
   }
 }
 
-// The same heights whatever the course, the frame rate and the camera, 6 to 34 m behind: across the end of the hull's own
-// finest window at 14 to 18 m.
-// Controls: sources that do not move within a step (frame rate and course); the middle of one window level 1 m off in
-// what shaders are told (course).
+// The same heights whatever the course, the frame rate and the camera, 6 to 34 m behind: across the end of the hull's
+// own finest window at 14 to 18 m. Controls: sources that do not move within a step (frame rate and course); the middle
+// of one window level 1 m off in what shaders are told (course).
 TEST_F(TowingTank, IsTheSameWhateverCourseFramesAndCamera) {
   const TankRun plain{.froude = 0.4, .way_m = 80.0};
   const DrawnWake wake(plain);

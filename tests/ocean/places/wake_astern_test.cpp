@@ -94,9 +94,9 @@ TEST(WakesAstern, AreThoseOfOneWideWindow) {
 }
 
 // Whatever a boat does, the water a step later is what it was carried on by that time, but for what pushes it: within
-// 2 % of the highest, away from the hump. She goes straight, turns about in ten metres, backs, stops, goes on; and others
-// come, for whom the window astern has to go.
-// Controls: middles straight behind by the boat's velocity in place of her track; a window astern that goes at once.
+// 2 % of the highest, away from the hump. She goes straight, turns about in ten metres, backs, stops, goes on; and
+// others come, for whom the window astern has to go. Controls: middles straight behind by the boat's velocity in place
+// of her track; a window astern that goes at once.
 TEST(WakesAstern, NothingJumpsWhateverTheBoatDoes) {
   Boat boat(settings(64));
   const auto turning = [](double t) { return glm::dvec2(std::sin(t), -std::cos(t)); };

@@ -96,8 +96,8 @@ void DrawnWake::rasterise(const std::vector<Vertex>& vertices) {
       for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x) {
           const glm::dvec2 here(x, y);
-          const double a = cross(p[1] - here, p[2] - here) / whole,
-                       b = cross(p[2] - here, p[0] - here) / whole, c = 1.0 - a - b;
+          const double a = cross(p[1] - here, p[2] - here) / whole, b = cross(p[2] - here, p[0] - here) / whole,
+                       c = 1.0 - a - b;
           if (std::min({a, b, c}) < -1e-9) continue;
           moved_[std::size_t(y) * std::size_t(columns_) + std::size_t(x)] =
               glm::vec3(a * moved[0] + b * moved[1] + c * moved[2]);
@@ -114,8 +114,8 @@ glm::vec3 DrawnWake::moved(double behind, double right) const {
   const int x = int(std::floor(px)), y = int(std::floor(py));
   if (x < 0 || y < 0 || x + 1 >= columns_ || y + 1 >= rows_) return glm::vec3(std::numeric_limits<float>::quiet_NaN());
   const auto at = [&](int i, int j) { return moved_[std::size_t(j) * std::size_t(columns_) + std::size_t(i)]; };
-  return glm::mix(glm::mix(at(x, y), at(x + 1, y), float(px - x)), glm::mix(at(x, y + 1), at(x + 1, y + 1), float(px - x)),
-                  float(py - y));
+  return glm::mix(glm::mix(at(x, y), at(x + 1, y), float(px - x)),
+                  glm::mix(at(x, y + 1), at(x + 1, y + 1), float(px - x)), float(py - y));
 }
 
 double DrawnWake::height(double behind, double right) const {

@@ -46,7 +46,8 @@ class DrawnWake {
   // Of the waves along the hull's way, m: that of A cos(k x) + B sin(k x), over the root of the distance from the
   // stern, which fits the heights best.
   double wavelength_m(double from_m, double to_m) const;
-  // The mean square difference from another run's heights in a rectangle behind the hull, over the mean square of these.
+  // The mean square difference from another run's heights in a rectangle behind the hull, over the mean square of
+  // these.
   double difference(const DrawnWake& other, glm::dvec2 behind_m, glm::dvec2 right_m) const;
 
  private:
