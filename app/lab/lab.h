@@ -82,12 +82,12 @@ std::string sea_name(double wind_mps);
 SeaState lab_sea(double wind_mps, const LabOptions& options);
 
 // What --curve takes, apart from "all".
-inline constexpr std::string_view lab_curve_names[] = {"query",      "transform", "cascades", "particles", "baked",
-                                                       "dynamic",    "wakes",     "texel",    "fresnel",   "buoyancy",
-                                                       "body_steps", "mesh",      "compute",  "frame"};
+inline constexpr std::string_view lab_curve_names[] = {"query",    "transform",  "cascades",     "particles", "baked",
+                                                       "dynamic",  "wakes",      "wake_windows", "texel",     "fresnel",
+                                                       "buoyancy", "body_steps", "mesh",         "compute",   "frame"};
 
-// The curves that need no device: query, transform, cascades; particles, baked; dynamic, texel, fresnel; wakes;
-// buoyancy, body_steps; and all of these.
+// The curves that need no device: query, transform, cascades; particles, baked; dynamic, texel, fresnel; wakes,
+// wake_windows; buoyancy, body_steps; and all of these.
 std::vector<LabCurve> sea_curves();
 std::vector<LabCurve> source_curves();
 std::vector<LabCurve> local_curves();
