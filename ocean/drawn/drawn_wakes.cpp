@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace seascape {
 
@@ -38,18 +37,24 @@ void DrawnWakes::update(Frame& frame, const DrawnMoment& moment) {
   find_mesh_errors({moment.viewer_m.x, moment.viewer_m.z});
 }
 
-// A window lies anywhere: what is known of meshes counts around the viewer, as far as the window's farthest corner. In
-// steps of an eighth, so that it seldom changes.
+// A window lies anywhere: what is known of meshes counts around the viewer, from the window's nearest place as far as
+// its farthest corner. In steps of an eighth, so that it seldom changes. Windows of a level are weighed against each
+// other: together they are bent no more than the one that is most.
 void DrawnWakes::find_mesh_errors(glm::dvec2 viewer) {
   mesh_errors_.clear();
   if (surface_ == nullptr) return;
   for (const WakeSurface::Part& part : surface_->parts())
     for (int i = 0; i < surface_->levels(); ++i) {
       if (part.surface.still(i)) continue;
-      const double reach_m = glm::distance(part.middle_m[std::size_t(i)], viewer) +
-                             std::numbers::sqrt2 * double(gpu::wake_end) * surface_->half_m(i);
+      const double half_m = double(gpu::wake_end) * surface_->half_m(i);
+      const glm::dvec2 off = glm::abs(part.middle_m[std::size_t(i)] - viewer);
+      const double from_m = glm::length(glm::max(off - half_m, glm::dvec2(0.0))), reach_m = glm::length(off + half_m);
       const double stepped_m = std::exp2(std::ceil(8.0 * std::log2(reach_m)) / 8.0);
-      if (const auto near = near_mesh_error(part.surface.extent(i), stepped_m)) mesh_errors_.push_back(*near);
+      auto near = near_mesh_error(part.surface.extent(i), stepped_m, 4);
+      if (!near) continue;
+      near->from_m = from_m > 1.0 ? std::exp2(std::floor(8.0 * std::log2(from_m)) / 8.0) : 0.0;
+      near->shares = i;
+      mesh_errors_.push_back(*near);
     }
   std::sort(mesh_errors_.begin(), mesh_errors_.end(),
             [](const NearMeshError& a, const NearMeshError& b) { return a.reach_m < b.reach_m; });

@@ -65,10 +65,10 @@ void LevelImages::add_uses(Uses& uses, Access access) const {
 
 // A mesh misses a surface bent by c by at most c d^2 / 8 between vertices d apart, d being a cell's diagonal; and twice
 // the height at most.
-std::optional<NearMeshError> near_mesh_error(const DynamicSurface::Extent& waves, double reach_m) {
+std::optional<NearMeshError> near_mesh_error(const DynamicSurface::Extent& waves, double reach_m, int steps) {
   if (!(waves.height_m > 1e-4)) return std::nullopt;
-  const auto step_of_two = [](double value) { return std::exp2(std::ceil(std::log2(value))); };
-  const double bent = step_of_two(1.1 * waves.bent_per_m), most_m = 2.0 * step_of_two(waves.height_m);
+  const auto stepped = [&](double value) { return std::exp2(std::ceil(steps * std::log2(value)) / steps); };
+  const double bent = stepped(1.1 * waves.bent_per_m), most_m = 2.0 * stepped(waves.height_m);
   NearMeshError near;
   near.reach_m = reach_m;
   for (std::size_t n = 0; n < near.error.octave_m.size(); ++n) {

@@ -34,8 +34,9 @@ class LevelImages {
   std::vector<VkBufferImageCopy> regions_;
 };
 
-// What meshes miss of waves bent and as high as this, in steps of a factor two so that it seldom changes; as far as
+// What meshes miss of waves bent and as high as this, in so many steps an octave so that it seldom changes; as far as
 // `reach_m` from the viewer. None of waves that are too low to see.
-std::optional<NearMeshError> near_mesh_error(const DynamicSurface::Extent& waves, double reach_m);
+std::optional<NearMeshError> near_mesh_error(const DynamicSurface::Extent& waves, double reach_m,
+                                             int steps_an_octave = 1);
 
 }  // namespace seascape

@@ -284,16 +284,9 @@ void Quadtree::find_reaches(const Reaches::Asked& asked) {
   const auto error_m = [&](double spacing_m) {
     return mesh_error.known() ? mesh_error(spacing_m) : std::min(error_over_spacing * spacing_m, vertical_m);
   };
-  // Water in windows counts no farther than these reach.
+  near_reaches_.set(asked.near, asked.over_m);
   const auto reach_with_near = [&](double coarser_m) {
-    const double error = error_m(coarser_m);
-    double reach_m = reach_of(coarser_m, error);
-    for (std::size_t n = 0; n < asked.near.size(); ++n) {
-      double sum = error;
-      for (const NearMeshError& near : asked.near.subspan(n)) sum += near.error(coarser_m);
-      reach_m = std::max(reach_m, std::min(reach_of(coarser_m, sum), std::hypot(asked.near[n].reach_m, asked.over_m)));
-    }
-    return reach_m;
+    return near_reaches_(coarser_m, error_m(coarser_m), [&](double missed_m) { return reach_of(coarser_m, missed_m); });
   };
   reaches_.known = true;
   reaches_.asked = asked;

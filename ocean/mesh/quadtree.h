@@ -12,6 +12,7 @@
 #include "ocean/mesh/leaf_runs.h"
 #include "ocean/mesh/lod_settings.h"
 #include "ocean/mesh/mesher.h"
+#include "ocean/mesh/near_reaches.h"
 #include "ocean/mesh/skirt_strips.h"
 #include "ocean/mesh/split_map.h"
 #include "ocean/mesh/tree_frame.h"
@@ -109,6 +110,7 @@ class Quadtree final : public Mesher {
   EyeFrusta frusta_;
   std::vector<BoxRange> seen_;  // of the rows of a level
   Reaches reaches_;
+  NearReaches near_reaches_;
   SkirtStrips skirt_;
   std::vector<LeafRun> runs_;      // of all levels, finer ones first
   std::vector<LeafLevel> leaves_;  // that have any

@@ -10,11 +10,17 @@
 
 namespace seascape {
 
-// What meshes miss besides of data that lie in windows around the viewer: as far as `reach_m` from there, in plan.
+// What meshes miss besides of data that lie in windows: from `from_m` to `reach_m` away from the viewer, in plan.
 struct NearMeshError {
+  static constexpr int adds = -1;
   double reach_m = 0.0;
   MeshError error;
-  bool operator==(const NearMeshError& o) const { return reach_m == o.reach_m && error.octave_m == o.error.octave_m; }
+  double from_m = 0.0;
+  int shares = adds;  // of those of one number from 0 on only the largest counts at a place; others add up
+  static constexpr int most_shared = 4;  // numbers
+  bool operator==(const NearMeshError& o) const {
+    return reach_m == o.reach_m && error.octave_m == o.error.octave_m && from_m == o.from_m && shares == o.shares;
+  }
 };
 
 // What the surface may be displaced by, in metres, anywhere: bounds for culling; and what meshes of it miss.
