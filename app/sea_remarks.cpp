@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/scene_hulls.h"
 #include "engine/text.h"
 #include "ocean/effects.h"
 #include "ocean/waves/dispersion.h"
@@ -75,6 +76,25 @@ void add_short_loop(const Scene& scene, std::vector<std::string>& remarks) {
                     "give several times that, or 0 for a sea that does not repeat",
                     text_from(sea.loop_s), peak_s));
 }
+
+// Only so many hulls of what floats can be cut out of the sea.
+void add_wet_insides(const Scene& scene, std::vector<std::string>& remarks) {
+  if (!calls_for(scene.effects, "boats")) return;
+  const std::vector<BodyInsides> insides = insides_of(scene);
+  const SceneObjects& objects = scene.objects;
+  std::size_t wet = 0;
+  std::string first;
+  for (std::size_t n = 0; n < insides.size(); ++n) {
+    const std::size_t thing = objects.floating[n].thing;
+    if (!insides[n].hulls.empty() || objects.models[objects.things[thing].model].insides().empty()) continue;
+    if (wet++ == 0) first = objects.names[thing];
+  }
+  if (wet == 0) return;
+  remarks.push_back(
+      fmt::format("objects: the sea is cut out of {} inside hulls of things that float, and water stands in {} more "
+                  "things, from '{}' on; let fewer float, or give those first that are looked into",
+                  most_clip_bodies, wet, first));
+}
 }  // namespace
 
 LimitedSea limited_sea(const Scene& scene) {
@@ -94,6 +114,7 @@ std::vector<std::string> remarks_of(const Scene& scene) {
                     metres(scene.settings.sea.depth_m)));
   add_short_loop(scene, remarks);
   add_unlooped(scene, remarks);
+  add_wet_insides(scene, remarks);
   return remarks;
 }
 

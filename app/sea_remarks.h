@@ -12,7 +12,8 @@ namespace seascape {
 LimitedSea limited_sea(const Scene& scene);
 
 // Beside what was found when the scene was read: what is drawn lower than asked, what does not repeat with
-// waves.loop_s, and land that nothing draws. Overrides count.
+// waves.loop_s, land that nothing draws, and things that float and whose insides cannot keep water out. Overrides
+// count.
 std::vector<std::string> remarks_of(const Scene& scene);
 
 }  // namespace seascape

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/camera_path.h"
+#include "app/sea_remarks.h"
 #include "app/sea_spec.h"
 #include "engine/error.h"
 #include "ocean/sea/sea.h"
@@ -108,6 +109,21 @@ TEST(SceneHulls, MoreThanASeaTakesIsAFault) {
   } catch (const Error& fault) {
     EXPECT_THAT(fault.what(), HasSubstr("4097 inside hulls"));
   }
+}
+
+// Of 40 boats with two hulls each the first 32 keep water out, and a remark names the next; of 32 there is none.
+// Control seen: things counted instead of hulls.
+TEST(SceneHulls, WhatTheSeaIsNotCutOutOfIsTold) {
+  const auto fleet = [](int count) {
+    return scene_of(R"({"model": "yacht", "at_m": [0, 0, 0], "count": )" + std::to_string(count) +
+                        R"(, "area_m": [900, 900], "float": {}}, {"model": "crate", "at_m": [0, 0, 9], "float": {}})",
+                    R"("models", "boats")");
+  };
+  EXPECT_THAT(remarks_of(fleet(32)), testing::IsEmpty());
+  const std::vector<std::string> remarks = remarks_of(fleet(40));
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_THAT(remarks[0], HasSubstr("cut out of 64 inside hulls"));
+  EXPECT_THAT(remarks[0], HasSubstr("8 more things, from 'yacht 33' on"));
 }
 
 }  // namespace
