@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "app/boats/line_shape.h"
 #include "app/place_inputs.h"
 #include "app/sea_remarks.h"
 #include "app/sea_spec.h"
@@ -251,7 +252,10 @@ void Experience::draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesI
 // Bodies stay where they are while their effect is off, and go on from there in whatever sea there is then.
 void Experience::join_bodies() {
   if (bodies_ == nullptr) bodies_ = scene_bodies(scene_);
-  if (bodies_ != nullptr && boat_shapes_ == nullptr) boat_shapes_ = std::make_unique<BoatShapes>(scene_.objects);
+  if (bodies_ != nullptr && boat_shapes_ == nullptr) {
+    if (add_line_things(scene_.objects, *bodies_)) loaded_models_.reset();  // there are more
+    boat_shapes_ = std::make_unique<BoatShapes>(scene_.objects);
+  }
   const std::shared_ptr<Sea> before = sea_of_bodies_.lock();
   const std::shared_ptr<Sea> now = bodies_ != nullptr && calls_for(scene_.effects, "boats") ? sea_ : nullptr;
   if (bodies_ != nullptr) bodies_->take(body_media(scene_.settings));
@@ -263,7 +267,9 @@ void Experience::join_bodies() {
 }
 
 SolidSources Experience::solid_sources() const {
-  return {scene_.objects.models, scene_.objects.things, loaded_models_.get(), solid_surroundings_.get()};
+  const SceneObjects& objects = scene_.objects;
+  return {objects.models, objects.things, objects.lines ? &objects.lines->drawn : nullptr, loaded_models_.get(),
+          solid_surroundings_.get()};
 }
 
 void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look) {

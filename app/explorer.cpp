@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "app/explorer.h"
 #include "app/frame.h"
@@ -199,6 +200,11 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.sea_time_s = sea_time_s();
   facts.paused = paused_;
   facts.recording = recorder_.recording();
+  if (const auto& bodies = experience_->bodies(); bodies != nullptr && crew_.body()) {
+    facts.aboard = true;
+    facts.moored = bodies->moorings().made_fast(*crew_.body());
+    facts.anchored = bodies->moorings().anchored(*crew_.body());
+  }
   facts.recorded_s = now_s_ - recording_began_s_;
   facts.frame_ms = frame_ms_;
   facts.period_ms = 1000.0 * shown.period_s;
@@ -230,6 +236,9 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.pause) toggle_pause();
   if (wish.record) toggle_recording();
   if (wish.screenshot) screenshot_wanted_ = true;
+  if (wish.moor) wished_.push_back(Action::moor);
+  if (wish.anchor) wished_.push_back(Action::anchor);
+  if (wish.respawn) wished_.push_back(Action::respawn);
   if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene, program_.preset);
 }
 
@@ -279,6 +288,7 @@ void Explorer::step(const DisplayFrame& shown) {
   last_s_ = shown.time_s;
   input_ = display_.input();
   serve_desk();
+  for (const Action action : std::exchange(wished_, {})) input_.pressed.push_back({action, 1.0});
   obey(input_);
   look(input_);
   if (!shown.should_render) {  // time stands still meanwhile

@@ -65,7 +65,8 @@ class Explorer {
   void move(const Input& input, double dt_s);
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
-  void board();  // or steps off
+  void board();                   // or steps off
+  void work_boat(Action action);  // moors, anchors or puts her back
   void step_ashore(const Pose& was);
   void look_from_boat(BoatView view);
   void sail(const Input& input, double dt_s);
@@ -147,7 +148,8 @@ class Explorer {
     double dt_s = 0.0;
   } strokes_;
   PathRecorder recorder_;
-  Input input_;  // of this frame: the display's, and what was done at the desk
+  Input input_;                 // of this frame: the display's, and what was done at the desk
+  std::vector<Action> wished_;  // in the panel: pressed in the next frame, so that a recording has them
   std::vector<std::string> scenes_;
   std::optional<Settings> wanted_;
   std::optional<std::vector<std::string>> wanted_effects_;

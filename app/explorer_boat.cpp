@@ -23,6 +23,16 @@ void Explorer::board() {
     step_ashore(was);
 }
 
+void Explorer::work_boat(Action action) {
+  const auto& bodies = experience_->bodies();
+  if (bodies == nullptr) return tell("no boats float here");
+  const auto told = crew_.press(action, experience_->scene(), *bodies, head().position_m, sea_time_s());
+  if (told) tell(*told);
+  if (action != Action::respawn) return;
+  look_deg_ = {0.0, 0.0};
+  comfort_.begin_anew();
+}
+
 // Where one was, level.
 void Explorer::step_ashore(const Pose& was) {
   display_.set_post(Post::afoot);

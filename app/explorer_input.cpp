@@ -18,6 +18,11 @@ void Explorer::obey(const Input& input) {
       case Action::board:
         board();
         break;
+      case Action::moor:
+      case Action::anchor:
+      case Action::respawn:
+        work_boat(action);
+        break;
       case Action::pause:
         toggle_pause();
         break;

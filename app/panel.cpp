@@ -33,6 +33,9 @@ constexpr std::array<const char*, 2> keys[] = {
     {"V", "next debug view"},
     {"P or F2", "screenshot"},
     {"R", "start and end recording a camera path"},
+    {"B", "board a boat, or step off"},
+    {"Y, I", "aboard: make fast or cast off; anchor or weigh"},
+    {"Backspace", "put the boat back where it began"},
     {"K", "what makes moving gentler in a headset, on and off"},
     {"C", "in a headset: what lies ahead becomes forward"},
     {"F1", "this panel on and off"},
@@ -205,6 +208,13 @@ void Panel::draw_head(const Settings& settings, const PanelFacts& facts, PanelWi
   if (ImGui::Button(facts.recording ? fmt::format("End path ({:.1f} s)###record", facts.recorded_s).c_str()
                                     : "Record path###record"))
     wish.record = true;
+  if (facts.aboard) {
+    if (ImGui::Button(facts.moored ? "Cast off###moor" : "Moor###moor")) wish.moor = true;
+    ImGui::SameLine();
+    if (ImGui::Button(facts.anchored ? "Weigh anchor###anchor" : "Anchor###anchor")) wish.anchor = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Put back")) wish.respawn = true;
+  }
   double time_s = facts.sea_time_s;
   ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 5.0f);
   if (ImGui::DragScalar("sea time", ImGuiDataType_Double, &time_s, 0.05f, nullptr, nullptr, "%.1f s"))

@@ -23,6 +23,7 @@ struct PanelFacts {
   Travel travel = Travel::fly;
   double speed_mps = 0.0, sea_time_s = 0.0, recorded_s = 0.0;
   bool paused = false, recording = false;
+  bool aboard = false, moored = false, anchored = false;
   double frame_ms = 0.0, cpu_ms = 0.0, gpu_ms = 0.0;
   double period_ms = 0.0;              // from one frame to the next as the display has it; 0: it does not say
   double scale = 1.0;                  // of the size that the display asks for
@@ -42,6 +43,7 @@ struct PanelWish {
   std::optional<Travel> travel;
   std::optional<double> sea_time_s;
   bool screenshot = false, record = false, pause = false;
+  bool moor = false, anchor = false, respawn = false;  // of the boat that one is aboard of
 };
 
 // The lines that tell the keys, at the start and in the panel: key, then what it does.

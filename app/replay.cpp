@@ -82,8 +82,8 @@ struct Person {
     hands.move(acted.hands, scene_time_s);
     if (experience.bodies() == nullptr) return;
     for (const Press& press : acted.pressed)
-      if (press.action == Action::board)
-        spdlog::info("{}", crew.board(experience.scene(), *experience.bodies(), head_m, scene_time_s));
+      if (const auto told = crew.press(press.action, experience.scene(), *experience.bodies(), head_m, scene_time_s))
+        spdlog::info("{}", *told);
     crew.drive(*experience.bodies(), acted.values);
   }
 };

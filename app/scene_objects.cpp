@@ -155,7 +155,9 @@ class Reader {
         floats.velocity_mps = {v[0], v[1]};
       });
     if (const LocatedJson* moored = reader.optional("moored_m"))
-      faults_.attempt([&] { floats.moored_m = read_moorings(*moored, reader.key_name("moored_m")); });
+      faults_.attempt([&] { floats.moored_m = read_places(*moored, reader.key_name("moored_m"), 0, 16); });
+    if (const LocatedJson* course = reader.optional("course_m"))
+      faults_.attempt([&] { floats.course_m = read_places(*course, reader.key_name("course_m"), 2, 64); });
     floats.controls.throttle = reader.number("throttle", -1.0, 1.0, 0.0, "");
     floats.controls.helm = reader.number("helm", -1.0, 1.0, 0.0, "");
     floats.controls.sheet = reader.number("sheet", 0.0, 1.0, 0.5, "");
@@ -166,10 +168,12 @@ class Reader {
     return floats;
   }
 
-  std::vector<glm::dvec2> read_moorings(const LocatedJson& json, const std::string& name) {
-    if (!json.is(Kind::array) || json.items.size() > 16)
+  std::vector<glm::dvec2> read_places(const LocatedJson& json, const std::string& name, std::size_t least,
+                                      std::size_t most) {
+    if (!json.is(Kind::array) || json.items.size() < least || json.items.size() > most)
       throw Error(where_ + ":" + std::to_string(json.line), name + ": " + described(json) + " is not a list of places",
-                  "write \"moored_m\": [[x, z], ...], at most 16");
+                  "write [[x, z], ...], " + (least > 0 ? std::to_string(least) + " to " : std::string("at most ")) +
+                      std::to_string(most));
     std::vector<glm::dvec2> places;
     for (const LocatedJson& item : json.items) {
       const auto v = numbers_of(item, name, 2, -1e7, 1e7, "m", where_);

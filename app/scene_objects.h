@@ -1,6 +1,7 @@
 // The things that a scene file puts somewhere: models with a place, one by one or scattered.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct SceneObjects {
   std::vector<SolidThing> things;
   std::vector<std::string> names;       // of the things; those that are scattered have a number behind theirs
   std::vector<FloatingThing> floating;  // in the order of the things
+  // Pieces of lines and chains, behind all other things (app/boats/line_shape.h).
+  struct Lines {
+    std::size_t first = 0, drawn = 0;  // of the things: the first piece, and behind the last that is shown
+    std::size_t rope = 0, chain = 0;   // models
+  };
+  std::optional<Lines> lines;
   bool empty() const { return things.empty(); }
 };
 

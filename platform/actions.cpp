@@ -43,6 +43,9 @@ constexpr std::array<ActionRow, action_count> rows{{
     {debug_view, "debug_view", press, "The next debug view"},
     {comfort, "comfort", press, "All that makes moving gentler off and on"},
     {leave, "leave", press, "Free the mouse, then close"},
+    {moor, "moor", press, "Aboard: make fast to what is near, or cast off"},
+    {anchor, "anchor", press, "Aboard: let go the anchor, or weigh it"},
+    {respawn, "respawn", press, "Put the boat back where the scene has it"},
 }};
 
 constexpr bool in_order() {

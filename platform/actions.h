@@ -44,8 +44,11 @@ enum class Action : std::uint8_t {
   debug_view,
   comfort,
   leave,
+  moor,
+  anchor,
+  respawn,
 };
-inline constexpr std::size_t action_count = std::size_t(Action::leave) + 1;
+inline constexpr std::size_t action_count = std::size_t(Action::respawn) + 1;
 
 // press: 0 or 1, and what counts is that it comes; amount: 0 to 1; axis: -1 to 1.
 enum class ActionKind { press, amount, axis };

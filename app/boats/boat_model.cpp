@@ -164,22 +164,67 @@ void read_extras(const LocatedJson& json, const std::string& where, BoatModel& b
     boat.seats.push_back(seat);
   });
   if (extras.find("moored_at_m") != nullptr) boat.moored_at_m = extras.place("moored_at_m");
+  if (extras.find("mooring_ring_m") != nullptr) boat.ring_m = extras.place("mooring_ring_m");
   read_parts(extras, where, boat.boat);
 }
 
-}  // namespace
-
-BoatModel boat_model(const SolidModel& model, const std::string& where) {
-  BoatModel boat;
+// The extras of the first of the scene's roots that has them.
+template <class Read>
+void with_extras(const SolidModel& model, const std::string& where, const Read& read) {
   for (const int root : model.drawn) {
     const std::string& text = model.nodes[std::size_t(root)].extras;
     if (text.empty()) continue;
     const LocatedJson json = parse_located_json(text, where);
-    if (const LocatedJson* own = json.is(LocatedJson::Kind::object) ? json.member("seascape") : nullptr) {
-      read_extras(*own, where, boat);
-      break;
-    }
+    if (const LocatedJson* own = json.is(LocatedJson::Kind::object) ? json.member("seascape") : nullptr)
+      return read(*own);
   }
+}
+
+struct Ends {
+  glm::dvec3 bow{0.0}, stern{0.0};
+};
+
+// The foremost and the aftermost place of a hull's upper edge, a little inside of it; as high as the hull is there, and
+// not as its house.
+Ends ends_of(const HullMesh& hull) {
+  constexpr double inside = 0.9, end = 0.12;  // of the way from the middle; of the length
+  double front = 1e300, back = -1e300;
+  for (const glm::dvec3& v : hull.vertices) front = std::min(front, v.z), back = std::max(back, v.z);
+  Ends ends{{0.0, -1e300, inside * front}, {0.0, -1e300, inside * back}};
+  for (const glm::dvec3& v : hull.vertices) {
+    if (v.z < front + end * (back - front)) ends.bow.y = std::max(ends.bow.y, v.y);
+    if (v.z > back - end * (back - front)) ends.stern.y = std::max(ends.stern.y, v.y);
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> mooring_points_of(const SolidModel& model, const std::string& where) {
+  std::vector<glm::dvec3> points;
+  with_extras(model, where, [&](const LocatedJson& json) {
+    const Extras extras(json, "extras.seascape", where);
+    if (extras.find("mooring_ring_m") != nullptr) points.push_back(extras.place("mooring_ring_m"));
+    const LocatedJson* cleats = extras.find("cleats");
+    if (cleats == nullptr) return;
+    for (const LocatedJson& cleat : cleats->items) {
+      const std::vector<double> v = numbers_of(cleat, "extras.seascape.cleats", 3, -1e4, 1e4, "m", where);
+      points.push_back({v[0], v[1], v[2]});
+    }
+  });
+  return points;
+}
+
+BodyFittings fittings_of(const BoatModel& model, double scale) {
+  if (model.ring_m) return {scale * *model.ring_m};
+  if (!model.is_boat) return {};
+  const Ends ends = ends_of(model.hull);
+  return {scale * ends.bow, scale * ends.stern};
+}
+
+BoatModel boat_model(const SolidModel& model, const std::string& where) {
+  BoatModel boat;
+  with_extras(model, where, [&](const LocatedJson& json) { read_extras(json, where, boat); });
   const auto hulls = hidden_meshes(model, "collision");
   boat.hull = hulls.empty() ? drawn_mesh(model) : triangles_of(hulls);
   try {
@@ -208,14 +253,10 @@ BoatSpec scaled(const BoatSpec& boat, double scale) {
   return spec;
 }
 
-// At the end that is nearer: the foremost or the aftermost place of her hull's upper edge.
+// At the end that is nearer.
 glm::dvec3 made_fast_at(const BoatModel& model, double scale, const Pose& pose, const glm::dvec2& to) {
   if (model.moored_at_m) return scale * *model.moored_at_m;
-  double top = -1e300;
-  for (const glm::dvec3& v : model.hull.vertices) top = std::max(top, v.y);
-  glm::dvec3 bow(0.0, top, 1e300), stern(0.0, top, -1e300);
-  for (const glm::dvec3& v : model.hull.vertices) bow.z = std::min(bow.z, v.z), stern.z = std::max(stern.z, v.z);
-  bow.z *= 0.9, stern.z *= 0.9;
+  const auto [bow, stern] = ends_of(model.hull);
   const auto away = [&](const glm::dvec3& at) {
     const glm::dvec3 world = pose.position_m + pose.orientation * (scale * at);
     return std::hypot(world.x - to.x, world.z - to.y);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/boats/line_shape.h"
 #include "app/located_json.h"
 
 namespace seascape {
@@ -127,6 +128,7 @@ void BoatShapes::place(SceneObjects& objects, const SeaBodies& bodies, double ti
     if (const auto& shape = shapes_[thing.model])
       shape->place(bodies.boat(n).parts(), bodies.boat(n).asked(), time_s, thing.nodes);
   }
+  place_lines(objects, bodies, time_s);
 }
 
 }  // namespace seascape

@@ -32,7 +32,7 @@ class BoatShape {
 class BoatShapes {
  public:
   explicit BoatShapes(const SceneObjects& objects);
-  // Has the things that float where their bodies are at a time (s), their parts as they are driven.
+  // Has the things that float where their bodies are at a time (s), their parts as they are driven, and their lines.
   void place(SceneObjects& objects, const SeaBodies& bodies, double time_s) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "app/boats/scene_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -64,6 +65,33 @@ std::vector<StillCollider> still_colliders(const Scene& scene) {
     }
   }
   return still;
+}
+
+double length_of(const HullMesh& hull) {
+  double front = 0.0, back = 0.0;
+  for (const glm::dvec3& v : hull.vertices) front = std::min(front, v.z), back = std::max(back, v.z);
+  return std::max(back - front, 0.1);
+}
+
+// Cleats and rings of things that stand still.
+std::vector<MooringPoint> points_of(const Scene& scene) {
+  std::vector<MooringPoint> points;
+  const SceneObjects& objects = scene.objects;
+  std::vector<bool> floats(objects.things.size(), false);
+  for (const FloatingThing& one : objects.floating) floats[one.thing] = true;
+  std::map<std::size_t, std::vector<glm::dvec3>> known;
+  for (std::size_t t = 0; t < objects.things.size() && points.size() < most_colliders; ++t) {
+    const SolidThing& thing = objects.things[t];
+    if (floats[t]) continue;
+    const auto [found, is_new] = known.try_emplace(thing.model);
+    if (is_new) {
+      const SolidModel& model = objects.models[thing.model].model();
+      found->second = mooring_points_of(model, model.name);
+    }
+    for (const glm::dvec3& at : found->second)
+      points.push_back({objects.names[t], thing.pose.position_m + thing.pose.orientation * (thing.scale * at)});
+  }
+  return points;
 }
 
 }  // namespace
@@ -132,16 +160,21 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
     wakes.push_back(model->is_boat ? wake : nullptr);
     specs.push_back(std::move(spec));
     boats.push_back(scaled(model->boat, thing.scale));
+    surroundings.fittings.push_back(fittings_of(*model, thing.scale));
     for (const glm::dvec2& to : one.floats.moored_m)
       surroundings.moorings.push_back({boats.size() - 1, made_fast_at(*model, thing.scale, thing.pose, to), to});
   }
   surroundings.still = still_colliders(scene);
+  surroundings.points = points_of(scene);
   surroundings.land = calls_for(scene.effects, "sea_depth");
   auto bodies = std::make_shared<SeaBodies>(settings, std::move(specs), std::move(boats), std::move(courses),
                                             insides_of(scene), surroundings);
   for (std::size_t n = 0; n < objects.floating.size(); ++n) {
     bodies->ask(n, objects.floating[n].floats.controls);
     if (objects.floating[n].floats.towed) bodies->tow(n);
+    if (const auto& course = objects.floating[n].floats.course_m; !course.empty())
+      bodies->keep_to(n,
+                      Helmsman(course, length_of(*bodies->bodies().spec(n).hull), objects.floating[n].floats.controls));
     if (wakes[n] != nullptr) bodies->makes_waves(n, wakes[n], 8.0 * scene.settings.wakes.waves.windows.texel_m);
   }
   return bodies;

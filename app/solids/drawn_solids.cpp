@@ -158,10 +158,9 @@ void DrawnSolids::resize(const Image* depths) {
 
 void DrawnSolids::update(Frame& frame, const Viewpoint& viewpoint, double time_s, double highest_m,
                          const ModelSettings& settings) {
-  select_solids(from_.models, from_.things, viewpoint, time_s, settings.detail, selection_);
+  select_solids(from_.models, things(), viewpoint, time_s, settings.detail, selection_);
   if (look_.below != nullptr)
-    told_of_water_ =
-        select_in_water(from_.models, from_.things, viewpoint, time_s, settings.detail, highest_m, in_water_);
+    told_of_water_ = select_in_water(from_.models, things(), viewpoint, time_s, settings.detail, highest_m, in_water_);
   slot_ = frame.slot();
   upload(selection_, instances_);
   upload(in_water_, in_water_instances_);
@@ -185,7 +184,7 @@ void DrawnSolids::cast(gpu::FrameData& data, const Viewpoint& viewpoint, const M
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   sun_ =
       sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->spec().width), settings.shadow_reach_m);
-  select_casters(from_.models, from_.things, viewpoint, sun_, time_s, settings.detail, casters_);
+  select_casters(from_.models, things(), viewpoint, sun_, time_s, settings.detail, casters_);
   if (casters_.instances.empty()) return;
   describe_sun(data, viewer);
   upload(casters_, caster_instances_);

@@ -28,6 +28,7 @@ struct SolidLook {
 struct SolidSources {
   std::span<const PlacedModel> models;
   std::span<const SolidThing> things;
+  const std::size_t* drawn = nullptr;  // how many of the things are; null: all
   const LoadedModels* loaded = nullptr;
   const SolidSurroundings* around = nullptr;
 };
@@ -75,6 +76,9 @@ class DrawnSolids {
     Bindings shown_underwater;  // the same for eyes in the water
     Bindings in_water, casting;
   };
+  std::span<const SolidThing> things() const {
+    return from_.drawn != nullptr ? from_.things.first(*from_.drawn) : from_.things;
+  }
   void make_caster_pipeline();
   void make_room(std::span<const SolidThing> things);
   void make_pipelines(const RenderTarget& picture);

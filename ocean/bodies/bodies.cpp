@@ -386,8 +386,13 @@ void Bodies::fill(std::size_t n, double water_m3) {
 void Bodies::moor(std::vector<MooringLine> lines) {
   if (!contacts_) return;
   for (const MooringLine& line : lines)
-    if (line.body < states_.size()) bodies_[line.body].quiet_s = 0.0, states_[line.body].asleep = false;
+    for (const std::size_t held : {line.body, line.other.value_or(line.body)})
+      if (held < states_.size()) bodies_[held].quiet_s = 0.0, states_[held].asleep = false;
   contacts_->set_lines(std::move(lines));
+}
+
+std::span<const double> Bodies::line_tensions_n() const {
+  return contacts_ ? contacts_->tensions_n() : std::span<const double>();
 }
 
 void Bodies::place(std::size_t n, const BodyMotion& motion) {

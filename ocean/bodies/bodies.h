@@ -84,6 +84,8 @@ class Bodies {
   void hit(std::size_t body, const glm::dvec3& impulse_ns, const glm::dvec3& at_m);
   // Other lines from now on, with contacts; wakes who is held by one. Throws Error where a line is unfit.
   void moor(std::vector<MooringLine> lines);
+  std::span<const double> line_tensions_n() const;  // Contacts::tensions_n; none without contacts
+  void move_line_end(std::size_t line, const glm::dvec3& to_m) { contacts_->move_end(line, to_m); }
   // So much water stands in it from now on; wakes the body. Nothing without an inside.
   void fill(std::size_t body, double water_m3);
   // Another motion from now on; wakes the body.

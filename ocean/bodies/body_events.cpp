@@ -5,7 +5,7 @@
 namespace seascape {
 
 std::string_view name_of(BodyEventKind kind) {
-  constexpr std::string_view names[] = {"in", "out", "slam", "ground", "hit", "capsize", "swamped"};
+  constexpr std::string_view names[] = {"in", "out", "slam", "ground", "hit", "capsize", "swamped", "parted", "drags"};
   return names[std::size_t(kind)];
 }
 

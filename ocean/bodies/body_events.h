@@ -1,5 +1,5 @@
 // What happens to bodies, told once each: coming out of the water and into it, slams, groundings, hits, capsizes and
-// swampings.
+// swampings; and of their lines (moorings.h) that one parts or that an anchor drags.
 #pragma once
 #include <cstddef>
 #include <string_view>
@@ -9,14 +9,15 @@
 
 namespace seascape {
 
-enum class BodyEventKind { in, out, slam, ground, hit, capsize, swamped };
+enum class BodyEventKind { in, out, slam, ground, hit, capsize, swamped, parted, drags };
 std::string_view name_of(BodyEventKind kind);
 
 struct BodyEvent {
   double time_s = 0.0;
   std::size_t body = 0;
   BodyEventKind kind = BodyEventKind::in;
-  double strength = 0.0;  // m/s that it came in with; of slam, ground and hit the m/s it lost; of the others 0
+  // m/s that it came in with; of slam, ground and hit the m/s it lost; that its anchor drags with; of the others 0.
+  double strength = 0.0;
 };
 
 // A state begins where the first limit is met and is over where the second is: between the two nothing is told.

@@ -29,24 +29,25 @@ std::size_t ContactSolver::slot(std::span<const ContactBody> bodies, std::size_t
   return slots_[body];
 }
 
-ContactSolver::Row ContactSolver::row(std::size_t a, std::optional<std::size_t> b, const glm::dvec3& at,
-                                      const glm::dvec3& direction, std::span<const ContactBody> bodies) const {
+ContactSolver::Row ContactSolver::row(std::size_t a, const glm::dvec3& at_a, std::optional<std::size_t> b,
+                                      const glm::dvec3& at_b, const glm::dvec3& direction,
+                                      std::span<const ContactBody> bodies) const {
   Row out;
-  const auto side = [&](std::size_t body, double sign, Vector6& acts, Vector6& takes) {
+  const auto side = [&](std::size_t body, const glm::dvec3& at, double sign, Vector6& acts, Vector6& takes) {
     const glm::dvec3 d = sign * direction;
     acts = {d, glm::cross(at - bodies[body].motion->centre_m, d)};
     takes = moving_[slots_[body]].inverse.solve(acts);
     out.mobility += dot(acts, takes);
   };
-  side(a, 1.0, out.a, out.takes_a);
-  if (b) side(*b, -1.0, out.b, out.takes_b);
+  side(a, at_a, 1.0, out.a, out.takes_a);
+  if (b) side(*b, at_b, -1.0, out.b, out.takes_b);
   return out;
 }
 
-// How fast they part along the row's direction, m/s.
-double ContactSolver::closing(const Row& row, const Touch& touch) const {
-  double speed = dot(row.a, moving_[slots_[touch.a]].velocity);
-  if (touch.b) speed += dot(row.b, moving_[slots_[*touch.b]].velocity);
+// How fast a goes along the row's direction from b, m/s.
+double ContactSolver::parting(const Row& row, std::size_t a, std::optional<std::size_t> b) const {
+  double speed = dot(row.a, moving_[slots_[a]].velocity);
+  if (b) speed += dot(row.b, moving_[slots_[*b]].velocity);
   return speed;
 }
 
@@ -62,7 +63,8 @@ void ContactSolver::apply(const Row& row, std::size_t a, std::optional<std::size
 void ContactSolver::push(Touch& touch, TouchRows& rows, double bounce, bool rubs) {
   if (rubs && touch.friction > 0.0) {
     std::array<double, 2> now{};
-    for (std::size_t i = 0; i < 2; ++i) now[i] = rows.rubs[i] - closing(rows.along[i], touch) / rows.along[i].mobility;
+    for (std::size_t i = 0; i < 2; ++i)
+      now[i] = rows.rubs[i] - parting(rows.along[i], touch.a, touch.b) / rows.along[i].mobility;
     const double most = touch.friction * touch.impulse_ns, size = std::hypot(now[0], now[1]);
     for (std::size_t i = 0; i < 2; ++i) {
       if (size > most) now[i] *= most / size;
@@ -71,7 +73,8 @@ void ContactSolver::push(Touch& touch, TouchRows& rows, double bounce, bool rubs
     }
   }
   const double wanted = rows.wanted_mps > 0.0 ? rows.wanted_mps * bounce : rows.wanted_mps;
-  const double now = std::max(touch.impulse_ns + (wanted - closing(rows.normal, touch)) / rows.normal.mobility, 0.0);
+  const double parts = parting(rows.normal, touch.a, touch.b);
+  const double now = std::max(touch.impulse_ns + (wanted - parts) / rows.normal.mobility, 0.0);
   apply(rows.normal, touch.a, touch.b, now - touch.impulse_ns);
   changed_mps_ = std::max(changed_mps_, std::abs(now - touch.impulse_ns) * rows.normal.mobility);
   touch.impulse_ns = now;
@@ -82,10 +85,10 @@ void ContactSolver::sweep(std::span<Touch> touches, std::span<Pull> pulls, doubl
   changed_mps_ = 0.0;
   for (std::size_t n = 0; n < pulls.size(); ++n) {
     const PullRow& p = pull_rows_[n];
-    const double speed = dot(p.row.a, moving_[slots_[pulls[n].body]].velocity);
+    const double speed = parting(p.row, pulls[n].body, pulls[n].other);
     const double change = (p.wanted_mps - speed - p.softness * pulls[n].impulse_ns) / (p.row.mobility + p.softness);
-    const double now = std::max(pulls[n].impulse_ns + change, 0.0);
-    apply(p.row, pulls[n].body, {}, now - pulls[n].impulse_ns);
+    const double now = std::clamp(pulls[n].impulse_ns + change, 0.0, p.most_ns);
+    apply(p.row, pulls[n].body, pulls[n].other, now - pulls[n].impulse_ns);
     changed_mps_ = std::max(changed_mps_, std::abs(now - pulls[n].impulse_ns) * p.row.mobility);
     pulls[n].impulse_ns = now;
   }
@@ -112,8 +115,14 @@ bool ContactSolver::run(const SolverSettings& settings, std::span<Touch> touches
     before += dot(m.before, m.mass * m.before), now += dot(m.velocity, m.mass * m.velocity);
   }
   for (std::size_t n = 0; n < pulls.size(); ++n) {  // the work of each pull at its mean speed
+    const Row& row = pull_rows_[n].row;
     const Moving& m = moving_[slots_[pulls[n].body]];
-    pulled += pulls[n].impulse_ns * dot(pull_rows_[n].row.a, m.before + m.velocity);
+    double way = dot(row.a, m.before + m.velocity);
+    if (pulls[n].other) {
+      const Moving& other = moving_[slots_[*pulls[n].other]];
+      way += dot(row.b, other.before + other.velocity);
+    }
+    pulled += pulls[n].impulse_ns * way;
   }
   return now <= before + std::max(pulled, 0.0) + 1e-12 * before;
 }
@@ -140,7 +149,10 @@ void ContactSolver::solve(const SolverSettings& settings, double dt, std::span<c
     slot(bodies, touch.a);
     if (touch.b) slot(bodies, *touch.b);
   }
-  for (const Pull& pull : pulls) slot(bodies, pull.body);
+  for (const Pull& pull : pulls) {
+    slot(bodies, pull.body);
+    if (pull.other) slot(bodies, *pull.other);
+  }
 
   // Before impulses are reckoned, so that their moments are about where the bodies stay.
   part(settings, touches);
@@ -148,10 +160,11 @@ void ContactSolver::solve(const SolverSettings& settings, double dt, std::span<c
   double bounce = 0.0;
   for (const Touch& touch : touches) {
     TouchRows& rows = rows_.emplace_back();
-    rows.normal = row(touch.a, touch.b, touch.at_m, touch.normal, bodies);
+    rows.normal = row(touch.a, touch.at_m, touch.b, touch.at_m, touch.normal, bodies);
     const std::array<glm::dvec3, 2> tangents = across(touch.normal);
-    for (std::size_t i = 0; i < 2; ++i) rows.along[i] = row(touch.a, touch.b, touch.at_m, tangents[i], bodies);
-    const double speed = closing(rows.normal, touch);
+    for (std::size_t i = 0; i < 2; ++i)
+      rows.along[i] = row(touch.a, touch.at_m, touch.b, touch.at_m, tangents[i], bodies);
+    const double speed = parting(rows.normal, touch.a, touch.b);
     const double most = -std::max(touch.gap_m, 0.0) / dt;  // as fast as it may come nearer
     const bool bounces = speed < -settings.bounce_mps && speed < most && touch.restitution > 0.0;
     rows.wanted_mps = bounces ? -touch.restitution * speed : most;
@@ -161,10 +174,11 @@ void ContactSolver::solve(const SolverSettings& settings, double dt, std::span<c
   // it never swings.
   for (const Pull& pull : pulls) {
     PullRow& p = pull_rows_.emplace_back();
-    p.row = row(pull.body, {}, pull.at_m, pull.towards, bodies);
+    p.row = row(pull.body, pull.at_m, pull.other, pull.other_at_m, pull.towards, bodies);
     const double stiff = pull.damping_ns_m + dt * pull.stiffness_n_m;
     p.softness = 1.0 / (dt * stiff);
     p.wanted_mps = pull.stretch_m * pull.stiffness_n_m / stiff;
+    p.most_ns = pull.most_n * dt;
   }
   if (!run(settings, touches, pulls, bounce, true) && !(bounce > 0.0 && run(settings, touches, pulls, 0.0, true)))
     run(settings, touches, pulls, 0.0, false);

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,12 +23,16 @@ struct Touch {
   double impulse_ns = 0.0;  // along the normal: what the solver gives back
 };
 
-// A line that is stretched: it pulls a body towards a place and never pushes.
+// A line that is stretched: it pulls a body towards a place, or two bodies towards each other, and never pushes.
 struct Pull {
   std::size_t body = 0;
   glm::dvec3 at_m{0.0}, towards{0.0};  // where it holds the body; of length 1
   double stretch_m = 0.0, stiffness_n_m = 0.0, damping_ns_m = 0.0;
-  double impulse_ns = 0.0;  // what the solver gives back
+  std::optional<std::size_t> other;  // pulled the opposite way, where it is held; none: the world
+  glm::dvec3 other_at_m{0.0};        // on the line of `towards`, so that no moment comes of the pair
+  double most_n = std::numeric_limits<double>::infinity();  // it gives way beyond
+  std::size_t line = 0;                                     // whose pull it is, for who asked
+  double impulse_ns = 0.0;                                  // what the solver gives back
 };
 
 struct ContactBody {
@@ -65,7 +70,7 @@ class ContactSolver {
   };
   struct PullRow {
     Row row;
-    double softness = 0.0, wanted_mps = 0.0;
+    double softness = 0.0, wanted_mps = 0.0, most_ns = 0.0;
   };
   struct Moving {
     std::size_t body;
@@ -76,9 +81,9 @@ class ContactSolver {
     double per_kg = 0.0;
   };
   std::size_t slot(std::span<const ContactBody> bodies, std::size_t body);
-  Row row(std::size_t a, std::optional<std::size_t> b, const glm::dvec3& at, const glm::dvec3& direction,
-          std::span<const ContactBody> bodies) const;
-  double closing(const Row& row, const Touch& touch) const;
+  Row row(std::size_t a, const glm::dvec3& at_a, std::optional<std::size_t> b, const glm::dvec3& at_b,
+          const glm::dvec3& direction, std::span<const ContactBody> bodies) const;
+  double parting(const Row& row, std::size_t a, std::optional<std::size_t> b) const;
   void apply(const Row& row, std::size_t a, std::optional<std::size_t> b, double impulse);
   void push(Touch& touch, TouchRows& rows, double bounce, bool rubs);
   void sweep(std::span<Touch> touches, std::span<Pull> pulls, double bounce, bool rubs, bool backwards);

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "engine/error.h"
+#include "ocean/bodies/chain.h"
 
 namespace seascape {
 namespace {
@@ -62,14 +63,34 @@ struct Shape {
 void check(const std::vector<MooringLine>& lines, std::size_t bodies) {
   for (const MooringLine& line : lines) {
     const char* where = "mooring line";
-    if (line.body >= bodies) throw Error(where, "it holds a body that is not there", "name one of the scene's");
+    if (line.body >= bodies || line.other.value_or(0) >= bodies || line.other == line.body)
+      throw Error(where, "it holds a body that is not there, or one to itself", "name one or two of the scene's");
     const glm::dvec3 sum = line.from_m + line.to_m;
     if (!std::isfinite(sum.x + sum.y + sum.z)) throw Error(where, "an end is no number", "give ends in metres");
     if (!(line.length_m >= 0.0 && std::isfinite(line.length_m) && line.stiffness_n_m > 0.0 &&
-          line.stiffness_n_m < 1e15 && line.damping_ns_m >= 0.0 && line.damping_ns_m < 1e15))
-      throw Error(where, "its length, stiffness or damping is out of range",
+          line.stiffness_n_m < 1e15 && line.damping_ns_m >= 0.0 && line.damping_ns_m < 1e15 && line.weight_n_m >= 0.0 &&
+          line.weight_n_m < 1e6 && line.holds_n >= 0.0))
+      throw Error(where, "its length, stiffness, damping, weight or hold is out of range",
                   "give a length of 0 or more and a stiffness above 0");
   }
+}
+
+// A chain's pull as a spring that is as stiff as the catenary is here, taken at the step's end like any line's. Its
+// anchor gives way at its hold.
+bool hang(const MooringLine& line, const glm::dvec3& way, Pull& pull) {
+  const double across = std::hypot(way.x, way.z);
+  const ChainPull force =
+      chain_pull({line.weight_n_m, line.length_m, line.stiffness_n_m * line.length_m}, across, -way.y);
+  const double tension = std::hypot(force.across_n, force.down_n);
+  if (!(tension > 0.0)) return false;
+  const double flat = force.across_n / tension;
+  const glm::dvec2 ahead = across > 1e-9 ? glm::dvec2(way.x, way.z) / across : glm::dvec2(0.0);
+  pull.towards = {ahead.x * flat, -force.down_n / tension, ahead.y * flat};
+  pull.towards = glm::normalize(pull.towards);
+  pull.stiffness_n_m = std::max(force.stiffness_n_m / std::max(flat * flat, 0.01), line.weight_n_m);
+  pull.stretch_m = tension / pull.stiffness_n_m;
+  pull.most_n = std::max(anchor_hold(line.holds_n, force.across_n, force.lifts_n) / std::max(flat, 1e-6), force.down_n);
+  return true;
 }
 
 }  // namespace
@@ -121,6 +142,10 @@ struct Contacts::World {
   bool narrow(Shape& a, Shape& b, std::size_t body, std::optional<std::size_t> other);
   void touch_land(std::size_t a, const ContactBody& body);
   void pull_lines(std::span<Collider> bodies);
+  glm::dvec3 on_body(std::span<const Collider> bodies, std::size_t body, const glm::dvec3& hull_m) const {
+    const BodyMotion& m = *bodies[body].body.motion;
+    return m.centre_m + m.orientation * (hull_m - mass_centres[body]);
+  }
 
   ContactSettings settings;
   std::vector<glm::dvec3> mass_centres;
@@ -131,6 +156,7 @@ struct Contacts::World {
   ContactSolver solver;
   std::vector<Touch> touches;
   std::vector<Pull> pulls;
+  std::vector<double> tensions_n;  // of the lines
   std::size_t first_of_land = 0;
   std::vector<Box> boxes;
   std::vector<std::size_t> by_x;
@@ -266,14 +292,21 @@ void Contacts::World::pull_lines(std::span<Collider> bodies) {
   pulls.clear();
   for (std::size_t n = 0; n < settings.lines.size(); ++n) {
     const MooringLine& line = settings.lines[n];
-    const Collider& body = bodies[line.body];
-    if (body.asleep) continue;
-    const BodyMotion& m = *body.body.motion;
-    const glm::dvec3 at = m.centre_m + m.orientation * (line.from_m - mass_centres[line.body]);
-    const glm::dvec3 way = line.to_m - at;
-    const double distance = glm::length(way), stretch = distance - line.length_m;
-    if (!(stretch > 0.0 && distance > 1e-9)) continue;
-    pulls.push_back({line.body, at, way / distance, stretch, line.stiffness_n_m, line.damping_ns_m});
+    if (bodies[line.body].asleep && (!line.other || bodies[*line.other].asleep)) continue;
+    const glm::dvec3 at = on_body(bodies, line.body, line.from_m);
+    const glm::dvec3 to = line.other ? on_body(bodies, *line.other, line.to_m) : line.to_m;
+    const glm::dvec3 way = to - at;
+    Pull pull{line.body, at, {}, 0.0, line.stiffness_n_m, line.damping_ns_m, line.other, to};
+    pull.line = n;
+    if (line.weight_n_m > 0.0) {
+      if (!hang(line, way, pull)) continue;
+    } else {
+      const double distance = glm::length(way);
+      pull.stretch_m = distance - line.length_m;
+      if (!(pull.stretch_m > 0.0 && distance > 1e-9)) continue;
+      pull.towards = way / distance;
+    }
+    pulls.push_back(pull);
   }
 }
 
@@ -288,7 +321,10 @@ const std::vector<MooringLine>& Contacts::lines() const { return world_->setting
 void Contacts::set_lines(std::vector<MooringLine> lines) {
   check(lines, world_->shapes.size());
   world_->settings.lines = std::move(lines);
+  world_->tensions_n.assign(world_->settings.lines.size(), 0.0);
 }
+std::span<const double> Contacts::tensions_n() const { return world_->tensions_n; }
+void Contacts::move_end(std::size_t line, const glm::dvec3& to_m) { world_->settings.lines[line].to_m = to_m; }
 
 void Contacts::step(double dt, std::span<Collider> bodies, std::span<ContactImpulses> impulses) {
   World& w = *world_;
@@ -319,7 +355,14 @@ void Contacts::step(double dt, std::span<Collider> bodies, std::span<ContactImpu
     impulses[*touch.b].hit_ns += touch.impulse_ns;
     if (touch.impulse_ns > 0.0) bodies[touch.a].asleep = bodies[*touch.b].asleep = false;
   }
-  for (const Pull& pull : w.pulls) impulses[pull.body].lines_ns += pull.impulse_ns;
+  w.tensions_n.assign(w.settings.lines.size(), 0.0);
+  for (const Pull& pull : w.pulls) {
+    w.tensions_n[pull.line] = pull.impulse_ns / dt;
+    impulses[pull.body].lines_ns += pull.impulse_ns;
+    if (!pull.other) continue;
+    impulses[*pull.other].lines_ns += pull.impulse_ns;
+    if (pull.impulse_ns > 0.0) bodies[pull.body].asleep = bodies[*pull.other].asleep = false;
+  }
 }
 
 }  // namespace seascape

@@ -1,7 +1,9 @@
 // What bodies run into: each other, piers, the land, and the ends of their lines.
 #pragma once
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,13 +21,17 @@ struct StillCollider {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
 };
 
-// A mooring line or an anchor's chain: slack it takes nothing.
+// A mooring line: slack it takes nothing. With a weight it is a chain that hangs and lies on the ground as a catenary
+// does (chain.h), `to_m` the anchor at its end.
 struct MooringLine {
   std::size_t body = 0;
   glm::dvec3 from_m{0.0};  // in the hull's axes
-  glm::dvec3 to_m{0.0};    // in the world
+  glm::dvec3 to_m{0.0};    // in the world, or in the axes of `other`'s hull
   double length_m = 10.0;
   double stiffness_n_m = 1e4, damping_ns_m = 1e3;
+  std::optional<std::size_t> other;                          // the body at its other end; none: the world
+  double weight_n_m = 0.0;                                   // in water, of a chain
+  double holds_n = std::numeric_limits<double>::infinity();  // across the ground, before a chain's anchor drags
 };
 
 // Heights of the ground at places (x, z), m; very low where there is none.
@@ -64,8 +70,12 @@ class Contacts {
   // woken. Depends on nothing but what is given.
   void step(double dt_s, std::span<Collider> bodies, std::span<ContactImpulses> impulses);
   const std::vector<MooringLine>& lines() const;
+  // N, of each line as the last step left it, mean over that step; 0 of lines that were set since.
+  std::span<const double> tensions_n() const;
   // Throws Error where a line is unfit.
   void set_lines(std::vector<MooringLine> lines);
+  // Another place in the world for a line's end.
+  void move_end(std::size_t line, const glm::dvec3& to_m);
 
  private:
   struct World;

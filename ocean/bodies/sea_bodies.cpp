@@ -13,10 +13,6 @@ namespace seascape {
 namespace {
 
 constexpr std::size_t most_told = 4096;  // events that nobody has taken
-constexpr double deepest_m = 40.0;       // of where a line is made fast, below the still sea
-constexpr double over_land_m = 0.3;      // of a bollard's or a ring's height
-// Of a line's length: a little more than the way there.
-constexpr double slack = 1.1, slack_m = 0.3;
 
 ContactSettings contacts_of(const BodySurroundings& surroundings, SeaWater& water) {
   ContactSettings settings;
@@ -33,7 +29,7 @@ ContactSettings contacts_of(const BodySurroundings& surroundings, SeaWater& wate
 SeaBodies::SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, std::vector<BoatSpec> boats,
                      std::vector<std::shared_ptr<const HullCourse>> courses, std::vector<BodyInsides> insides,
                      const BodySurroundings& surroundings)
-    : moorings_(surroundings.moorings),
+    : moorings_(surroundings.moorings, surroundings.fittings, surroundings.points, surroundings.still),
       bodies_(settings, std::move(specs), contacts_of(surroundings, water_)),
       media_(settings.media),
       courses_(std::move(courses)),
@@ -43,29 +39,6 @@ SeaBodies::SeaBodies(const BodySettings& settings, std::vector<BodySpec> specs, 
   for (BoatSpec& boat : boats) boats_.emplace_back(std::move(boat));
 }
 
-// A line's stiffness stretches it by a tenth under half of the body's weight, and its damping is critical.
-void SeaBodies::make_fast() {
-  std::vector<MooringLine> lines;
-  for (const BodyMooring& mooring : moorings_) {
-    const BodyState& state = bodies_.result()[mooring.body];
-    double ground_m = 0.0;
-    water_.ground({&mooring.to_m, 1}, {&ground_m, 1});
-    const double mass = bodies_.spec(mooring.body).mass.mass_kg;
-    MooringLine line;
-    line.body = mooring.body;
-    line.from_m = mooring.from_m;
-    line.to_m = {mooring.to_m.x, std::max(ground_m, -deepest_m) + (ground_m > -over_land_m ? over_land_m : 0.0),
-                 mooring.to_m.y};
-    const glm::dvec3 from = state.at_m + state.motion.orientation * mooring.from_m;
-    line.length_m = slack * glm::length(line.to_m - from) + slack_m;
-    line.stiffness_n_m = 0.5 * mass * media_.gravity_mps2 / (0.1 * line.length_m);
-    line.damping_ns_m = 2.0 * std::sqrt(line.stiffness_n_m * mass);
-    lines.push_back(line);
-  }
-  moorings_.clear();
-  bodies_.moor(std::move(lines));
-}
-
 void SeaBodies::take(const HullMedia& media) {
   media_ = media;
   bodies_.take(media);
@@ -73,19 +46,28 @@ void SeaBodies::take(const HullMedia& media) {
 
 void SeaBodies::step(SeaStep& step) {
   water_.see(step.felt());
-  if (!moorings_.empty()) make_fast();
+  moorings_.make_scene_lines(bodies_, water_, media_);
   for (std::size_t n = 0; n < courses_.size(); ++n)
     if (courses_[n] != nullptr) keep_course(n, step.time_s);
+  for (Steered& one : steered_)
+    if (one.steers) boats_[one.body].ask(one.helmsman.step(boats_[one.body].spec(), bodies_.result()[one.body]));
   for (std::size_t n = 0; n < boats_.size(); ++n) boats_[n].step(bodies_, n, water_, media_, step.time_s, step.dt_s);
   bodies_.step(step.time_s, step.dt_s, water_);
   hold_towed(step.dt_s);
   events_.follow(step.time_s, bodies_, told_);
+  moorings_.follow(step.time_s, step.dt_s, bodies_, water_, told_);
   if (told_.size() > most_told) told_.erase(told_.begin(), told_.end() - most_told);
   stepped_s_ = step.time_s;
   step_s_ = step.dt_s;
   for (Wake& wake : wakes_) make_waves(step, wake);
   for (std::size_t n = 0; n < insides_.size(); ++n)
     for (const int hull : insides_[n].hulls) step.clip(clip_of(n, hull));
+}
+
+void SeaBodies::ask(std::size_t n, const BoatControls& controls) {
+  boats_[n].ask(controls);
+  for (Steered& one : steered_)
+    if (one.body == n) one.steers = false;
 }
 
 void SeaBodies::keep_course(std::size_t n, double end_s) {
@@ -162,6 +144,38 @@ void SeaBodies::hold() {
   for (Wake& wake : wakes_) wake.foam.forget();
 }
 
+// Upright, dry and at rest, her engine stopped; what is asked of her stays.
+void SeaBodies::put_back(std::size_t n) {
+  const BodySpec& spec = bodies_.spec(n);
+  BodyMotion motion;
+  motion.orientation = heading(glm::normalize(spec.orientation));
+  motion.centre_m = spec.at_m + motion.orientation * spec.mass_centre_m;
+  bodies_.place(n, motion);
+  bodies_.fill(n, 0.0);
+  const BoatControls asked = boats_[n].asked();
+  boats_[n] = Boat(boats_[n].spec());
+  boats_[n].ask(asked);
+  for (Towed& towed : towed_)
+    if (towed.body == n) towed.as = motion;
+  for (Wake& wake : wakes_)
+    if (wake.body == n) wake.foam.forget();
+  for (Steered& one : steered_)
+    if (one.body == n) one.helmsman.begin_anew(), one.steers = true;
+  moorings_.begin_anew(n, bodies_);
+}
+
+SeaBodies::HungLine SeaBodies::line_at(std::size_t n, double time_s) const {
+  const Moorings::Line& line = moorings_.lines()[n];
+  const auto on = [&](std::size_t body, const glm::dvec3& hull_m) {
+    const Pose pose = pose_at(body, time_s);
+    return pose.position_m + pose.orientation * hull_m;
+  };
+  const MooringLine& is = line.is;
+  return {on(is.body, is.from_m), is.other ? on(*is.other, is.to_m) : is.to_m, is.length_m, line.diameter_m,
+          is.weight_n_m > 0.0 ? std::optional(Chain{is.weight_n_m, is.length_m, is.stiffness_n_m * is.length_m})
+                              : std::nullopt};
+}
+
 ClipBody SeaBodies::clip_of(std::size_t n, int hull) const {
   const BodyState& state = bodies_.result()[n];
   ClipBody clip;
@@ -194,7 +208,8 @@ std::uint64_t SeaBodies::hash() const {
   std::uint64_t hash = bodies_.hash();
   for (const Boat& boat : boats_) hash = boat.mixed_into(hash);
   for (const Wake& wake : wakes_) hash = mixed(hash, wake.foam.hash());
-  return hash;
+  for (const Steered& one : steered_) hash = mixed(one.helmsman.mixed_into(hash), std::uint64_t(one.steers));
+  return moorings_.mixed_into(hash);
 }
 
 }  // namespace seascape

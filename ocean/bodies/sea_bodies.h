@@ -11,7 +11,9 @@
 #include "ocean/bodies/boat.h"
 #include "ocean/bodies/bodies.h"
 #include "ocean/bodies/body_events.h"
+#include "ocean/bodies/helmsman.h"
 #include "ocean/bodies/hull_course.h"
+#include "ocean/bodies/moorings.h"
 #include "ocean/bodies/sea_water.h"
 #include "ocean/bodies/wake_foam.h"
 #include "ocean/sea/sea_actor.h"
@@ -25,18 +27,13 @@ struct BodyInsides {
   double scale = 1.0;
 };
 
-// Made fast to a place of the sea (x, z): from a place of the body's own, to the ground there where that is known.
-struct BodyMooring {
-  std::size_t body = 0;
-  glm::dvec3 from_m{0.0};
-  glm::dvec2 to_m{0.0};
-};
-
 // What bodies may run into beside each other: what stands still, the ground where `land`, and their lines.
 struct BodySurroundings {
   std::vector<StillCollider> still;
   bool land = false;
   std::vector<BodyMooring> moorings;
+  std::vector<BodyFittings> fittings;  // of each body, or none at all
+  std::vector<MooringPoint> points;
 };
 
 // Bodies move in the sea's steps alone. What they do depends on where they began and on the steps since, never on
@@ -68,18 +65,43 @@ class SeaBodies final : public SeaActor {
   glm::dvec3 velocity_mps(std::size_t body) const;
   const Bodies& bodies() const { return bodies_; }
   Bodies& bodies() { return bodies_; }
-  // What is asked of a boat from the next step on, until it is asked for something else.
-  void ask(std::size_t body, const BoatControls& controls) { boats_[body].ask(controls); }
+  // What is asked of a boat from the next step on, until it is asked for something else; her helmsman lets go.
+  void ask(std::size_t body, const BoatControls& controls);
+  // From the next step on until somebody asks her for something, and again once she is put back.
+  void keep_to(std::size_t body, Helmsman helmsman) { steered_.push_back({body, std::move(helmsman), true}); }
   const Boat& boat(std::size_t body) const { return boats_[body]; }
   // What has happened to bodies since the last call, in order.
   std::vector<BodyEvent> take_events() { return std::exchange(told_, {}); }
   // How often steps were missing since it was made, so that all stayed where they were.
   int holds() const { return holds_; }
 
+  // Moorings: what is done between steps counts from the next one on.
+  std::vector<std::string> make_fast(std::size_t body, double reach_m) {
+    return moorings_.make_fast(body, reach_m, bodies_);
+  }
+  void cast_off(std::size_t body) { moorings_.cast_off(body, bodies_); }
+  AnchorDrop drop_anchor(std::size_t body) { return moorings_.drop_anchor(body, bodies_, water_, media_); }
+  void weigh_anchor(std::size_t body) { moorings_.weigh(body, bodies_); }
+  const Moorings& moorings() const { return moorings_; }
+  // Puts a body back where the scene has it, upright, dry and at rest; of lines it has the scene's.
+  void put_back(std::size_t body);
+  // A line as it hangs at a time (pose_at): from a body to where it is made fast, or to its anchor.
+  struct HungLine {
+    glm::dvec3 from_m{0.0}, to_m{0.0};
+    double length_m = 0.0, diameter_m = 0.0;
+    std::optional<Chain> chain;
+  };
+  HungLine line_at(std::size_t line, double time_s) const;
+
  private:
   struct Towed {
     std::size_t body;
     BodyMotion as;  // at the end of the last step, but for heave, pitch and roll
+  };
+  struct Steered {
+    std::size_t body;
+    Helmsman helmsman;
+    bool steers;
   };
   struct Wake {
     std::size_t body;
@@ -87,19 +109,19 @@ class SeaBodies final : public SeaActor {
     double least_length_m, length_m;
     WakeFoam foam;
   };
-  void make_fast();
   void keep_course(std::size_t body, double end_s);
   void hold_towed(double dt_s);
   void make_waves(SeaStep& step, Wake& wake);
   ClipBody clip_of(std::size_t body, int hull) const;
   SeaWater water_;
-  std::vector<BodyMooring> moorings_;  // that are still to be made fast, in the first step
+  Moorings moorings_;
   Bodies bodies_;
   HullMedia media_;
   std::vector<Boat> boats_;
   std::vector<std::shared_ptr<const HullCourse>> courses_;
   std::vector<BodyInsides> insides_;
   std::vector<Towed> towed_;
+  std::vector<Steered> steered_;
   std::vector<Wake> wakes_;
   std::vector<HullSection> cut_;
   std::vector<WaveSource> sources_;

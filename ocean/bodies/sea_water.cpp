@@ -1,5 +1,6 @@
 #include "ocean/bodies/sea_water.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -73,10 +74,15 @@ void SeaWater::ask(std::uint64_t without_window_of, double footprint_m, std::spa
 }
 
 void SeaWater::ground(std::span<const glm::dvec2> places, std::span<double> heights_m) const {
+  if (!view_) return std::fill(heights_m.begin(), heights_m.end(), 0.0);
   for (std::size_t n = 0; n < places.size(); ++n) {
     const StillWater still = view_.still_water(places[n], felt_place_texel_m);
     heights_m[n] = still.height_m - still.depth_m;
   }
+}
+
+double SeaWater::depth_m(const glm::dvec2& place) const {
+  return view_ ? view_.still_water(place, felt_place_texel_m).depth_m : 0.0;
 }
 
 std::optional<CalmWater> SeaWater::calm(double, const glm::dvec2& place, double distance_m) const {

@@ -22,6 +22,8 @@ class SeaWater final : public BodyWater {
               std::span<WaterHere> answers) const override;
   // Heights of the ground at places (x, z), m.
   void ground(std::span<const glm::dvec2> places, std::span<double> heights_m) const;
+  // Of the still water over the ground there, m; 0 or less on land, and where there is no view yet.
+  double depth_m(const glm::dvec2& place) const;
   double wave_number() const override { return wave_number_; }
   std::optional<CalmWater> calm(double time_s, const glm::dvec2& place, double distance_m) const override;
   std::optional<CalmWater> calm_as(std::size_t body, double time_s, const glm::dvec2& place,

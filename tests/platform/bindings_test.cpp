@@ -26,7 +26,7 @@ TEST(Actions, HaveANameEach) {
     EXPECT_FALSE(row.sentence.empty()) << row.name;
     EXPECT_EQ(action_named(row.name), row.action);
   }
-  EXPECT_EQ(action_named("moor"), std::nullopt);
+  EXPECT_EQ(action_named("jibe"), std::nullopt);
 }
 
 // The names of shared/DESIGN.md, which files are written with. Control: snap_turn renamed.
@@ -68,10 +68,11 @@ TEST(GamepadBindings, GiveWhatAPersonWithoutKeysNeeds) {
   std::map<Action, double> found;
   for (const GamepadBinding& binding : gamepad_bindings()) found[binding.action] = binding.value;
   for (const Action action :
-       {Action::move_x,   Action::move_z,   Action::move_y,     Action::turn,       Action::snap_turn, Action::pitch,
-        Action::teleport, Action::swim,     Action::grab_left,  Action::grab_right, Action::throttle,  Action::helm,
-        Action::sheet,    Action::oar_left, Action::oar_right,  Action::board,      Action::menu,      Action::recentre,
-        Action::light,    Action::mirror,   Action::screenshot, Action::record,     Action::fast})
+       {Action::move_x,     Action::move_z,   Action::move_y,   Action::turn,      Action::snap_turn,
+        Action::pitch,      Action::teleport, Action::swim,     Action::grab_left, Action::grab_right,
+        Action::throttle,   Action::helm,     Action::sheet,    Action::oar_left,  Action::oar_right,
+        Action::board,      Action::menu,     Action::recentre, Action::light,     Action::mirror,
+        Action::screenshot, Action::record,   Action::fast,     Action::moor,      Action::anchor})
     EXPECT_TRUE(found.contains(action)) << row_of(action).name;
   std::set<std::tuple<int, int, bool>> seen;
   for (const Post post : {Post::afoot, Post::aboard})

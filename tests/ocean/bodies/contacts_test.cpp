@@ -189,6 +189,58 @@ TEST(Contacts, AMooredBoatStays) {
   }
 }
 
+// Two boats part on a line that leads from one to the other, taut at once, askew and as stiff as steel: momentum and
+// its moment stay within 1e-9, there is never more energy than at first, and they part no farther than the line. Slack
+// it takes nothing, and one that is asleep is woken by it. Controls seen: the pull on the first alone; on the second
+// where the line begins.
+TEST(Contacts, ALineHoldsTwoBodies) {
+  for (const double stiffness : {2e3, 1e5, 1e9})
+    for (const double heavier : {1.0, 4.0}) {
+      ContactSettings settings;
+      MooringLine line{0, {0.3, 0.2, 1.0}, {-0.4, 0.1, -1.0}, 3.0, stiffness, 800.0};
+      line.other = 1;
+      settings.lines = {line};
+      BodySpec specs[] = {tub({}, {}), tub({}, {}, 0.5 * rho * heavier)};
+      for (BodySpec& spec : specs) spec.mass.added = {};  // so that its momentum is its own, however it turns
+      const HullMesh hulls[] = {*specs[0].hull, *specs[1].hull};
+      const glm::dvec3 centres[] = {glm::dvec3(0.0), glm::dvec3(0.0)};
+      Contacts contacts(settings, hulls, centres);
+      BodyMotion motions[2];
+      motions[0].velocity.linear = {0.1, 0.0, -1.0};
+      motions[1].centre_m = {0.5, 0.3, 4.0}, motions[1].velocity.linear = {0.0, 0.2, 0.8};
+      double pulled = 0.0, farthest = 0.0, begun = 0.0;
+      for (int n = 0; n < 300; ++n) {
+        for (int i = 0; i < 2; ++i) drift(motions[i], specs[i].mass, 0.0, {}, 1.0 / 60.0);
+        const Vector6 before[] = {motions[0].velocity, motions[1].velocity};
+        Collider colliders[] = {{{&motions[0], &specs[0].mass, 0.0}}, {{&motions[1], &specs[1].mass, 0.0}, n == 0}};
+        ContactImpulses impulses[2];
+        contacts.step(1.0 / 60.0, colliders, impulses);
+        Books had, has;
+        for (int i = 0; i < 2; ++i) {
+          had.add(motions[i], specs[i].mass, before[i]);
+          has.add(motions[i], specs[i].mass, motions[i].velocity);
+        }
+        ASSERT_LT(glm::length(has.linear - had.linear), 1e-9 * (glm::length(had.linear) + 1.0)) << n;
+        ASSERT_LT(glm::length(has.angular - had.angular), 1e-9 * (glm::length(had.angular) + 1.0)) << n;
+        const double distance = glm::length(motions[1].centre_m + motions[1].orientation * line.to_m -
+                                            motions[0].centre_m - motions[0].orientation * line.from_m);
+        if (n == 0) begun = had.energy;
+        ASSERT_LE(has.energy, begun * (1.0 + 1e-9)) << n;
+        EXPECT_EQ(impulses[0].lines_ns, impulses[1].lines_ns);
+        EXPECT_NEAR(contacts.tensions_n()[0], impulses[0].lines_ns * 60.0, 1e-6 * (1.0 + impulses[0].lines_ns));
+        if (impulses[0].lines_ns > 0.0) {
+          EXPECT_FALSE(colliders[1].asleep);
+        } else if (n == 0) {
+          EXPECT_TRUE(colliders[1].asleep);
+        }
+        pulled += impulses[0].lines_ns, farthest = std::max(farthest, distance);
+      }
+      EXPECT_GT(pulled, 500.0);
+      const double m = specs[0].mass.mass_kg;
+      EXPECT_LT(farthest, 3.0 + 2.0 * std::sqrt(heavier * m / stiffness) + 0.05) << stiffness;
+    }
+}
+
 // At 100 m/s against a wall 0.2 m thick, a hatch of 0.3 m and a boat that first runs another down: none comes through,
 // and all stay finite and come to rest. Control seen: places looked for at the step's end alone (the hatch is beyond).
 TEST(Contacts, NothingComesThroughAWall) {
@@ -296,6 +348,7 @@ TEST(Contacts, UnfitOnesAreRefused) {
   refused("not closed", [](ContactSettings& s) { s.still[0].mesh.triangles.pop_back(); });
   refused("pose", [](ContactSettings& s) { s.still[0].orientation = {0.0, 0.0, 0.0, 0.0}; });
   refused("not there", [](ContactSettings& s) { s.lines[0].body = 1; });
+  refused("to itself", [](ContactSettings& s) { s.lines[0].other = 0; });
   refused("no number", [](ContactSettings& s) { s.lines[0].to_m.x = std::nan(""); });
   refused("out of range", [](ContactSettings& s) { s.lines[0].stiffness_n_m = 0.0; });
 }
