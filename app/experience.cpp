@@ -288,7 +288,8 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
   solids_ = std::make_unique<DrawnSolids>(
       device_, shaders_, drawn, light, solid_sources(),
       SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater, sun_map_ ? &sun_map_->target() : nullptr});
+                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater,
+                sun_map_ ? &sun_map_->target() : nullptr});
 }
 
 void Experience::bind_tone() {

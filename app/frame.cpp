@@ -32,6 +32,8 @@ void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) 
   const Ocean::EyesSide side = e.ocean().eyes_in(viewpoint, e.scene().settings.render.near_m * std::hypot(1.0, wide));
   data.shown.y = int(side.eyes);
   data.water_scattering.w = float(side.still_m);
+  for (std::size_t i = 0; i < side.over_eye.size(); ++i)
+    data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
 }
 
 }  // namespace

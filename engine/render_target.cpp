@@ -66,8 +66,7 @@ VkRenderPass make_render_pass(Device& device, const TargetSpec& spec, const std:
   const std::string key =
       fmt::format("pass colour {} {} cleared {} samples {} depth {} {} {} {} views {} {}", int(spec.colour),
                   int(spec.second), spec.clear_colour, spec.samples, spec.depth, spec.stencil, spec.keep_depth,
-                  spec.show_depth,
-                  spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
+                  spec.show_depth, spec.per_eye ? 1 : spec.views, spec.per_eye ? "per eye" : "multiview");
   return resolves_depth ? device.cached_render_pass(key, info, depth_resolve) : device.cached_render_pass(key, info);
 }
 
@@ -83,8 +82,8 @@ std::vector<TargetAttachment> attachments_of(const TargetSpec& spec, const Devic
   if (spec.colour != VK_FORMAT_UNDEFINED)
     rows.push_back({Part::colour, spec.colour, spec.samples, begin, multi ? dropped : stored});
   if (spec.depth)
-    rows.push_back({Part::depth, spec.stencil ? facts.depth_stencil_format : facts.depth_format, spec.samples, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                    spec.keep_depth || (spec.show_depth && !multi) ? stored : dropped});
+    rows.push_back({Part::depth, spec.stencil ? facts.depth_stencil_format : facts.depth_format, spec.samples,
+                    VK_ATTACHMENT_LOAD_OP_CLEAR, spec.keep_depth || (spec.show_depth && !multi) ? stored : dropped});
   if (spec.second != VK_FORMAT_UNDEFINED) {
     assert(!multi);
     rows.push_back({Part::second, spec.second, spec.samples, begin, stored});

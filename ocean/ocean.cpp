@@ -220,6 +220,8 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
     const glm::dvec3& place = eye.pose.position_m;
     const QueryAnswer water = felt.query({place.x, place.z});
     side.still_m = water.still_m;
+    if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size())
+      side.over_eye[n] = {water.height_m - place.y, -water.normal.x / water.normal.y, -water.normal.z / water.normal.y};
     above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
     below += !water.clipped && water.converged && place.y < water.height_m - apart_m;
   }

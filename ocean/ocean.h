@@ -1,5 +1,6 @@
 // The ocean: draws one sea, for any number of viewers.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -11,9 +12,9 @@
 #include "ocean/drawn/drawn_wakes.h"
 #include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
-#include "ocean/surface/eyes_in.h"
 #include "ocean/mesh/mesher.h"
 #include "ocean/sea/sea.h"
+#include "ocean/surface/eyes_in.h"
 #include "ocean/surface/surface.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/source_error.h"
@@ -72,11 +73,13 @@ class Ocean {
   // Whether all eyes are surely above the water, by half a metre: by the highest crest that the sea may have, or where
   // the processor makes the waves by the water beneath them as it was in the last update.
   bool eyes_in_air(const Viewpoint& viewpoint) const;
-  // Where the eyes are of whom pixels see the water that lies `reach_m` or farther before them (a near plane's corners):
-  // by what is felt of the sea, and by all that this may lack of what is drawn.
+  // Where the eyes are of whom pixels see the water that lies `reach_m` or farther before them (a near plane's
+  // corners): by what is felt of the sea, and by all that this may lack of what is drawn.
   struct EyesSide {
     EyesIn eyes = EyesIn::air;
     double still_m = 0.0;  // height of the still water at the viewer, where eyes are not in the air
+    // There, of each eye: how high over it the water is, m, and the water's slopes along x and z.
+    std::array<glm::dvec3, 2> over_eye{};
   };
   EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;
 

@@ -18,7 +18,7 @@ void main() {
   const vec3 ray = normalize(pixel_ray);
   const ViewData view = frame.view[eye_index()];
   bool in_air = true;
-  if (underwater) in_air = ends_in_air(ray, view);
+  if (underwater) in_air = ends_in_air(pixel_ray, view);
   vec3 lit = in_air ? sky_light(ray, view.eye.w) : vec3(0.0);
   if (underwater && !in_air) lit = open_water(depth_in_water(view.eye.y), ray);
   lit *= light.exposure.x * exp2(frame.air.y);

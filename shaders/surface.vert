@@ -14,7 +14,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 layout(constant_id = value_probe) const bool probe = false;
 layout(constant_id = value_debug) const bool debug = false;
 layout(constant_id = value_underwater) const bool underwater = false;  // an eye may be in the water
-layout(constant_id = value_deferred) const bool deferred = false;  // pixels have their place from their depth
+layout(constant_id = value_deferred) const bool deferred = false;      // pixels have their place from their depth
 layout(std430, binding = slot_probe) buffer Probe {
   vec4 probed[];
 };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
@@ -29,7 +29,7 @@ layout(location = 3) out vec4 derivatives;  // of the cascades that vertices car
 layout(location = 4) flat out uint flags;
 layout(location = 5) out vec4
     shift_shear;  // deferred, instead of height_shear: the way from the rest position in x and z, metres; dDx/dz; land
-layout(location = 6) out vec2 rest_at_middle;  // forward: the rest position once more (surface_pixels.glsl)
+layout(location = 6) out vec2 rest_at_middle;   // forward: the rest position once more (surface_pixels.glsl)
 layout(location = 7) out vec2 place_at_middle;  // forward, with eyes in the water: where it stands, x and z
 
 void main() {

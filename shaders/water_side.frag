@@ -11,5 +11,5 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 layout(location = 0) in vec3 pixel_ray;
 
 void main() {
-  if (ends_in_air(normalize(pixel_ray), frame.view[eye_index()])) discard;
+  if (ends_in_air(pixel_ray, frame.view[eye_index()])) discard;
 }

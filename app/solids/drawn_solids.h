@@ -71,7 +71,7 @@ class DrawnSolids {
   const SolidSelection& casters() const { return casters_; }
 
  private:
-  struct Bound {  // of a material
+  struct Bound {                // of a material
     Bindings shown;             // opaque or blended, as the material is
     Bindings shown_underwater;  // the same for eyes in the water
     Bindings in_water, casting;

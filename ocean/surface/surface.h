@@ -13,12 +13,12 @@ struct SurfaceLook {
   bool foam = false;
   bool debug = false;  // debug views are possible
   bool wireframe = false;
-  bool probe = false;     // write vertex positions (tests)
-  bool hidden = false;    // some pixels may be hidden: what draws them does so before, as near as can be
-  bool solids = false;    // solid things are drawn among its points, where it is deferred
-  bool below = false;     // things under water are seen through it
+  bool probe = false;       // write vertex positions (tests)
+  bool hidden = false;      // some pixels may be hidden: what draws them does so before, as near as can be
+  bool solids = false;      // solid things are drawn among its points, where it is deferred
+  bool below = false;       // things under water are seen through it
   bool underwater = false;  // eyes may be in the water: the picture has a stencil then (TargetSpec::stencil)
-  bool deferred = false;  // its pixels are lit after it is drawn, once each, and the sky with them
+  bool deferred = false;    // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };
 

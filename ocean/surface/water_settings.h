@@ -25,11 +25,11 @@ struct WaterSettings {
   WaterType type = WaterType::chlorophyll;
   double red = 0.004, green = 0.025, blue = 0.05;  // type colour: of the light that enters, what deep water sends back
   double sight_m = 30.0;                           // type colour: how far off a black thing is seen, 0.5 to 100
-  double chlorophyll_mg_m3 = 0.15;  // type chlorophyll: 0.01 the bluest ocean to 10 a green coast
-  double crest_light = 1.0;         // strength of sunlight seen through thin crests, 1 as derived, 0 none
-  double whitecaps = 1.0;           // strength of the instant whitecaps of the foam effect, 0 none
-  double glitter = 1.0;             // strength of the sun's reflection, 1 as derived
-  double anisotropy = 8.0;          // largest anisotropy of the samplers of slopes, 1 to 16, where the device has it
+  double chlorophyll_mg_m3 = 0.15;                 // type chlorophyll: 0.01 the bluest ocean to 10 a green coast
+  double crest_light = 1.0;  // strength of sunlight seen through thin crests, 1 as derived, 0 none
+  double whitecaps = 1.0;    // strength of the instant whitecaps of the foam effect, 0 none
+  double glitter = 1.0;      // strength of the sun's reflection, 1 as derived
+  double anisotropy = 8.0;   // largest anisotropy of the samplers of slopes, 1 to 16, where the device has it
 };
 
 }  // namespace seascape

@@ -27,8 +27,8 @@ const std::array<JerlovType, jerlov_types> jerlov{{{{0.291, 0.063, 0.019}, {0.03
                                                    {{0.528, 0.460, 0.890}, {}, 0.53},
                                                    {{0.640, 0.630, 1.600}, {}, 0.872}}};
 
-constexpr double sun_cosine = 0.86;        // in the water, of the high sun that Jerlov's attenuations are of
-constexpr double back_share = 0.0183;      // of what particles scatter (Petzold 1972; Mobley 1994, table 3.11)
+constexpr double sun_cosine = 0.86;             // in the water, of the high sun that Jerlov's attenuations are of
+constexpr double back_share = 0.0183;           // of what particles scatter (Petzold 1972; Mobley 1994, table 3.11)
 const glm::dvec3 pure(0.0012, 0.0019, 0.0045);  // scattered by the water itself, half of it back (Morel 1974)
 
 // Petzold's coastal and harbour waters (1972; 514 nm): scattering 0.219 and 1.824 1/m where light fades by 0.229 and

@@ -38,6 +38,7 @@ vec3 bed_in_water(vec3 pixel_ray, out float near) {
   const float pixel = way * view.eye.w, footprint = pixel / max(abs(ray.y), 0.2);
   const vec4 clip = view.clip_from_relative * vec4(at, 1.0);
   near = clip.z / clip.w;
-  const vec3 sent = bed_albedo(place, -depth_in_water(at.y) - 1e-3, bed_slope(place, pixel), footprint) / pi * water_lit();
+  const vec3 sent =
+      bed_albedo(place, -depth_in_water(at.y) - 1e-3, bed_slope(place, pixel), footprint) / pi * water_lit();
   return light_in_water(sent, vec3(0.0), at, view) * light.exposure.x * exp2(frame.air.y);
 }

@@ -1,16 +1,16 @@
-// The sea's surface as an eye in the water sees it: the sky through it, refracted, and the deep that it mirrors. Part of
-// lib/sea_light.glsl.
+// The sea's surface as an eye in the water sees it: the sky through it, refracted, and the deep that it mirrors. Part
+// of lib/sea_light.glsl.
 
-// The sun through the facets that refract it towards the eye (Walter et al. 2007, eq. 21; over the square of the index).
-// `ray`: up to the surface; `l`: to the sun; `var`: the slopes' variances and covariance.
+// The sun through the facets that refract it towards the eye (Walter et al. 2007, eq. 21; over the square of the
+// index). `ray`: up to the surface; `l`: to the sun; `var`: the slopes' variances and covariance.
 vec3 sun_through_facets(vec3 ray, vec3 l, vec2 slope, vec3 var) {
   const vec3 half_way = normalize(water_index * ray - l);
   const float out_cosine = dot(l, half_way), in_cosine = dot(ray, half_way);
   if (half_way.y <= 0.01 || out_cosine <= 0.0 || in_cosine <= 0.0 || l.y <= -0.02) return vec3(0.0);
   const vec2 d = -half_way.xz / half_way.y - slope;
   const float disc = 5e-5;  // a facet's tilt turns the ray by a third of it
-  const float xx = var.x + disc, zz = var.y + disc,
-              xz = clamp(var.z, -0.98 * sqrt(xx * zz), 0.98 * sqrt(xx * zz)), determinant = xx * zz - xz * xz;
+  const float xx = var.x + disc, zz = var.y + disc, xz = clamp(var.z, -0.98 * sqrt(xx * zz), 0.98 * sqrt(xx * zz)),
+              determinant = xx * zz - xz * xz;
   const float exponent = -0.5 * (zz * d.x * d.x - 2.0 * xz * d.x * d.y + xx * d.y * d.y) / determinant;
   if (exponent <= -16.0) return vec3(0.0);
   const float density = exp(exponent) / (2.0 * pi * sqrt(determinant)), h2 = half_way.y * half_way.y,
@@ -26,8 +26,8 @@ vec3 sun_through_facets(vec3 ray, vec3 l, vec2 slope, vec3 var) {
 vec3 facets_from_below(vec3 ray, vec2 slope, vec3 var, SurfacePoint p, SeaPlace here, float footprint) {
   const float level = max(length(ray.xz), 1e-4);
   const vec2 sight = ray.xz / level;
-  const float spread = sqrt(
-      max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 0.0));
+  const float spread =
+      sqrt(max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 0.0));
   vec3 sky = vec3(0.0);
   float seen = 0.0, mirrored = 0.0;
   vec3 way = vec3(0.0);  // on which the mirrored light comes

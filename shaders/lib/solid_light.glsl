@@ -109,8 +109,8 @@ float sun_reaches_thing(SolidPoint p) {
 // cone of 48.6 degrees there, of which a wall has a fifth (integral of the cosine over the cone).
 float of_sky_in_water(float up) { return max(0.2 + up * (0.5 + 0.3 * up), 0.0); }
 
-// Radiance beneath the water of a thing that lies just under it, without what it shines by itself. Around it all is dim,
-// which metals would mirror: they are taken for paint of their colour.
+// Radiance beneath the water of a thing that lies just under it, without what it shines by itself. Around it all is
+// dim, which metals would mirror: they are taken for paint of their colour.
 vec3 solid_sent_in_water(SolidPoint p) {
   const vec3 l = -refract(-frame.sun.xyz, vec3(0.0, 1.0, 0.0), 1.0 / water_index);
   const vec3 sun = light.sun_irradiance.rgb * frame.water_reflectance.w, sky = 0.93 * light.sky_irradiance.rgb;
@@ -123,8 +123,8 @@ vec3 solid_sent_in_water(SolidPoint p) {
   return p.base.rgb * there * (p.occlusion / 3.14159265);
 }
 
-// Radiance towards the eye, what the air or the water before it makes of it included, exposed, and how much of what lies
-// behind it hides. Discards what its material's mask takes away.
+// Radiance towards the eye, what the air or the water before it makes of it included, exposed, and how much of what
+// lies behind it hides. Discards what its material's mask takes away.
 vec4 solid_light(bool front) {
   const ViewData view = frame.view[eye_index()];
   const SolidPoint p = solid_point(front);

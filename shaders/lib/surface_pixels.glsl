@@ -86,8 +86,7 @@ void main() {
   SurfacePoint p = SurfacePoint(seen, rest, place, along, across, height_shear.xy, derivatives, false);
   if (sea_bed) p.ramp = joins_land(height_shear.z);
   bool below = false;
-  if (underwater)
-    below = seen_from_below(along, across, dFdx(place_at_middle), dFdy(place_at_middle));
+  if (underwater) below = seen_from_below(along, across, dFdx(place_at_middle), dFdy(place_at_middle));
   vec3 lit;
   if (underwater && below)
     lit = sea_from_below(p, frame.view[eye_index()], normal);

@@ -8,11 +8,18 @@
 
 layout(constant_id = value_underwater) const bool underwater = false;  // an eye may be in the water
 
-// Whether a line of sight that meets nothing ends in the sky.
-bool ends_in_air(vec3 ray, ViewData view) {
+// Whether a line of sight that meets nothing ends in the sky. At the horizon, where the last triangles of the sea may
+// miss a pixel, its beginning says it, on the near plane, over the water as it is felt at the eye. `pixel_ray`: of the
+// pixel, as long as its part along the line of sight's axis is 1.
+bool ends_in_air(vec3 pixel_ray, ViewData view) {
+  if (frame.shown.y == eyes_in_water) return false;
   const float h = max(frame.viewer.z + view.eye.y, 0.0), c = frame.viewer.w;
   const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c);  // sine of the dip (0 when flat)
-  return frame.shown.y != eyes_in_water && ray.y >= -dip;
+  const float over_horizon = normalize(pixel_ray).y + dip;
+  if (abs(over_horizon) > 2.0 * view.eye.w) return over_horizon >= 0.0;
+  const vec3 from = frame.air.z * pixel_ray;
+  const vec4 water = frame.water_at_eye[eye_index()];
+  return from.y >= water.x + dot(water.yz, from.xz);
 }
 
 // Metres below the still water; `height`: relative to the viewer.
@@ -22,9 +29,7 @@ float depth_in_water(float height) { return max(frame.water_scattering.w - frame
 vec3 water_fading() { return (frame.water_absorption.rgb + frame.water_backscatter.rgb) / sun_cosine_in_water(); }
 
 // Irradiance that has come through a level surface.
-vec3 water_lit() {
-  return 0.93 * light.sky_irradiance.rgb + light.sun_irradiance.rgb * frame.water_reflectance.w;
-}
+vec3 water_lit() { return 0.93 * light.sky_irradiance.rgb + light.sun_irradiance.rgb * frame.water_reflectance.w; }
 
 // What of a thing's radiance is left after `way` metres: as from above (water_column()).
 vec3 water_passed(float way) {
@@ -42,8 +47,8 @@ vec3 water_added(float depth, vec3 ray, float way) {
              scattering = frame.water_scattering.rgb, total = absorption + backscatter, fading = water_fading();
   const float falls = -ray.y, g = water_forward, seen_from_above = 0.66;
   const vec3 attenuation = 1.03 * sqrt(1.0 + 2.4 * backscatter / total) * total, k = attenuation + fading * falls;
-  const float forwards = pow((1.0 + g * g + 2.0 * g * seen_from_above) /
-                                 (1.0 + g * g + 2.0 * g * clamp(falls, -0.2, seen_from_above)), 1.5);
+  const float forwards = pow(
+      (1.0 + g * g + 2.0 * g * seen_from_above) / (1.0 + g * g + 2.0 * g * clamp(falls, -0.2, seen_from_above)), 1.5);
   const vec3 deep = frame.water_reflectance.rgb * water_lit();
   const vec3 spread = deep * (attenuation + fading * max(falls, 0.0)) * forwards;
 
@@ -57,13 +62,11 @@ vec3 water_added(float depth, vec3 ray, float way) {
 }
 
 // What a line of sight that meets nothing shows; upwards it would leave the water in the end.
-vec3 open_water(float depth, vec3 ray) {
-  return water_added(depth, ray, min(1e4, (depth + 0.1) / max(ray.y, 1e-5)));
-}
+vec3 open_water(float depth, vec3 ray) { return water_added(depth, ray, min(1e4, (depth + 0.1) / max(ray.y, 1e-5))); }
 
 // Light of a thing that lies `depth` metres deep and would send `sent` just under the surface (of solid_in_water(), or
-// of the bed), after `way` metres on a line of sight along `ray`, which begins `from` metres deep; `own`: what it shines
-// by itself.
+// of the bed), after `way` metres on a line of sight along `ray`, which begins `from` metres deep; `own`: what it
+// shines by itself.
 vec3 light_in_water(vec3 sent, vec3 own, float depth, float from, vec3 ray, float way) {
   const vec3 arrives = sent * exp(-water_fading() * depth);
   // What the surface throws back lights it again (light_out_of_water()).

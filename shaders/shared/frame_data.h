@@ -26,6 +26,7 @@ struct FrameData {
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
                            // enters a level sea
   vec4 water_scattering;   // rgb: all of it, 1/m; w: height of the still water at the viewer, m
+  vec4 water_at_eye[2];    // of each eye: x: how high over it the water is felt, m; y, z: its slopes; w: unused
   vec4 whitecap;           // x: strength; y: Jacobian below which foam forms; z, w: unused
   // Where a place (x, z: metres from the viewer along the still sea; y: above it) is in the map of the sun: rows of its
   // column and row from 0 to 1, and of how near the sun, 1 nearest.

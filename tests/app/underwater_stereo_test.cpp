@@ -36,8 +36,7 @@ TEST_F(UnderwaterStereo, OnePassEqualsEachEyeAndMono) {
   looks.push_back({"desktop_1", {{"frame.shape", "desktop"}, {"msaa", "1"}, {"frame.lighting", "forward"}}});
   for (const test::FrameLook& look : looks)
     for (const double height_m : {0.0, -1.0}) {
-      ShotOptions options{
-          .scene = "calm", .preset = "medium", .width = 128, .height = 96, .views = 2, .set = look.set};
+      ShotOptions options{.scene = "calm", .preset = "medium", .width = 128, .height = 96, .views = 2, .set = look.set};
       options.set.emplace_back("waves.resolution", "32");
       options.effects = {{"waves", "models", "underwater", "sea_depth"}};
       InputSpec bed;

@@ -1,5 +1,5 @@
 // The wake of the scene wake_tank as it is drawn, against Kelvin and Noblesse et al.: through the whole program's sea,
-// its windows of waves, a preset's textures and mesh. Controls are named beside each test; each was seen to fail.
+// its windows of waves, a preset's textures and mesh. The second test is the control of the first.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -77,7 +77,6 @@ TEST_F(TowingTank, OverShallowsAndWithOtherGravityIsNot) {
 // At Froude 0.8 the highest waves stand within 15 % of 0.14 / Fr^2 rad (Noblesse et al. 2014) 20 to 48 m behind the
 // hull's middle. Linear theory has the peak of all waves of this hull at 9 to 11 degrees there (Havelock's integral),
 // below that bar; windows let its waves of 4 m end 36 m behind, and those of 7 m that go on stand 13 degrees out.
-// Control: gravity twice as great in the windows.
 TEST_F(TowingTank, NarrowsAtSpeedAsItIsDrawn) {
   for (const char* preset : {"high", "low"}) {
     const TankRun run{.froude = 0.8, .way_m = 150.0, .preset = preset};
@@ -90,8 +89,7 @@ TEST_F(TowingTank, NarrowsAtSpeedAsItIsDrawn) {
 }
 
 // The same heights whatever the course, the frame rate and the camera, 6 to 34 m behind: across the end of the hull's
-// own finest window at 14 to 18 m. Controls: sources that do not move within a step (frame rate and course); the middle
-// of one window level 1 m off in what shaders are told (course).
+// own finest window at 14 to 18 m.
 TEST_F(TowingTank, IsTheSameWhateverCourseFramesAndCamera) {
   const TankRun plain{.froude = 0.4, .way_m = 80.0};
   const DrawnWake wake(plain);

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 struct Afloat {
   explicit Afloat(const std::string& objects, const std::string& sea_keys = R"("wind_speed_mps": 0, "depth_m": 5)",
-                  const std::string& effects = R"("waves", "models", "boats")")
+                  const std::string& effects = R"("models", "boats")")
       : scene(parse_scene(R"({"version": 1, "effects": [)" + effects + R"(], "waves": {)" + sea_keys +
                               R"(}, "objects": [)" + objects + "]}",
                           "s.json", "low")),

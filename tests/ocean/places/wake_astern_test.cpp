@@ -46,7 +46,6 @@ class Boat {
 };
 
 // A place behind on the track moves no farther than who leaves it, and lies within the way asked of him.
-// Control: places remembered by the step (behind() jumps when one is dropped).
 TEST(WakeTrack, IsFollowedWithoutAJump) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> turns(-0.2, 0.2), gait(0.0, 1.0);

@@ -15,10 +15,10 @@ TEST(WaterTypes, LightFadesAsJerlovMeasured) {
     WaterType type;
     double green_m, blue_m;
   };
-  for (const Known& known : {Known{WaterType::ocean_1, 73, 242}, Known{WaterType::ocean_2, 52, 68},
-                             Known{WaterType::ocean_3, 38, 34}, Known{WaterType::coast_1, 38, 18},
-                             Known{WaterType::coast_3, 24, 12}, Known{WaterType::coast_5, 15, 8.2},
-                             Known{WaterType::coast_9, 7.2, 2.9}}) {
+  for (const Known& known :
+       {Known{WaterType::ocean_1, 73, 242}, Known{WaterType::ocean_2, 52, 68}, Known{WaterType::ocean_3, 38, 34},
+        Known{WaterType::coast_1, 38, 18}, Known{WaterType::coast_3, 24, 12}, Known{WaterType::coast_5, 15, 8.2},
+        Known{WaterType::coast_9, 7.2, 2.9}}) {
     const glm::dvec3 fades = jerlov_attenuation(known.type);
     EXPECT_NEAR(4.605 / fades.y, known.green_m, 0.05 * known.green_m) << int(known.type);
     EXPECT_NEAR(4.605 / fades.z, known.blue_m, 0.05 * known.blue_m) << int(known.type);
@@ -38,7 +38,8 @@ TEST(WaterTypes, SeasAreBlueAndCoastsGreen) {
     before = fades;
   }
   const auto back = [](WaterType type) { return radiance_from_below(water_optics(WaterSettings{.type = type})); };
-  const glm::dvec3 ocean = back(WaterType::ocean_1), coast = back(WaterType::coast_3), harbour = back(WaterType::coast_9);
+  const glm::dvec3 ocean = back(WaterType::ocean_1), coast = back(WaterType::coast_3),
+                   harbour = back(WaterType::coast_9);
   EXPECT_GT(ocean.z, 4.0 * ocean.y);
   EXPECT_GT(coast.y, 1.3 * coast.z);
   EXPECT_GT(coast.y, 1.3 * coast.x);

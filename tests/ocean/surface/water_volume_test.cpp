@@ -55,7 +55,8 @@ TEST(WaterVolume, ThePhaseFunctionSumsToOne) {
     double sum = 0.0, forward = 0.0;
     constexpr int steps = 200000;
     for (int i = 0; i < steps; ++i) {
-      const double cosine = -1.0 + 2.0 * (i + 0.5) / steps, share = gpu::henyey_greenstein(cosine, g) * 4.0 * pi / steps;
+      const double cosine = -1.0 + 2.0 * (i + 0.5) / steps,
+                   share = gpu::henyey_greenstein(cosine, g) * 4.0 * pi / steps;
       sum += share, forward += share * cosine;
     }
     EXPECT_NEAR(sum, 1.0, 1e-5);
