@@ -82,6 +82,8 @@ ShotOptions where_it_acts(std::string_view key) {
     set("lod.ocean_size_m", "256");  // doubled as far as the skirt's multiplier says
   }
   if (begins("stereo.")) options.views = 2;
+  if (key == "water.red" || key == "water.green" || key == "water.blue" || key == "water.sight_m")
+    set("water.type", "colour");
   if (key == "water.anisotropy") {
     set("waves.resolution", "128");
     set("waves.cascades", "5");
@@ -110,7 +112,12 @@ std::string value_in(const Settings& settings, const Setting& row) {
                                                        {"debug.drop_patch", "20"},
                                                        {"foam.simulated", "false"},
                                                        {"camera.near_m", "10"},
-                                                       {"water.anisotropy", "16"}};
+                                                       {"water.anisotropy", "16"},
+                                                       {"water.type", "9C"},
+                                                       {"water.red", "0.2"},
+                                                       {"water.green", "0.2"},
+                                                       {"water.blue", "0.2"},
+                                                       {"water.sight_m", "1"}};
   const auto found = chosen.find(row.key);
   return found == chosen.end() ? another(settings, row) : found->second;
 }
