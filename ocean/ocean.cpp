@@ -220,8 +220,10 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
     const glm::dvec3& place = eye.pose.position_m;
     const QueryAnswer water = felt.query({place.x, place.z});
     side.still_m = water.still_m;
+    // At the horizon each millimetre counts: there the picture's own waves are asked, where the processor has them.
+    const QueryAnswer drawn = waves_->by_processor() && waves_alone() ? water_.query({place.x, place.z}) : water;
     if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size())
-      side.over_eye[n] = {water.height_m - place.y, -water.normal.x / water.normal.y, -water.normal.z / water.normal.y};
+      side.over_eye[n] = {drawn.height_m - place.y, -drawn.normal.x / drawn.normal.y, -drawn.normal.z / drawn.normal.y};
     above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
     below += !water.clipped && water.converged && place.y < water.height_m - apart_m;
   }

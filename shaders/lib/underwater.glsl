@@ -16,7 +16,7 @@ bool ends_in_air(vec3 pixel_ray, ViewData view) {
   const float h = max(frame.viewer.z + view.eye.y, 0.0), c = frame.viewer.w;
   const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c);  // sine of the dip (0 when flat)
   const float over_horizon = normalize(pixel_ray).y + dip;
-  if (abs(over_horizon) > 2.0 * view.eye.w) return over_horizon >= 0.0;
+  if (abs(over_horizon) > view.eye.w) return over_horizon >= 0.0;
   const vec3 from = frame.air.z * pixel_ray;
   const vec4 water = frame.water_at_eye[eye_index()];
   return from.y >= water.x + dot(water.yz, from.xz);
