@@ -100,11 +100,6 @@ bool Experience::deferred() const {
   return render.lighting == Lighting::deferred || (render.lighting == Lighting::automatic && device_.facts().software);
 }
 
-bool Experience::underwater() const {
-  const DebugView view = scene_.settings.render.debug;  // the others colour the sea's triangles
-  return calls_for(scene_.effects, "underwater") && (view == DebugView::none || view == DebugView::holes);
-}
-
 void Experience::show_hands(std::vector<ShownHand> hands) {
   assert(options_.hands);
   shown_hands_ = std::move(hands);
@@ -143,6 +138,8 @@ void Experience::build() {
   if (render.lighting == Lighting::deferred && !deferred())
     spdlog::warn("frame.lighting deferred: takes msaa 1 and no debug.view but holes; the sea is lit forward");
   const Settings& s = scene_.settings;
+  // Debug views but for holes colour the sea's triangles.
+  underwater_ = calls_for(scene_.effects, "underwater") && (!is_debug(s) || render.debug == DebugView::holes);
   std::string key = sea_key(scene_);
   SeaSpec spec = sea_spec(scene_);  // what it cannot make leaves the old ocean
   std::shared_ptr<Sea> sea = sea_;

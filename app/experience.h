@@ -112,7 +112,7 @@ class Experience {
   // Whether the sea's pixels are lit once, after all its triangles are drawn.
   bool deferred() const;
   // Whether eyes may come into the water.
-  bool underwater() const;
+  bool underwater() const { return underwater_; }
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
@@ -160,7 +160,7 @@ class Experience {
   Pipeline sky_pipeline_, sky_underwater_, tone_pipeline_;  // sky_underwater_: for eyes that may be in the water
   Bindings sky_bindings_, sky_underwater_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
-  bool goes_on_ = false;
+  bool goes_on_ = false, underwater_ = false;
   std::function<void()> before_build_;
   std::vector<std::string> told_;  // remarks
 };

@@ -9,7 +9,7 @@ namespace seascape {
 
 DrawnWakes::DrawnWakes(Device& device, const WakeSettings& settings)
     : levels_of_window_(settings.waves.windows.slices),
-      images_(device, "wakes", settings.waves.windows.resolution, gpu::max_wake_windows * gpu::max_wake_levels) {
+      images_(device, "wakes", settings.waves.windows.resolution, gpu::max_wake_windows * gpu::max_wake_levels, true) {
   mesh_errors_.reserve(std::size_t(images_.layers()));
 }
 
@@ -62,8 +62,7 @@ void DrawnWakes::find_mesh_errors(glm::dvec2 viewer) {
 
 void DrawnWakes::declare(SurfaceSlots& slots, std::size_t) const {
   slots.set("wakes", gpu::value_wake_levels, std::uint32_t(levels_of_window_));
-  slots.bind(gpu::slot_wake_shift, images_.shift());
-  slots.bind(gpu::slot_wake_slope, images_.slope());
+  slots.bind(gpu::slot_wakes, images_.shift());
 }
 
 void DrawnWakes::describe(gpu::FrameData& frame, glm::dvec2 grid_origin_m) const {

@@ -14,22 +14,24 @@ namespace {
 constexpr std::size_t texel_bytes = 8;  // four half floats
 }
 
-LevelImages::LevelImages(Device& device, const char* effect, int samples, int layers) : effect_(effect) {
+LevelImages::LevelImages(Device& device, const char* effect, int samples, int layers, bool joined)
+    : effect_(effect), layers_(layers) {
   const EffectScope scope(device, effect);
   ImageSpec spec;
   spec.width = spec.height = std::uint32_t(samples);
-  spec.layers = std::uint32_t(layers);
+  spec.layers = std::uint32_t(joined ? 2 * layers : layers);
   spec.format = VK_FORMAT_R16G16B16A16_SFLOAT;
   spec.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   const std::string name = effect;
-  images_ = {Image(device, name + ", shift", spec), Image(device, name + ", slope", spec)};
+  images_.emplace_back(device, name + (joined ? ", levels" : ", shift"), spec);
+  if (!joined) images_.emplace_back(device, name + ", slope", spec);
   const std::size_t bytes = images_.size() * spec.layers * spec.width * spec.height * texel_bytes;
   for (Buffer& staging : staging_)
     staging = Buffer(device, name + ", staging", bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, HostAccess::write);
 }
 
 void LevelImages::fill(Frame& frame, std::span<const Level> levels) {
-  const std::uint32_t samples = images_[0].spec().width;
+  const std::uint32_t samples = shift().spec().width;
   const std::size_t texels = std::size_t(samples) * samples;
   regions_.clear();
   for (const Level& level : levels) {
@@ -53,9 +55,12 @@ void LevelImages::fill(Frame& frame, std::span<const Level> levels) {
   Uses uses{use(staging, Access::transfer_read)};
   add_uses(uses, Access::transfer_write);
   frame.pass(effect_, uses, [&](Commands& c) {
-    c.copy(staging, images_[0], regions_);
-    for (VkBufferImageCopy& region : regions_) region.bufferOffset += plane_bytes;
-    c.copy(staging, images_[1], regions_);
+    c.copy(staging, shift(), regions_);
+    for (VkBufferImageCopy& region : regions_) {
+      region.bufferOffset += plane_bytes;
+      if (images_.size() == 1) region.imageSubresource.baseArrayLayer += std::uint32_t(layers_);
+    }
+    c.copy(staging, slope(), regions_);
   });
 }
 

@@ -11,8 +11,9 @@ namespace seascape {
 
 class LevelImages {
  public:
-  // A level a layer, of this many samples a side. `effect` names its objects and its pass: a literal.
-  LevelImages(Device& device, const char* effect, int samples, int layers);
+  // A level a layer, of this many samples a side. `effect` names its objects and its pass: a literal. `joined`: in one
+  // image, slopes in layers behind all shifts, for a device allows few images a stage.
+  LevelImages(Device& device, const char* effect, int samples, int layers, bool joined = false);
 
   // Levels of surfaces for the layers; those of levels that rest need none. Copied before the next draw.
   struct Level {
@@ -23,13 +24,14 @@ class LevelImages {
   void fill(Frame& frame, std::span<const Level> levels);
   void add_uses(Uses& uses, Access access) const;
 
-  const Image& shift() const { return images_[0]; }  // Dx, h, Dz, dDx/dz; of Dx and Dz before the surface's share
-  const Image& slope() const { return images_[1]; }  // dh/dx, dh/dz, dDx/dx, dDz/dz
-  int layers() const { return int(images_[0].spec().layers); }
+  const Image& shift() const { return images_.front(); }  // Dx, h, Dz, dDx/dz; of Dx and Dz before the surface's share
+  const Image& slope() const { return images_.back(); }  // dh/dx, dh/dz, dDx/dx, dDz/dz; where they are joined, shift()
+  int layers() const { return layers_; }
 
  private:
   const char* effect_;
-  std::array<Image, 2> images_;
+  int layers_;
+  std::vector<Image> images_;
   std::array<Buffer, Frame::slots> staging_;
   std::vector<VkBufferImageCopy> regions_;
 };

@@ -51,8 +51,7 @@ layout(binding = slot_dynamic_slope) uniform texture2DArray dynamic_slope;  // a
 
 // Windows of waves that belong to bodies: so many levels each; 0: there are none, and nothing of them is left here.
 layout(constant_id = value_wake_levels) const int wake_levels = 0;
-layout(binding = slot_wake_shift) uniform texture2DArray wake_shift;  // as those above
-layout(binding = slot_wake_slope) uniform texture2DArray wake_slope;
+layout(binding = slot_wakes) uniform texture2DArray wake_windows;  // as those above: all shifts, then all slopes
 
 // Data of places; false: there is none, and nothing of it is left here.
 layout(constant_id = value_level) const bool sea_level = false;

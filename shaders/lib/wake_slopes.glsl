@@ -7,7 +7,8 @@ void add_wake_slope(inout SeaSlopes s, int window, int level, float weight, vec2
   const float there = weight * known.w, present = there * window_kept(slice.w, 2.0 * blur);
   s.variance += (there - present) * known.xyz;
   if (present <= 0.0) return;
-  const vec4 d = present * window_texel(wake_slope, slice, window * max_wake_levels + level, rest);
+  const vec4 d =
+      present * window_texel(wake_windows, slice, (max_wake_windows + window) * max_wake_levels + level, rest);
   s.gradient += d.xy;
   s.shift.xy += frame.sea.wakes.half_m.w * d.zw;  // its shear the vertices carry
 }

@@ -34,7 +34,7 @@ void add_wake_level(inout vec4 sum, int window, int level, float weight, vec2 re
   if (present <= 0.0) return;
   const float share = frame.sea.wakes.half_m.w;
   sum += present * vec4(share, 1.0, share, share) *
-         window_texel(wake_shift, slice, window * max_wake_levels + level, rest);
+         window_texel(wake_windows, slice, window * max_wake_levels + level, rest);
 }
 
 void add_wake_levels(inout vec4 sum, int level, vec2 rest, float footprint) {

@@ -15,7 +15,7 @@ SEASCAPE_CONST int slot_longest_tile = 1, slot_tiles = 9;
 SEASCAPE_CONST int slot_particles = 12, slot_gerstner = 19, slot_baked = 22, slot_shore = 44;
 SEASCAPE_CONST int slot_shore_lines = 47, slot_shore_ways = 48;
 SEASCAPE_CONST int slot_dynamic_shift = 25, slot_dynamic_slope = 26;
-SEASCAPE_CONST int slot_wake_shift = 66, slot_wake_slope = 67;
+SEASCAPE_CONST int slot_wakes = 66;
 SEASCAPE_CONST int slot_level = 27, slot_bed = 15, slot_bed_waves = 28, slot_flow = 29;
 SEASCAPE_CONST int slot_clip = 30, slot_clip_nodes = 38, slot_clip_volumes = 39, slot_clip_hulls = 40;
 SEASCAPE_CONST int slot_albedo = 31, slot_shadow = 32;

@@ -176,7 +176,7 @@ inline const EffectUnderProof effects_under_proof[] = {
      {"waves", "boats", "wakes"},
      {{"wakes.resolution", "64"}, {"wakes.slices", "2"}},
      {"", ""},
-     {66, 67},
+     {66},
      true,
      true,
      "wakes",

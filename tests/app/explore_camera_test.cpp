@@ -216,7 +216,7 @@ TEST(ExploreCamera, TheWheelChangesTheSpeedWithinLimits) {
 }
 
 // Who flies may dive to the ground where the scene lets him, and is held above the water where it does not; who walks
-// or rides stays where he is carried. Control: the ground asked of all.
+// or rides stays where he is carried.
 TEST(ExploreCamera, DivesToTheGroundWhereItMay) {
   CameraWish down;
   down.move.y = -1.0;

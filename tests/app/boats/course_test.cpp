@@ -33,7 +33,7 @@ Scene square(const std::string& model, double side_m, const std::string& more) {
 
 // Round a square a boat under engine, one with an outboard and one that is rowed keep within three lengths of
 // its sides, and come to each corner in turn. Once somebody has boarded her she keeps to it no more, and put back she
-// does again. Controls not yet planted: the helm to the other side; the oars' sides changed; a helmsman who never lets
+// does again. Controls seen: the helm to the other side; the oars' sides changed; a helmsman who never lets
 // go.
 TEST(Course, IsKept) {
   const struct {
@@ -74,7 +74,7 @@ TEST(Course, IsKept) {
   }
 }
 
-// A course of one place is refused, with the key and what to write. Controls not yet planted: the least number left
+// A course of one place is refused, with the key and what to write. Controls seen: the least number left
 // out.
 TEST(Course, FaultsAreNamed) {
   try {

@@ -57,7 +57,7 @@ struct Afloat {
 constexpr const char* rib = R"({"model": "rib", "name": "R", "at_m": [0, 0, 0], "float": {}})";
 
 // A boat is made fast to a pier's cleats, a buoy's ring, another boat or a stone of the quay, whichever is near, and
-// then pulls no farther than her lines; cast off she goes. Where nothing is near it says so. Controls not yet planted:
+// then pulls no farther than her lines; cast off she goes. Where nothing is near it says so. Controls seen:
 // lines that are not handed to the bodies; the reach of lines left out; cast_off that leaves lines which begin at
 // another.
 TEST(CrewLines, MakeFastToWhatIsNear) {
@@ -112,7 +112,7 @@ TEST(CrewLines, OneBoatTowsAnother) {
   EXPECT_FALSE(afloat.bodies->moorings().made_fast(0));
 }
 
-// A line parts where it is pulled harder than it bears, and that is told. Controls not yet planted: breaking left out.
+// A line parts where it is pulled harder than it bears, and that is told. Controls seen: breaking left out.
 TEST(CrewLines, PartWhereTheyArePulledTooHard) {
   Afloat afloat(std::string(rib) + R"(, {"model": "pier", "at_m": [-4.5, 0, 0]})");
   (void)afloat.press(Action::board, {0.0, 1.5, 1.0});
@@ -128,7 +128,7 @@ TEST(CrewLines, PartWhereTheyArePulledTooHard) {
 
 // In 5 m of water the chain is five times as long as the bow stands over the ground. Under half of what the anchor
 // holds she lies where the chain lets her; under half as much again it drags, which is told, and not after that.
-// Weighed she goes. Controls not yet planted: an anchor that never drags; a chain without its weight (she stops with a
+// Weighed she goes. Controls seen: an anchor that never drags; a chain without its weight (she stops with a
 // jerk, and slack takes nothing).
 TEST(CrewLines, AnchorsHoldAndDrag) {
   Afloat afloat(rib);
@@ -183,7 +183,7 @@ TEST(CrewLines, TooDeepToAnchorIsTold) {
 }
 
 // Capsized, full, far off and anchored, a boat comes back to where the scene has her: upright, dry, at rest, with the
-// scene's lines and no others. Controls not yet planted: the water left in her; the scene's lines not made fast anew;
+// scene's lines and no others. Controls seen: the water left in her; the scene's lines not made fast anew;
 // the pose of the last step.
 TEST(CrewLines, ABoatComesBack) {
   Afloat afloat(
@@ -267,7 +267,7 @@ TEST(CrewLines, RecordedTheyHappenAgain) {
 }
 
 // Lines are seen from the boat's bow to where they are made fast, piece by piece without gaps, and an anchor's chain to
-// the ground; when cast off nothing of them is drawn. Placing them takes no memory. Controls not yet planted: pieces
+// the ground; when cast off nothing of them is drawn. Placing them takes no memory. Controls seen: pieces
 // turned the other way; the count of things left as it was.
 TEST(CrewLines, AreSeen) {
   Afloat afloat(std::string(rib) + R"(, {"model": "pier", "at_m": [-4.5, 0, 0]})");

@@ -27,7 +27,7 @@ glm::dvec2 summed(double across_n, double down_n) {
 }
 
 // From slack to taut the pull balances a chain that is summed part by part, within a millimetre; it grows all the way,
-// as fast as its stiffness says. Chain lies until H = w (L^2 - h^2) / 2 h. Controls not yet planted: the part that lies
+// as fast as its stiffness says. Chain lies until H = w (L^2 - h^2) / 2 h. Controls seen: the part that lies
 // left out of the reach; the stretch left out; stiffness of half the step.
 TEST(Chain, HangsAsItsPartsDo) {
   constexpr double up = 6.0;
@@ -68,7 +68,7 @@ TEST(Chain, OddPlacesAreFinite) {
   EXPECT_EQ(chain_pull(chain, std::nan(""), 1.0).across_n, 0.0);
 }
 
-// An anchor whose chain lies holds all that it does, and nothing at 40 degrees. Controls not yet planted: the angle's
+// An anchor whose chain lies holds all that it does, and nothing at 40 degrees. Controls seen: the angle's
 // sine.
 TEST(Chain, LiftedAnchorsHoldLess) {
   EXPECT_EQ(anchor_hold(5000.0, 300.0, 0.0), 5000.0);
@@ -83,8 +83,7 @@ double length_of(const std::vector<glm::dvec3>& places) {
 }
 
 // Lines hang between their ends with their own length, lowest between them; taut ones are straight. Chains begin at the
-// anchor, lie on the ground and never below it. Controls not yet planted: the catenary's parameter of half the way; the
-// part that lies drawn plumb.
+// anchor, lie on the ground and never below it. Controls seen: the catenary's parameter of half the way.
 TEST(Chain, IsDrawnAsLongAsItIs) {
   std::vector<glm::dvec3> places(201);
   for (const glm::dvec3 b : {glm::dvec3(6.0, 0.0, 3.0), glm::dvec3(6.0, 2.0, 3.0), glm::dvec3(0.1, -3.0, 0.0)}) {

@@ -25,7 +25,7 @@ double reach(std::initializer_list<NearMeshError> near, double error_m, double o
 // Here an error of e is allowed from 100 e away on. Windows around the viewer count as far as they reach; of those that
 // begin farther off nothing is asked where their error is allowed by then, and all of it as far as they go where it is
 // not. Of windows that share the water the largest counts, beside
-// seven tenths of what the sea is missed by, others add up. Controls not yet planted: where they begin left out;
+// seven tenths of what the sea is missed by, others add up. Controls seen: where they begin left out;
 // those that share added up.
 TEST(NearReaches, CountWhereWindowsLie) {
   EXPECT_NEAR(reach({}, 0.1), 10.0, 1e-9);
