@@ -128,7 +128,7 @@ TEST_F(Underwater, SnellsWindowIsAsBrightAsTheSkyThroughIt) {
 }
 
 // What the water adds to lines of sight into the deep, in double: to all sides, at two depths, in three kinds of water.
-// 1 %. Controls seen: fading left out; forwards without its power.
+// 1 %. Control seen: fading left out.
 TEST_F(Underwater, TheDeepIsTheClosedForm) {
   for (const char* type : {"I", "II", "3C"}) {
     SeaShot shot(options(test::frame_looks[3],
@@ -226,9 +226,9 @@ Sides compare_sides(SeaShot& shot, const Viewpoint& viewpoint, double unsure_m, 
   return sides;
 }
 
-// Still water across the picture, rolled, in each shape of a frame: every pixel that is farther from the line than a
-// pixel is on its side. Control seen: the sides counted from the horizon alone (Stencil::count left out: only the
-// things', so the deferred light).
+// Still water across the picture, rolled, lit as it is drawn and later: every pixel that is farther from the line than
+// a pixel is on its side. Controls seen: in the light, the horizon asked in place of the stencil; where it is drawn,
+// faces taken for backs.
 TEST_F(Underwater, TheWaterlineOfStillWaterIsOnItsPixel) {
   for (const test::FrameLook& look : {test::frame_looks[2], test::frame_looks[3]}) {
     SeaShot shot(options(look, with({{"waves.wind_speed_mps", "0"}, {"waves.swell_height_m", "0"}}, black_water)));
@@ -248,7 +248,8 @@ TEST_F(Underwater, TheWaterlineOfStillWaterIsOnItsPixel) {
 
 // A sea of wind, of pictures of 20 places whose eye is within 2 cm of the water: each pixel is on the side that the
 // drawn water's query says, beyond 5 mm and where it converged, where the sea is lit after it is drawn. Where pixels
-// are lit as they are drawn a sliver that is seen edge on may turn a pixel over: no more than 3 in 10,000.
+// are lit as they are drawn a sliver that is seen edge on may turn a pixel over: no more than 3 in 10,000. Control
+// seen: at the horizon, the felt water asked within two pixels in place of the picture's own within one.
 TEST_F(Underwater, TheWaterlineOfASeaIsWhereItsQueryHasIt) {
   for (const test::FrameLook& look : {test::frame_looks[2], test::frame_looks[3]}) {
     SeaShot shot(options(look, with({{"waves.wind_speed_mps", "7"}}, black_water)));

@@ -1,4 +1,4 @@
-// Kinds of water. Controls are named beside each test; each was seen to fail.
+// Kinds of water.
 #include "ocean/surface/water_types.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace seascape {
 namespace {
 
-// Where 1 % of the light is left, m, at 550 and 450 nm, of six types (facts, from Jerlov 1976), within 5 %; and the
-// optics that the picture is drawn with fade it there as well. Control: two rows of the table exchanged.
+// Where 1 % of the light is left, m, at 550 and 450 nm, of seven types (facts, from Jerlov 1976), within 5 %; and the
+// optics that the picture is drawn with fade it there as well. Control seen: a row with the numbers of another.
 TEST(WaterTypes, LightFadesAsJerlovMeasured) {
   struct Known {
     WaterType type;
@@ -29,7 +29,7 @@ TEST(WaterTypes, LightFadesAsJerlovMeasured) {
 }
 
 // What fades less is clearer from one type to the next, in green; clear seas are blue, coasts green, and harbours turn
-// brown: red comes back as much as green. Control: scattering that grows with the attenuation left out of the coasts'.
+// brown: red comes back as much as green.
 TEST(WaterTypes, SeasAreBlueAndCoastsGreen) {
   double before = 0.0;
   for (int type = 0; type <= int(WaterType::ocean_3); ++type) {
@@ -49,7 +49,7 @@ TEST(WaterTypes, SeasAreBlueAndCoastsGreen) {
 }
 
 // Of the light that enters, the colour comes back; and the clearest of the three is seen as far as is asked.
-// Controls: the least attenuation given to the darkest colour; backscatter of each colour by its own attenuation.
+// Control seen: the least attenuation given to the darkest colour.
 TEST(WaterTypes, AColourIsAsAsked) {
   for (const glm::dvec3& colour : {glm::dvec3(0.002, 0.02, 0.06), glm::dvec3(0.1, 0.05, 0.01), glm::dvec3(0.3)}) {
     const WaterSettings settings{
@@ -67,7 +67,7 @@ TEST(WaterTypes, AColourIsAsAsked) {
   }
 }
 
-// What the chlorophyll says stays what it was. Control: a type of Jerlov's taken for it.
+// What the chlorophyll says stays what it was.
 TEST(WaterTypes, ChlorophyllIsTheDefault) {
   const WaterOptics named = water_optics(0.7), by_settings = water_optics(WaterSettings{.chlorophyll_mg_m3 = 0.7});
   EXPECT_EQ(named.absorption, by_settings.absorption);
