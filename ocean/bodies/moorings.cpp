@@ -57,7 +57,7 @@ std::size_t over_water(const std::array<glm::dvec3, 3>& corners, std::array<glm:
 }  // namespace
 
 MooringRope rope_of(double boat_kg) {
-  const double mm = std::max(7.3 * std::cbrt(boat_kg / 1000.0), 6.0);
+  const double mm = std::max(7.3 * std::cbrt(boat_kg / 1000.0), 10.0);
   return {1e-3 * mm, 210.0 * mm * mm};
 }
 

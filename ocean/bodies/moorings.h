@@ -33,8 +33,8 @@ struct BodyMooring {
 };
 
 // A boat's own lines: of polyamide in three strands, which breaks at about 210 N a mm^2 of its diameter's square (EN
-// ISO 1140) and stretches by three tenths until then, taken for even; 12 mm for 4.5 t, as the cube root, 6 mm at least
-// (an estimate).
+// ISO 1140) and stretches by three tenths until then, taken for even; 12 mm for 4.5 t, as the cube root, and none
+// thinner than 10 mm, which would cut the hands (estimates).
 struct MooringRope {
   double diameter_m = 0.012, breaking_n = 3e4;
   static constexpr double most_stretch = 0.3;

@@ -159,7 +159,7 @@ TEST(ExploreBoats, MoorsAnchorsAndComesBackAtTheKeys) {
   ASSERT_TRUE(voyage.says("moored: rib to pier")) << voyage.program().out();
   voyage.hold({"w"}, 8.0);
   voyage.key("y");
-  ASSERT_TRUE(voyage.says("cast off: rib"));
+  ASSERT_TRUE(voyage.says("cast off: rib")) << voyage.program().out() << voyage.program().err();
   voyage.key("i");
   ASSERT_TRUE(voyage.says("anchored: rib, 6.0 m of water")) << voyage.program().out();
   voyage.key("i");

@@ -331,7 +331,7 @@ TEST_F(ExploreSimulated, SaysWhatIsWrongWithAScript) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     return result.err;
   };
-  EXPECT_THAT(error_of("{\"version\": 1,\n \"events\": [\n  {\"time_s\": 0, \"action\": \"moor\", \"value\": 1}]}"),
+  EXPECT_THAT(error_of("{\"version\": 1,\n \"events\": [\n  {\"time_s\": 0, \"action\": \"fly_home\", \"value\": 1}]}"),
               HasSubstr("input.json:3: "));
   EXPECT_THAT(error_of("{\"version\": 1,\n \"size\": \"0x40\"}"), HasSubstr("input.json:2: "));
   EXPECT_THAT(error_of("a poem"), HasSubstr("input.json:1: "));
