@@ -24,6 +24,9 @@ bool needs_change(const Settings& a, const Settings& b) {
   return false;
 }
 
+// A depth with a stencil beside it is nothing that can be shown: it is kept, to be copied into what is.
+bool keeps_depth(const TargetSpec& spec) { return spec.show_depth && spec.stencil && spec.samples == 1; }
+
 bool is_debug(const Settings& s) { return s.render.debug != DebugView::none; }
 
 // Whether two settings differ in something that GPU objects were built from.
@@ -207,6 +210,9 @@ void Experience::build() {
     lit_sampler_ = make_sampler(device_, "lit", {false, false, 1.0f});
     bind_tone();
   }
+  shown_depth_.reset();
+  if (const Image* kept = kept_depth())
+    shown_depth_ = std::make_unique<ShownDepth>(device_, shaders_, *kept, picture_.spec(), lent_.get());
   set_area();
 }
 
@@ -309,10 +315,10 @@ void Experience::build_targets() {
   spec.depth = tile && !deferred();
   spec.stencil = spec.depth && underwater();
   spec.show_depth = options_.show_depth;
+  spec.keep_depth = keeps_depth(spec);
   spec.colour = options_.colour;
   picture_ = {};
   lit_ = {};
-  copied_depths_.clear();
   picture_ = RenderTarget(device_, "picture", spec, lent_.get());
   if (!tile) {
     LentImages depths;
@@ -321,14 +327,17 @@ void Experience::build_targets() {
     spec.samples = render.msaa;
     spec.depth = !deferred();
     spec.stencil = spec.depth && underwater();
+    spec.keep_depth = keeps_depth(spec);
     lit_ = RenderTarget(device_, "lit", spec, lent_ ? &depths : nullptr);
   }
-  if (options_.show_depth && deferred() && lent_ && !underwater()) {  // whose depth has a stencil beside it
-    ImageSpec copied{lent_->width, lent_->height, std::uint32_t(options_.views)};
-    copied.format = device_.facts().depth_format;
-    copied.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    for (VkImage handle : lent_->depths) copied_depths_.emplace_back(device_, "depth lent", handle, copied);
-  }
+}
+
+// The depth of the pass that draws all, where that is not what is shown; null where it is, or nothing is.
+const Image* Experience::kept_depth() const {
+  if (!options_.show_depth) return nullptr;
+  if (deferred()) return surface_->depths();
+  const RenderTarget& drawn = in_tile() ? picture_ : lit_;
+  return drawn.spec().keep_depth ? drawn.depth() : nullptr;
 }
 
 // Everything is drawn into the upper left part of what there is room for.
@@ -336,6 +345,7 @@ void Experience::set_area() {
   picture_.set_area(options_.width, options_.height);
   if (!in_tile()) lit_.set_area(options_.width, options_.height);
   surface_->set_area(options_.width, options_.height);
+  if (shown_depth_) shown_depth_->set_area(options_.width, options_.height);
 }
 
 void Experience::take_targets() {
@@ -344,6 +354,7 @@ void Experience::take_targets() {
   if (solids_) solids_->resize(surface_->depths());
   if (hands_) hands_->resize(surface_->depths());
   if (tone_pipeline_) bind_tone();
+  if (shown_depth_) shown_depth_->resize(*kept_depth(), picture_.spec(), lent_.get());
   set_area();
 }
 
@@ -369,12 +380,11 @@ void Experience::draw_into(std::shared_ptr<const LentImages> lent) {
 void Experience::choose(std::size_t colour, std::size_t depth) {
   picture_.choose(colour, depth);
   if (!in_tile()) lit_.choose(0, depth);
-  chosen_depth_ = depth;
-  if (!copied_depths_.empty()) copied_depths_[depth].state() = {};
+  if (shown_depth_) shown_depth_->choose(depth);
 }
 
 const Image* Experience::shown_depth() const {
-  if (!copied_depths_.empty()) return &copied_depths_[chosen_depth_];
+  if (shown_depth_) return shown_depth_->depth();
   return (in_tile() ? picture_ : lit_).shown_depth();
 }
 

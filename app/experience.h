@@ -9,6 +9,7 @@
 #include "app/drawn_hands.h"
 #include "app/hidden_area.h"
 #include "app/scene.h"
+#include "app/shown_depth.h"
 #include "app/sky.h"
 #include "app/solids/drawn_solids.h"
 #include "app/solids/sun_map.h"
@@ -120,6 +121,7 @@ class Experience {
   void join_bodies();
   void build_targets();
   void make_solids(const RenderTarget& drawn, const SurfaceLight& light, const SurfaceLook& look);
+  const Image* kept_depth() const;
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
@@ -154,8 +156,7 @@ class Experience {
   ComfortShown comfort_shown_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   std::shared_ptr<const LentImages> lent_;
-  std::vector<Image> copied_depths_;  // of lent_, where the surface's depth is copied there
-  std::size_t chosen_depth_ = 0;
+  std::unique_ptr<ShownDepth> shown_depth_;  // where no pass draws into the depth that is shown
   Owned<VkSampler> lit_sampler_;
   Pipeline sky_pipeline_, sky_underwater_, tone_pipeline_;  // sky_underwater_: for eyes that may be in the water
   Bindings sky_bindings_, sky_underwater_bindings_, tone_bindings_;

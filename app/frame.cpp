@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "app/eye_adaptation.h"
+#include "shaders/shared/fresnel.h"
+
 namespace seascape {
 
 namespace {
@@ -22,8 +25,16 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
-// Tells shaders which eyes may be in the water. A line of sight begins on the near plane, of which a corner is farthest
-// off.
+// What deep water sends up, and how it fades at this sun (shaders/lib/underwater.glsl).
+LightInWater light_in_water(const gpu::FrameData& data, double depth_m) {
+  const double sine = data.sun.y, index = gpu::water_index;
+  const double sun_cosine = std::sqrt(std::max(1.0 - (1.0 - sine * sine) / (index * index), 0.1));
+  return {glm::dvec3(data.water_reflectance),
+          (glm::dvec3(data.water_absorption) + glm::dvec3(data.water_backscatter)) / sun_cosine, depth_m};
+}
+
+// Tells shaders which eyes may be in the water, and the exposure. A line of sight begins on the near plane, of which a
+// corner is farthest off.
 void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) {
   double wide = 0.0;  // tangents of a corner
   for (const View& eye : viewpoint.eyes)
@@ -34,6 +45,11 @@ void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) 
   data.water_scattering.w = float(side.still_m);
   for (std::size_t i = 0; i < side.over_eye.size(); ++i)
     data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
+  // Both eyes get used to it as one.
+  double depth_m = 0.0;
+  for (std::size_t i = 0; i < viewpoint.eyes.size(); ++i)
+    depth_m += side.over_eye[std::min(i, side.over_eye.size() - 1)].x / double(viewpoint.eyes.size());
+  data.air.y += float(adaptation_stops(light_in_water(data, depth_m), e.scene().settings.water.adaptation));
 }
 
 }  // namespace
@@ -129,7 +145,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     e.draw_sky(c, uniform, eyes);
     if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
     if (e.hands_) e.hands_->draw(c, uniform);
-    if (e.spray_) e.spray_->draw(c, uniform);
+    if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
     finish(c, tile);
   });
   if (deferred) {
@@ -138,14 +154,13 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       e.surface_->light(c, uniform, eyes);
       if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
       if (e.hands_) e.hands_->draw(c, uniform);
-      if (e.spray_) e.spray_->draw(c, uniform);
+      if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
       finish(c, tile);
     });
   }
 
   // 6. The depth that is shown with the picture, where no pass leaves it there by itself.
-  if (const Image* shown = e.shown_depth(); shown != nullptr && deferred)
-    stages.time("recording", [&] { e.surface_->copy_depth(frame, *shown); });
+  if (e.shown_depth_) stages.time("recording", [&] { e.shown_depth_->draw(frame); });
 
   // 7. The desktop frame's tone mapping.
   if (!tile)

@@ -121,7 +121,7 @@ void RenderTarget::make_images(Device& device, std::string_view name, const Lent
     image.layers = std::uint32_t(spec_.views);
     image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   }
-  if (lent && !lent->colours.empty())
+  if (has_colour() && lent && !lent->colours.empty())
     borrow(colours_, lent->colours, image);
   else if (has_colour())
     colours_.emplace_back(device, fmt::format("{} colour", name), image);
@@ -190,15 +190,17 @@ void RenderTarget::make_framebuffers(Device& device, std::string_view name) {
       for (std::size_t pass = 0; pass < passes(); ++pass)
         make(&colour, shown_depths_.empty() ? nullptr : &shown_depths_[depth], pass);
   if (!has_colour())
-    for (std::size_t pass = 0; pass < passes(); ++pass) make(nullptr, nullptr, pass);
+    for (std::size_t depth = 0; depth < depth_count(); ++depth)
+      for (std::size_t pass = 0; pass < passes(); ++pass)
+        make(nullptr, shown_depths_.empty() ? nullptr : &shown_depths_[depth], pass);
 }
 
 void RenderTarget::choose(std::size_t colour, std::size_t depth) {
   chosen_colour_ = colours_.size() > 1 ? colour : 0;
   chosen_depth_ = shown_depths_.size() > 1 ? depth : 0;
-  assert(chosen_colour_ < colours_.size() && chosen_depth_ < depth_count());
+  assert(chosen_colour_ < std::max<std::size_t>(1, colours_.size()) && chosen_depth_ < depth_count());
   // Who lent them had them meanwhile.
-  colours_[chosen_colour_].state() = {};
+  if (!colours_.empty()) colours_[chosen_colour_].state() = {};
   if (!shown_depths_.empty()) shown_depths_[chosen_depth_].state() = {};
 }
 

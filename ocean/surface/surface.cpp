@@ -223,15 +223,6 @@ void Surface::set_area(std::uint32_t width, std::uint32_t height) {
   if (look_.below) below_.set_area(width, height);
 }
 
-void Surface::copy_depth(Frame& frame, const Image& to) const {
-  const TargetSpec& spec = points_.spec();
-  frame.pass("depth", {use(*points_.depth(), Access::transfer_read), use(to, Access::transfer_write, true)},
-             [&](Commands& c) {
-               c.copy(*points_.depth(), to, {spec.width, spec.height});
-             });
-  frame.pass("depth shown", {use(to, Access::depth_target)}, [](Commands&) {});
-}
-
 void Surface::add_points(Uses& uses) const {
   uses.add(use(points_.colour(), Access::fragment_sample));
   if (points_.second() != nullptr) uses.add(use(*points_.second(), Access::fragment_sample));

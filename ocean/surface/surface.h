@@ -66,9 +66,6 @@ class Surface {
   // The specialisation constants of effects that are code in its shaders.
   const std::vector<SurfaceSlots::EffectValue>& effect_values() const { return effect_values_; }
 
-  // With look.deferred: a pass that copies depths(), where it was drawn, into another image of its format.
-  void copy_depth(Frame& frame, const Image& to) const;
-
   // With look.probe: two vec4 a vertex, patch after patch (see surface.vert).
   const Buffer& probed() const { return probe_; }
   static constexpr std::uint32_t probe_patches = 98304;  // ultra, masked, in a storm: 73,600

@@ -29,6 +29,7 @@ struct WaterSettings {
   double crest_light = 1.0;  // strength of sunlight seen through thin crests, 1 as derived, 0 none
   double whitecaps = 1.0;    // strength of the instant whitecaps of the foam effect, 0 none
   double glitter = 1.0;      // strength of the sun's reflection, 1 as derived
+  double adaptation = 0.3;   // of the light lost under water, the share that the exposure makes up for
   double anisotropy = 8.0;   // largest anisotropy of the samplers of slopes, 1 to 16, where the device has it
 };
 

@@ -1,10 +1,9 @@
 // What a second eye costs in commands.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -22,7 +21,7 @@ TEST_F(StereoCommands, AreAtMostATwentiethMore) {
   double most = 0.0;
   for (std::size_t s = 0; s < scenes.size(); ++s)
     for (std::size_t p = 0; p < presets.size(); ++p) {
-      if (std::getenv("SEASCAPE_LONG") == nullptr && s % presets.size() != p) continue;
+      if (!test::long_run() && s % presets.size() != p) continue;
       const auto commands = [&](int views) {
         test::SeaShot shot({.scene = scenes[s],
                             .preset = presets[p],

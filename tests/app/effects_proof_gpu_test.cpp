@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
@@ -21,6 +20,7 @@
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
 #include "tests/support/gpu/spirv_text.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -199,6 +199,7 @@ std::string first_difference(const std::vector<std::string>& a, const std::vecto
 // What is loaded without an effect is what shaders are that never had a line of it, to the last instruction (compilers
 // number what they name as they come by it, and drop what nobody calls).
 TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
+  std::size_t number = 0;
   for (const EffectUnderProof& effect : effects_under_proof) {
     if (!effect.variants) continue;
     SCOPED_TRACE(effect.part);
@@ -207,7 +208,9 @@ TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
     ASSERT_GE(never.modules.size(), 2u);  // the first places the surface, the last lights it
     EXPECT_FALSE(texts(never).front().empty());
     EXPECT_TRUE(texts(never) == texts(absent)) << first_difference(texts(never), texts(absent));
-    // The control: called for, those shaders still have none of it, and the shipped ones do.
+    // The control: called for, those shaders still have none of it, and the shipped ones do. (A third of them, all with
+    // SEASCAPE_LONG=1.)
+    if (!test::sampled(number++, 3)) continue;
     const Evidence asked = collect(effect, effect.with, effect.with, Leak::code),
                    present = collect(effect, effect.with, effect.with);
     EXPECT_TRUE(texts(asked) == texts(never));
@@ -216,9 +219,11 @@ TEST_F(EffectProof, TheLoadedCodeIsThatOfShadersThatNeverHadIt) {
 }
 
 // The negative controls that truths.md asks for: one buffer, one dispatch, one branch, each seen by its proof and by no
-// other.
+// other. (A quarter of the effects, all with SEASCAPE_LONG=1.)
 TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
+  std::size_t number = 0;
   for (const EffectUnderProof& effect : effects_under_proof) {
+    if (!test::sampled(number++, 4)) continue;
     SCOPED_TRACE(effect.part);
     const Evidence never = collect(effect, effect.without, effect.without);
     const Proofs buffer = compare(effect, never, collect(effect, effect.with, effect.without, Leak::buffer));
@@ -235,7 +240,7 @@ TEST_F(EffectProof, OneLeakedBufferDispatchOrBranchIsSeen) {
 }
 
 // On and off again and again: the device's objects and memory are what they were, to the byte, and pictures too. (A
-// toggle builds the scene anew: 40 of them, and 1,000 with SEASCAPE_LONG=1.)
+// toggle builds the scene anew: 12 of them, and 1,000 with SEASCAPE_LONG=1.)
 class EffectToggled : public EffectProof, public testing::WithParamInterface<EffectUnderProof> {};
 INSTANTIATE_TEST_SUITE_P(Effects, EffectToggled, testing::ValuesIn(effects_under_proof),
                          [](const auto& effect) { return effect.param.part; });
@@ -260,7 +265,7 @@ TEST_P(EffectToggled, LeavesNothingBehind) {
   const auto then = held();
   EXPECT_EQ(then != before, effect.objects);
   EXPECT_GT(test::differing_pixels(with, without), 0);
-  const int times = std::getenv("SEASCAPE_LONG") ? 500 : 20;
+  const int times = test::long_run() ? 500 : 6;
   for (int i = 0; i < times; ++i) {
     shot.experience().apply_effects(effect.without);
     if (i % 13 == 0) {
@@ -307,14 +312,13 @@ TEST_F(EffectProof, IdleCostsNothing) {
   }
 }
 
-// Each effect alone, every pair (a sixth of them but with SEASCAPE_LONG=1), none and all are drawn without a word of
+// Each effect alone, every pair (a twelfth of them but with SEASCAPE_LONG=1), none and all are drawn without a word of
 // the validation layer, and the plan names each and why.
 TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
   const std::size_t count = std::size(effects_under_proof), all = (std::size_t{1} << count) - 1;
   for (std::size_t set = 0; set <= all; ++set) {
     if (std::popcount(set) > 2 && set != all) continue;
-    if (std::popcount(set) == 2 && std::getenv("SEASCAPE_LONG") == nullptr &&
-        (std::countr_zero(set) + std::bit_width(set)) % 6 != 0)
+    if (std::popcount(set) == 2 && !test::sampled(std::size_t(std::countr_zero(set) + std::bit_width(set)), 12))
       continue;
     std::vector<std::string> effects;
     std::vector<InputSpec> inputs;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -17,6 +16,7 @@
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
 #include "tests/support/gpu/settings_that_act.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -31,9 +31,9 @@ bool of_an_absent_effect(const Scene& scene, std::string_view key) {
   return std::find(names.begin(), names.end(), group) != names.end() && !calls_for(scene.effects, group);
 }
 
-// Each setting goes to another value and back: all with SEASCAPE_LONG=1, else half of those of the scene's effects.
-// Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each fail
-// here.
+// Each setting goes to another value and back: all with SEASCAPE_LONG=1, else a quarter of those of the scene's
+// effects. Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each
+// fail here.
 TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   const test::ShotOptions common{.scene = "storm",
                                  .preset = "low",
@@ -57,8 +57,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   for (const Setting& row : settings_table()) {
     SCOPED_TRACE(row.key);
     if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
-    const bool all = std::getenv("SEASCAPE_LONG") != nullptr;
-    if (!all && (of_an_absent_effect(live.scene(), row.key) || number++ % 2 != 0)) continue;
+    if (!test::long_run() && (of_an_absent_effect(live.scene(), row.key) || number++ % 4 != 0)) continue;
     const std::string before = value_text(live.scene().settings, row),
                       value = test::another(live.scene().settings, row);
     live.set(std::string(row.key), value);
@@ -73,7 +72,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
     EXPECT_EQ(test::differing_pixels(live.picture(head, time_s), plain), 0) << "and back";
     changed_pictures += test::differing_pixels(picture, plain) > 0;
   }
-  EXPECT_GE(changed_pictures, 12);  // else nothing was compared
+  EXPECT_GE(changed_pictures, test::long_run() ? 24 : 6);  // else nothing was compared
 }
 
 // Rows that the caller of the next frame reads, and not the ocean.
@@ -84,9 +83,11 @@ bool of_the_next_frame(std::string_view key) {
   return false;
 }
 
-// Rows whose sentences promise no other picture of a sea that goes on: they act at a jump of the time, or save time.
+// Rows whose sentences promise no other picture of a sea that goes on, from above: they act at a jump of the time,
+// under water, or save time.
 bool leaves_the_picture(std::string_view key) {
-  return key == "foam.settle_s" || key == "dynamic_waves.settle_s" || key == "frame.facing_only";
+  return key == "water.adaptation" || key == "foam.settle_s" || key == "dynamic_waves.settle_s" ||
+         key == "frame.facing_only";
 }
 
 // What a running sea draws a second after a setting has changed, and what it then has of foam and spray; or, with no
@@ -152,10 +153,10 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
-    if (std::getenv("SEASCAPE_LONG") == nullptr && live % 2 == 0) continue;  // half of them unless all are wanted
+    if (!test::sampled(live, 4)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     // Half of those with waves of the GPU, which software drivers do not have of themselves.
-    const char* where = live % 4 == 1 ? "gpu" : "cpu";
+    const char* where = live / 4 % 2 == 0 ? "gpu" : "cpu";
     options.set.push_back({"waves.where", where});
     const std::string shown = options.scene + std::to_string(options.set.size()) + where;
     if (!plain.contains(shown)) {
@@ -231,9 +232,9 @@ TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
     if (!row.rebuild.empty() || row.key == "baked.fade_m" || leaves_the_picture(row.key) ||
         !is({"gerstner", "wave_particles", "dynamic_waves", "level", "flow", "clip", "baked"}))
       continue;
-    // A third of them, unless all are wanted, and one of each scene.
+    // A sample of them, and one of each scene.
     const bool alone = row.key == "clip.by_default" || row.key == "baked.scale" || row.key == "level.height_m";
-    if (std::getenv("SEASCAPE_LONG") == nullptr && !alone && number++ % 3 != 0) continue;
+    if (!alone && !test::sampled(number++, 6)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     compare(row, options);
     if (is({"level", "flow"})) {

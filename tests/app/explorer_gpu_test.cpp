@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
 
 #include "platform/headset.h"
 #include "platform/simulated_runtime.h"
 #include "tests/support/gpu/gpu_test.h"
+#include "tests/support/sampled.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/variable.h"
 
@@ -123,7 +123,7 @@ TEST_F(ExplorerTest, EveryFrameHasAWorldInIt) {
   ExplorerRig rig("storm", std::move(events));
   rig.arrive("storm");
   Device& device = *rig.program.device;
-  const int stretch = std::getenv("SEASCAPE_LONG") ? 667 : 100;
+  const int stretch = test::long_run() ? 667 : 60;
   const auto steady = [&](const char* after) {
     rig.frames(4);  // targets of the display's images are made with the first
     const std::uint64_t objects = device.objects_made(), pipelines = device.pipelines_made(),

@@ -141,13 +141,13 @@ TEST_F(DeferredLight, LeavesNoHoles) {
 // Eyes are in the air half a metre above the water where they are, not above the still sea.
 TEST_F(DeferredLight, KnowsEyesInTheAir) {
   SeaShot shot(options("storm", "deferred"));
+  const WaveField field(shot.scene().settings.sea, shot.scene().settings.waves);
+  WaveTiles tiles;
+  field.evaluate(ticks_from_seconds(5.0), tiles);
   int in_air = 0, below = 0, still_sea_differs = 0;
   for (int i = 0; i < 60; ++i) {
     const Pose head = pose({37.0 * i, -6.0 + 0.2 * i, 11.0 * i}, 0.0, 0.0);
     shot.draw(head, 5.0);
-    const WaveField field(shot.scene().settings.sea, shot.scene().settings.waves);
-    WaveTiles tiles;
-    field.evaluate(ticks_from_seconds(5.0), tiles);
     const glm::dvec2 place{head.position_m.x, head.position_m.z};
     QueryAnswer water;
     query(field, tiles, {&place, 1}, {&water, 1});

@@ -5,6 +5,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -35,9 +36,11 @@ SceneObjects sunken_box(bool with_hull) {
 // there is no hole. Controls seen: hulls over which a bed lies dry; by_default without flat inputs.
 TEST_F(SceneHulls, TheSeaIsCutOutOfThem) {
   constexpr std::uint32_t side = 96;
+  std::size_t number = 0;
   for (const bool bed : {false, true})
     for (const test::FrameLook& look : test::frame_looks)
       for (const bool with_hull : {true, false}) {
+        if (!test::sampled(number++, 3)) continue;
         std::vector<std::pair<std::string, std::string>> set = look.set;
         set.insert(set.end(), {{"waves.resolution", "32"},
                                {"waves.wind_speed_mps", "1"},

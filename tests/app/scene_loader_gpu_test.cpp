@@ -10,6 +10,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -52,7 +53,7 @@ TEST_F(Loader, AnotherSceneIsDrawnMeanwhile) {
   (void)next_picture(device, alone);  // at its start, as the loader has it
   {
     SceneLoader loader(device, shaders);
-    for (int times = 0; times < 3; ++times) {
+    for (int times = 0; times < (test::long_run() ? 3 : 1); ++times) {
       loader.ask(request("lagoon"));
       std::unique_ptr<Experience> loaded;
       int drawn = 0;

@@ -1,5 +1,4 @@
 // Who asks the sea in a frame: camera, picture, foam, spray and culling share its tiles.
-#include <cstdlib>
 #include <map>
 #include <mutex>
 
@@ -8,6 +7,7 @@
 #include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -30,7 +30,7 @@ struct Program {
 // of the picture once a frame where the processor makes them, and never where the GPU does. Control seen: foam stepped
 // before spray (storm).
 TEST_P(SeaAskers, HaveTilesOfATimeAndADetailMadeOnce) {
-  const bool every = std::getenv("SEASCAPE_LONG") != nullptr;
+  const bool every = test::long_run();
   const Program programs[] = {{"explore", true, 72.0, every ? 12 : 4},
                               {"replay", false, 30.0, every ? 6 : 3},
                               {"capture", false, 90.0, every ? 6 : 3}};

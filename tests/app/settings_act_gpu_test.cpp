@@ -3,13 +3,13 @@
 // ExperienceApply.LiveSettingsActAndMakeNoObject.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 
 #include "app/sea_time.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/settings_that_act.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -59,8 +59,7 @@ TEST_F(SettingsAct, EveryOneThatIsNotLive) {
     }
     if (row.key == "water.anisotropy" && test::device().facts().max_anisotropy <= 1.0f) continue;
     if (row.key == "baked.loop" || row.key == "time.follow_clock") continue;
-    // A third of them unless all are wanted.
-    if (std::getenv("SEASCAPE_LONG") == nullptr && number++ % 3 != 0) continue;
+    if (!test::sampled(number++, 6)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     Settings settings = test::SeaShot(options).scene().settings;
     const std::string value = test::value_in(settings, row);

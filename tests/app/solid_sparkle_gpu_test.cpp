@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/solid_shot.h"
+#include "tests/support/sampled.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -82,7 +82,6 @@ struct Flashes {
 };
 
 // All 300 frames with SEASCAPE_LONG; or else those in which the controls below were seen.
-bool all_frames() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 Flashes flashes_of(const Case& one, const char* seen_in_water) {
   SceneObjects objects;
@@ -100,7 +99,7 @@ Flashes flashes_of(const Case& one, const char* seen_in_water) {
   Flashes found;
   found.where = one.look.name + (one.round ? " pile" : " box") + (one.high ? " from above" : " from the side");
   Image8 older, newer;
-  const int first = all_frames() ? 0 : 125, frames = all_frames() ? 300 : 40;
+  const int first = test::long_run() ? 0 : 125, frames = test::long_run() ? 300 : 40;
   for (int i = 0; i < frames; ++i) {
     Image8 now = shot.picture(head, 3.0 + (first + i) / 72.0);
     if (i >= 2) {

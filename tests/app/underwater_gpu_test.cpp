@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/eye_adaptation.h"
 #include "app/frame.h"
 #include "app/program.h"
 #include "shaders/shared/fresnel.h"
@@ -30,6 +31,7 @@ test::ShotOptions options(const test::FrameLook& look, Set set,
                           std::vector<std::string> effects = {"waves", "underwater"}) {
   test::ShotOptions options = test::solid_options(look, {}, width, height, set);
   options.effects = std::move(effects);
+  options.set.insert(options.set.begin(), {"water.adaptation", "0"});  // light is compared as it is
   return options;
 }
 
@@ -80,6 +82,48 @@ TEST_F(Underwater, CostsTheDryNothing) {
     EXPECT_GT(test::differing_pixels(wet.picture(below, 3.0), dry.picture(below, 3.0)), 5000) << look.name;
     EXPECT_GT(wet.counts().draws, dry.counts().draws) << look.name;
   }
+}
+
+// In still water at 2 m the picture is brighter by what the exposure gains, and in the air the same to the bit. Control
+// seen: the depth below the still sea taken for that below the eye, of either sign.
+TEST_F(Underwater, TheExposureFollowsTheEye) {
+  for (const test::FrameLook& look : {test::frame_looks[2], test::frame_looks[3]}) {
+    SeaShot plain(options(look, test::flat_water)),
+        adapted(options(look, with(test::flat_water, {{"water.adaptation", "0.5"}})));
+    const Pose above = pose({0.0, 2.0, 0.0}, 20.0, -12.0);
+    EXPECT_EQ(test::differing_pixels(plain.picture(above, 3.0), adapted.picture(above, 3.0)), 0) << look.name;
+    const Viewpoint below = plain.viewpoint(pose({0.0, -2.0, 0.0}, 20.0, 10.0));
+    const Lit one = lit(plain, below), other = lit(adapted, below);
+    const double sine = one.data.sun.y, sun_cosine = std::sqrt(1.0 - (1.0 - sine * sine) / (n * n));
+    const double stops = adaptation_stops(
+        {glm::dvec3(one.data.water_reflectance),
+         (glm::dvec3(one.data.water_absorption) + glm::dvec3(one.data.water_backscatter)) / sun_cosine, 2.0},
+        0.5);
+    EXPECT_GT(stops, 1.0);
+    for (const std::uint32_t y : {height / 4, height / 2, height - 1})
+      for (int colour = 0; colour < 3; ++colour)
+        EXPECT_NEAR(other.at(width / 2, y)[colour] / one.at(width / 2, y)[colour], std::exp2(stops),
+                    2e-3 * std::exp2(stops))
+            << look.name << " " << y;
+  }
+}
+
+// Spray is in the air: from the water none of it is seen, though it falls into it. Control seen: spray drawn for all
+// eyes.
+TEST_F(Underwater, SprayIsNotSeenFromTheWater) {
+  const auto storm = [](bool spray) {
+    test::ShotOptions o{.scene = "storm", .preset = "low", .width = width, .height = height};
+    o.set = {{"waves.where", "cpu"}, {"waves.resolution", "32"}, {"msaa", "1"}};
+    o.effects = {"waves", "foam", "underwater"};
+    if (spray) o.effects->push_back("spray");
+    return o;
+  };
+  SeaShot with_spray(storm(true)), without(storm(false));
+  const Pose above = pose({0.0, 6.0, 0.0}, 20.0, -18.0), below = pose({0.0, -9.0, 0.0}, 20.0, 40.0);
+  for (SeaShot* shot : {&with_spray, &without})
+    for (int i = 0; i < 12; ++i) shot->draw(above, 4.0 + i / 12.0);
+  EXPECT_GT(test::differing_pixels(with_spray.picture(above, 5.0), without.picture(above, 5.0)), 20);
+  EXPECT_EQ(test::differing_pixels(with_spray.picture(below, 5.0), without.picture(below, 5.0)), 0);
 }
 
 // The edge of Snell's window in still water, 48.607 degrees from the zenith within 0.05 (facts/underwater.md), in four

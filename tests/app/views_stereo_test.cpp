@@ -1,12 +1,11 @@
 // Both eyes in one pass draw what each eye draws alone, bit for bit; and what they draw is a sea.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "engine/multiview_check.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -19,19 +18,17 @@ using test::ShotOptions;
 
 class Stereo : public test::GpuTest {};
 
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
-
 // Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave
 // particles.
 std::vector<std::string> scenes() {
-  if (long_run()) return {"open_sea", "calm", "storm", "swell", "rain_pool"};
+  if (test::long_run()) return {"open_sea", "calm", "storm", "swell", "rain_pool"};
   return {"open_sea", "storm", "rain_pool"};
 }
 
 // Where an eye cannot see both sides of a patch's edge alike: near the water, rolled, and looking down.
 std::vector<Pose> poses() {
   std::vector<Pose> list{pose({3.0, 9.0, -7.0}, 20.0, -8.0)};
-  if (long_run()) {
+  if (test::long_run()) {
     list.push_back(pose({-1e5, 12.0, 3e5}, 200.0, -30.0, 40.0));
     list.push_back(pose({0.0, 300.0, 0.0}, 90.0, -90.0));
   }

@@ -1,7 +1,6 @@
 // The drawn surface against the answers of the one sea: each vertex stands at the height that a query of the `drawn`
 // detail says for its place, with levels, beds, currents, dynamic waves and clip in both.
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -10,6 +9,7 @@
 #include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -117,7 +117,7 @@ TEST_P(DrawnQuery, AnswersAreWhereTheSurfaceIsDrawn) {
   constexpr double time_s = 33.3;
   for (const std::string preset : {"low", "medium", "high", "ultra"})
     for (const std::string& scene : scenes) {
-      if (preset != "high" && GetParam() == WavePlace::gpu && std::getenv("SEASCAPE_LONG") == nullptr) continue;
+      if (preset != "high" && GetParam() == WavePlace::gpu && !test::long_run()) continue;
       const Pose head = head_of(scene);
       SeaShot shot = shot_of(scene, preset, GetParam(), head, time_s, {{"waves.half_storage", "false"}});
       const Misses m = misses(shot, head, time_s, 1000);

@@ -1,13 +1,13 @@
 // Glides over a sea held still: nothing pops and nothing swims, in the surface's shape and in its light.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 
 #include "app/program.h"
 #include "tests/support/gpu/drawn_mesh.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -25,8 +25,6 @@ class Glide : public test::GpuTest {
     if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   }
 };
-
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 constexpr int width = 96, height = 72;
 constexpr double time_s = 21.0;
@@ -200,8 +198,8 @@ struct NamedPath {
 };
 // Ten metres a second at 72 frames; `low_m` is above the sea's crests. Up to 100 m in 60 frames, or to 20 km in 240.
 std::vector<NamedPath> paths(double low_m, const glm::dvec2& from = {0.0, 0.0}) {
-  const int frames = long_run() ? 100 : 60, climb = long_run() ? 240 : 60;
-  const double rise = (long_run() ? 2e4 : 100.0) / low_m;
+  const int frames = test::long_run() ? 100 : 60, climb = test::long_run() ? 240 : 60;
+  const double rise = (test::long_run() ? 2e4 : 100.0) / low_m;
   return {{"forward",
            [=](int n) {
              return pose({from.x + 0.12 * n, low_m, from.y - 0.07 * n}, 20.0, -8.0);
@@ -234,7 +232,7 @@ struct Kind {
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.preset << ' ' << kind.scene << ' ' << kind.size; }
 std::vector<Kind> kinds() {
-  if (!long_run()) return {{"low", 8.0, "open_sea", "4096"}, {"high", 2.0, "open_sea", "4096"}};
+  if (!test::long_run()) return {{"low", 8.0, "open_sea", "4096"}, {"high", 2.0, "open_sea", "4096"}};
   std::vector<Kind> all;
   for (const auto& [preset, pixels] :
        {std::pair("low", 8.0), std::pair("medium", 4.0), std::pair("high", 2.0), std::pair("ultra", 1.0)})

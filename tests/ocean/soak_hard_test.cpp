@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <thread>
 
@@ -19,6 +18,7 @@
 #include "ocean/waves/wave_particles.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/own_sea.h"
+#include "tests/support/sampled.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -173,7 +173,7 @@ class Soak {
 // grow by 1e-4 a tick, or fade by 3e-5 (the rain's energy 4.1 and 0.39 times).
 TEST(Soak, hard_59_ten_minutes_at_eight_times_the_speed) {
   Soak soak;
-  soak.all_s = std::getenv("SEASCAPE_LONG") ? 86400.0 : test::sanitized ? 60.0 : 600.0;
+  soak.all_s = test::long_run() ? 86400.0 : test::sanitized ? 60.0 : 600.0;
   struct Mean {
     double sum = 0.0;
     int count = 0;

@@ -1,7 +1,6 @@
 // Where the surface is drawn: the positions that the drawing vertex shader puts out, against the wave field on the CPU
 // and what belongs to places; with tiles that the GPU computed, and with tiles that were uploaded.
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -14,6 +13,7 @@
 #include "tests/support/gpu/drawn_tiles.h"
 #include "tests/support/gpu/sea_shot.h"
 #include "tests/support/place_truth.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -105,7 +105,7 @@ const std::vector<std::string> some_scenes{"open_sea",  "calm",     "storm", "sw
                                            "rain_pool", "gerstner", "baked", "lagoon"};
 // What there is of places is the processor's, wherever the waves are: with SEASCAPE_LONG=1 all scenes in both.
 const std::vector<std::string>& scenes_in(WavePlace place) {
-  return place == WavePlace::cpu || std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes;
+  return place == WavePlace::cpu || test::long_run() ? scenes : some_scenes;
 }
 // What there is of places is where a scene's own path goes.
 Pose head_of(const std::string& scene) {
@@ -121,7 +121,7 @@ Pose head_of(const std::string& scene) {
 TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
   for (const std::string preset : {"high", "ultra"})
     for (const std::string& scene : scenes_in(GetParam())) {
-      if (preset == "ultra" && std::getenv("SEASCAPE_LONG") == nullptr) continue;
+      if (preset == "ultra" && !test::long_run()) continue;
       const Errors e = errors(GetParam(), scene, preset, unfaded, head_of(scene), 33.3, 1000);
       EXPECT_EQ(e.points, 1000);
       EXPECT_GT(e.resolved, scene == "rain_pool" ? 50 : 300) << "too few of the points are moved by waves";
@@ -135,7 +135,7 @@ TEST_P(DrawnSurface, StandsWhereTheWaveFieldSays) {
 // in five numbers added: within 1/200 of the significant height. DrawnQuery has them with 32-bit tiles.
 TEST_P(DrawnSurface, StandsThereInHalfFloatsTooWithinTheirOwnError) {
   for (const char* preset : {"low", "medium"})
-    for (const std::string& scene : std::getenv("SEASCAPE_LONG") != nullptr ? scenes : some_scenes) {
+    for (const std::string& scene : test::long_run() ? scenes : some_scenes) {
       const Errors half = errors(GetParam(), scene, preset, unfaded, head_of(scene), 33.3, 1000);
       EXPECT_LE(half.worst_m, 5e-3 * half.hs_m) << half.where;
     }

@@ -2,7 +2,6 @@
 // drawn.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "ocean/sea/query.h"
@@ -10,6 +9,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -21,7 +21,7 @@ using test::SeaShot;
 // All with SEASCAPE_LONG=1: 48 combinations of 45 poses are 2,160; else 7 of each, others in every combination. Each is
 // drawn twice, with waves of the processor and of the GPU.
 constexpr int poses_in_all = 45;
-int poses_drawn() { return std::getenv("SEASCAPE_LONG") != nullptr ? poses_in_all : 7; }
+int poses_drawn() { return test::long_run() ? poses_in_all : 7; }
 
 constexpr std::uint32_t width = 96, height = 72;
 

@@ -28,6 +28,17 @@ const HeadsetLook looks[] = {
     {"tile, forward", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}}},
     {"desktop, deferred", {{"frame.shape", "desktop"}, {"msaa", "1"}}, {{"frame.lighting", "forward"}}},
     {"desktop, 4 samples", {{"frame.shape", "desktop"}, {"msaa", "4"}}},
+    {"tile, 4 samples, underwater", {{"frame.shape", "tile"}, {"msaa", "4"}}, {{"msaa", "4"}}, "low", true},
+    {"tile, deferred, underwater",
+     {{"frame.shape", "tile"}, {"msaa", "1"}},
+     {{"frame.lighting", "forward"}},
+     "low",
+     true},
+    {"tile, forward, underwater",
+     {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}},
+     {{"msaa", "1"}},
+     "low",
+     true},
 };
 
 // A rolled head that turns, with eyes far apart that see more to one side than to the other.
@@ -80,7 +91,8 @@ std::array<int, 2> sky_and_sea(const std::vector<std::uint8_t>& depths) {
 }
 
 // Controls: the eyes' layers exchanged in end_frame() (the files); the area not set (the frame of another size);
-// copy_depth() left out; the first lent depth chosen for all frames; the pass's depth not resolved into what is lent.
+// ShownDepth::draw() left out; the first lent depth chosen for all frames; the pass's depth not resolved into what is
+// lent.
 TEST(HeadsetPicturesTest, AreThoseWithoutAHeadset) {
   const TemporaryFolder folder;
   (void)test::take_validation_messages();

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <string>
 
 #include "tests/ocean/mesh/lod_support.h"
+#include "tests/support/sampled.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -59,7 +59,7 @@ TEST(MorphHard, TheWholeMeshIsWatertight) {
 // Both laws, stitched and morphed: 500 poses each with SEASCAPE_LONG=1. Control seen: coarser_sides() of masked joins
 // returning 0.
 TEST(MorphHard, TheWholeMeshIsWatertightByBothLawsAndJoins) {
-  const int poses = std::getenv("SEASCAPE_LONG") != nullptr ? 20 : 2;
+  const int poses = test::long_run() ? 20 : 2;
   for (const LodLaw law : {LodLaw::pixel_error, LodLaw::threshold})
     for (const LodJoin join : {LodJoin::masked, LodJoin::morphed}) {
       SCOPED_TRACE(std::string(law == LodLaw::threshold ? "threshold" : "pixel_error") +

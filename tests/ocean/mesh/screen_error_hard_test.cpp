@@ -12,6 +12,7 @@
 
 #include "app/scene.h"
 #include "tests/ocean/mesh/lod_support.h"
+#include "tests/support/sampled.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -22,7 +23,6 @@ constexpr std::array<double, 4> figures{8.0, 4.0, 2.0, 1.0};
 constexpr std::array<const char*, 4> scenes{"open_sea", "storm", "calm", "swell"};
 
 // SEASCAPE_LONG=1, or part of a row's name, such as "ultra storm" or "masked": only such rows then.
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 bool chosen(const std::string& row) {
   const char* const rows = std::getenv("SEASCAPE_LONG");
   return rows == nullptr || std::string_view(rows) == "1" || row.find(rows) != std::string::npos;
@@ -70,7 +70,7 @@ const auto no_fault = [](LodSettings&, DisplacementBounds&) {};
 
 void print(const std::string& row, ScreenError& e) {
   const double most_of_them = e.share(0.999);
-  if (long_run())
+  if (test::long_run())
     std::printf("| %s | %.0f | %.2f / %.2f / %.2f | %.1f million | %d |\n", row.c_str(), e.triangles / e.poses, e.worst,
                 most_of_them, e.rms(), 1e-6 * static_cast<double>(e.pixels.size()), e.poses);
   if (std::getenv("SEASCAPE_WHERE")) std::printf("%s; nearer elsewhere %d\n", e.where.c_str(), e.nearer_elsewhere);
@@ -87,9 +87,9 @@ TEST(ScreenErrorHard, IsWithinThePresetsFigure) {
         for (const Draw& draw : draws) {
           const std::string row = std::string(presets[p].name) + ' ' + scene +
                                   (join == LodJoin::masked ? " masked " : " morphed ") + draw.name;
-          if ((join == LodJoin::masked && !long_run()) || !chosen(row) || (test::sanitized && p > 1)) continue;
-          ScreenError e =
-              screen_error(scene, presets[p].name, join, draw, long_run() ? 200 : 2, long_run() ? 8 : 6, no_fault);
+          if ((join == LodJoin::masked && !test::long_run()) || !chosen(row) || (test::sanitized && p > 1)) continue;
+          ScreenError e = screen_error(scene, presets[p].name, join, draw, test::long_run() ? 200 : 2,
+                                       test::long_run() ? 8 : 6, no_fault);
           print(row, e);
           RecordProperty(row, std::to_string(e.worst));
           ASSERT_GT(e.pixels.size(), 1000u) << row;
@@ -127,8 +127,8 @@ TEST(ScreenErrorHard, IsWithinTheFigureByTheThresholdToo) {
         const std::string row = std::string(presets[p].name) + ' ' + scene + " by the threshold " + draw.name;
         if (!chosen(row) || (test::sanitized && p > 1)) continue;
         const auto by_threshold = [](LodSettings& lod, DisplacementBounds&) { lod.by = LodLaw::threshold; };
-        ScreenError e = screen_error(scene, presets[p].name, LodJoin::morphed, draw, long_run() ? 200 : 2,
-                                     long_run() ? 8 : 4, by_threshold);
+        ScreenError e = screen_error(scene, presets[p].name, LodJoin::morphed, draw, test::long_run() ? 200 : 2,
+                                     test::long_run() ? 8 : 4, by_threshold);
         print(row, e);
         RecordProperty(row, std::to_string(e.worst));
         EXPECT_LE(e.worst, figures[p]) << row << ": " << e.where;
@@ -143,9 +143,10 @@ TEST(ScreenErrorHard, FollowsThePixelsAskedFor) {
   if (!chosen("follows")) GTEST_SKIP() << "another row is asked for";
   double triangles = 0.0, before = 0.0;
   for (const double pixels :
-       long_run() ? std::vector<double>{16.0, 8.0, 4.0, 2.0, 1.0, 0.5} : std::vector<double>{16.0, 4.0}) {
+       test::long_run() ? std::vector<double>{16.0, 8.0, 4.0, 2.0, 1.0, 0.5} : std::vector<double>{16.0, 4.0}) {
     const auto of_pixels = [pixels](LodSettings& lod, DisplacementBounds&) { lod.pixel_error = pixels; };
-    ScreenError e = screen_error("open_sea", "high", LodJoin::morphed, draws[0], long_run() ? 20 : 2, 8, of_pixels);
+    ScreenError e =
+        screen_error("open_sea", "high", LodJoin::morphed, draws[0], test::long_run() ? 20 : 2, 8, of_pixels);
     print("high open_sea, follows " + std::to_string(pixels), e);
     EXPECT_LE(e.worst, pixels);
     EXPECT_GT(e.worst, 0.2 * pixels);

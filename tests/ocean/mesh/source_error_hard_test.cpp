@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "app/lab/screen_error.h"
@@ -12,6 +11,7 @@
 #include "app/sea_remarks.h"
 #include "app/tile_sources.h"
 #include "ocean/waves/gerstner.h"
+#include "tests/support/sampled.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -64,8 +64,6 @@ Drawn draw(const Row& row, const char* preset, int poses, double told) {
   return result;
 }
 
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
-
 // In all presets' pixels, of their `lod.pixel_error`. SEASCAPE_LONG=1: 200 poses of each, which come to 0.24 to 0.96 of
 // it. Control seen: what several kinds miss together taken for the root of their squares (`mixed` 1: 1.04 of the figure
 // at ultra, and with `more` 1.2 1.11 at high).
@@ -77,9 +75,9 @@ TEST(SourceErrorHard, IsWithinThePixelsAskedFor) {
   for (const Row& row : rows)
     for (const char* preset : {"low", "medium", "high", "ultra"}) {
       if (test::sanitized && std::string(preset) != "low") continue;
-      Drawn d = draw(row, preset, long_run() ? 200 : 3, 1.0);
+      Drawn d = draw(row, preset, test::long_run() ? 200 : 3, 1.0);
       const std::string what = std::string(row.scene) + ' ' + preset + " with " + row.effects.back();
-      if (long_run())
+      if (test::long_run())
         std::printf("%s: %.0f triangles, %.2f of %.0f pixels at most, 99.9 %% within %.2f\n", what.c_str(),
                     d.error.triangles / d.error.poses, d.error.worst, d.figure, d.error.share(0.999));
       ASSERT_GT(d.error.pixels.size(), 1000u) << what;

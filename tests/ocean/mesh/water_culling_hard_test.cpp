@@ -12,6 +12,7 @@
 #include "app/lab/screen_error.h"
 #include "app/scene.h"
 #include "tests/ocean/mesh/lod_support.h"
+#include "tests/support/sampled.h"
 #include "tests/support/sanitized.h"
 
 namespace seascape {
@@ -89,7 +90,7 @@ Dropped look(const char* scene, const char* preset, int poses, double scale) {
 // Controls seen: nodes left out that are not seen by one corner (551 patches seen at low), and corners of finer nodes
 // taken for others.
 TEST(WaterCullingHard, NoPatchThatItLeavesOutIsSeen) {
-  const int poses = std::getenv("SEASCAPE_LONG") != nullptr ? 400 : test::sanitized ? 10 : 40;
+  const int poses = test::long_run() ? 400 : test::sanitized ? 10 : 40;
   for (const char* scene : {"open_sea", "storm"})
     for (const char* preset : {"low", "medium", "high"}) {
       const Dropped d = look(scene, preset, poses, 1.0);

@@ -6,12 +6,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 
 #include "ocean/foam/crest_steps.h"
 #include "tests/support/own_sea.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -143,7 +143,7 @@ TEST(Sea, StepsAreTheSameHoweverFramesFall) {
     Sea sea(std::move(spec));
     const auto drifter = std::make_shared<Drifter>();
     sea.add(drifter);
-    const double end_s = std::getenv("SEASCAPE_LONG") ? 60.0 : 6.0;
+    const double end_s = test::long_run() ? 60.0 : 6.0;
     sea.advance(0.0, head);
     for (double time_s = 0.0; time_s < end_s;) sea.advance(time_s = std::min(next(time_s), end_s), head);
     steps = drifter->steps - int(60.0 * end_s);

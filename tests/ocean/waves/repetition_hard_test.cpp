@@ -2,7 +2,6 @@
 // spectrum.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -11,13 +10,13 @@
 #include "ocean/waves/wave_field.h"
 #include "tests/support/autocorrelation.h"
 #include "tests/support/causes_of_sea.h"
+#include "tests/support/sampled.h"
 #include "tests/support/warped_tile.h"
 
 namespace seascape {
 namespace {
 
 constexpr double most_excess = 0.2;
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 // The tiles' variance as drawn, or as expected over seeds: without the Gaussian numbers that the waves were drawn by.
 std::vector<truth::SpectralTile> tiles_of(const SeaState& sea, const WaveBins& bins, bool expected) {
@@ -204,9 +203,9 @@ void expect_no_tiling(const std::string& name, SeaState sea, const std::vector<W
   }
   const auto bins = [&](int kept) { return make_wave_bins(sea, {.resolution = 256, .cascades = kept}); };
   for (const int kept : cascades)
-    if (kept == *cascades.begin() || long_run())
+    if (kept == *cascades.begin() || test::long_run())
       expect(std::to_string(kept) + " cascades, expected", tiles_of(sea, bins(kept), true));
-  const int seeds = long_run() ? 25 : fewest_seeds;
+  const int seeds = test::long_run() ? 25 : fewest_seeds;
   for (int i = 0; i < seeds; ++i) {
     sea.seed = std::uint32_t(1 + i);
     expect("seed " + std::to_string(sea.seed), tiles_of(sea, bins(*cascades.rbegin()), false));
@@ -237,7 +236,7 @@ TEST(Repetition, hard_light_winds_do_not_tile) {
   // Wind seas whose longest tile is warped, at every preset's number of cascades. In the smallest tile the search
   // takes long. Control: all shifts a fifth as long (0.65 to 0.85).
   for (const double wind : {3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) {
-    if ((wind == 4.0 || wind == 6.0) && !long_run()) continue;
+    if ((wind == 4.0 || wind == 6.0) && !test::long_run()) continue;
     SeaState sea;
     sea.wind_speed_mps = wind;
     ASSERT_TRUE(ladder(sea)[0].warped) << wind;

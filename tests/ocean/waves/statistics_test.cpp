@@ -2,18 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <functional>
 #include <random>
 
 #include "ocean/waves/wave_field.h"
 #include "ocean/waves/wave_tiles.h"
 #include "tests/support/causes_of_sea.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
-
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 // Means over a seed's places of: heights to the powers 1 to 3 and squared slopes over the displaced surface, which
 // counts a rest place by its Jacobian; then over rest places h^2, (dh/dt)^2, h times the water's velocity, D D and grad
@@ -160,7 +158,7 @@ void expect_theory(const Case& of, int seed_count) {
          [](const Means& s) { return central_skewness(s[mean_h], s[mean_h2], s[mean_h3]); });
 }
 
-int seed_count() { return long_run() ? 200 : 40; }
+int seed_count() { return test::long_run() ? 200 : 40; }
 
 // 40 seeds (200 with SEASCAPE_LONG). Controls: amplitudes 3 % higher fail Hs and slope variance by 10 standard errors;
 // Donelan's beta 10 % higher the spreads; chop of the other sign the mean level, the skewness and the direction;

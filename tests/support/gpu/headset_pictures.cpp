@@ -16,6 +16,7 @@ Scene scene_of(const HeadsetLook& look, bool for_depth) {
   set(std::vector<std::pair<std::string, std::string>>{{"waves.cascades", "3"}});
   set(look.set);
   if (for_depth) set(look.depth_of);
+  if (look.underwater && !for_depth) scene.effects.push_back("underwater");
   return scene;
 }
 

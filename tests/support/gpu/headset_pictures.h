@@ -14,9 +14,10 @@ namespace seascape::test {
 struct HeadsetLook {
   const char* name;
   std::vector<std::pair<std::string, std::string>> set;
-  // Whose depths are those of the same picture, where an Experience that is lent nothing shows none.
+  // Whose depths are the same by another way.
   std::vector<std::pair<std::string, std::string>> depth_of = {};
   const char* preset = "low";
+  bool underwater = false;
 };
 Scene scene_of(const HeadsetLook& look, bool for_depth = false);
 
