@@ -24,6 +24,7 @@ struct ComfortSettings {
   double roll = 0.0;
   double small_waves_s = 2.0;  // shorter waves do not sicken, which those of 2 to 10 s do, but jitter
   HorizonLine horizon_line = HorizonLine::carried;
+  bool clear_lens = false;  // each eye has drops and an edge of the water of its own, which not everybody bears
 };
 
 }  // namespace seascape

@@ -118,6 +118,20 @@ void Experience::show_comfort(const ComfortShown& shown) {
   comfort_shown_ = shown;
 }
 
+void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_air) {
+  if (underwater_ && !clear_lens()) wet_lens_.step(*sea_, viewpoint, scene_.settings.render.near_m, time_s, in_air);
+}
+
+// What water on the lenses this frame draws; with underwater().
+void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s) {
+  wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
+  const bool clear = clear_lens();
+  const std::size_t near =
+      side.eyes == EyesIn::either && !clear ? std::min(viewpoint.eyes.size(), side.near.size()) : 0;
+  lens_->update(frame, *ocean_->selection(), std::span(side.near).first(near),
+                clear ? std::span<const gpu::LensDrop>() : wet_lens_.drops());
+}
+
 void Experience::hide(const HiddenMesh& mesh) {
   assert(options_.hidden);
   if (mesh.version != hidden_mesh_.version) hidden_mesh_ = mesh;
@@ -183,12 +197,14 @@ void Experience::build() {
     light.sun_map = sun_map_->target().depth()->view();
     light.sun_map_sampler = sun_map_->sampler();
   }
+  lens_.reset();  // which draws with the surface
   surface_ = std::make_unique<Surface>(device_, shaders_, drawn, ocean_->pieces(), light, look);
   make_solids(drawn, light, look);
   spray_.reset();
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
                                           SprayLook{tile, surface_->depths()});
+  if (look.underwater) lens_ = std::make_unique<DrawnLens>(device_, shaders_, drawn, *surface_, tile);
   hands_.reset();
   if (options_.hands) hands_ = std::make_unique<DrawnHands>(device_, shaders_, drawn, light, tile, surface_->depths());
   comfort_.reset();
@@ -353,6 +369,7 @@ void Experience::take_targets() {
   if (spray_) spray_->resize(surface_->depths());
   if (solids_) solids_->resize(surface_->depths());
   if (hands_) hands_->resize(surface_->depths());
+  if (lens_) lens_->resize();
   if (tone_pipeline_) bind_tone();
   if (shown_depth_) shown_depth_->resize(*kept_depth(), picture_.spec(), lent_.get());
   set_area();

@@ -13,7 +13,9 @@
 #include "app/sky.h"
 #include "app/solids/drawn_solids.h"
 #include "app/solids/sun_map.h"
+#include "app/wet_lens.h"
 #include "ocean/ocean.h"
+#include "ocean/surface/drawn_lens.h"
 #include "ocean/surface/drawn_spray.h"
 
 namespace seascape {
@@ -79,6 +81,11 @@ class Experience {
   // Where a teleport of the frames from now on goes; nothing: none is aimed. With options().hands.
   void show_aim(const std::optional<ShownAim>& aim);
 
+  // What frames before the next one, drawn or not, have left on the eyes' lenses: a frame that nobody draws, of these
+  // views and at this time of the sea. Frames that are drawn call it themselves; `in_air`: surely no eye is in the
+  // water.
+  void wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_air = false);
+
   // What no eye sees of the frames from now on: it is left black and unlit. With options().hidden; makes nothing.
   void hide(const HiddenMesh& mesh);
 
@@ -104,6 +111,8 @@ class Experience {
   const SunMap* sun_map() const { return sun_map_.get(); }
   // Null where there is none, or a debug view shows something else than light.
   const DrawnSpray* spray() const { return spray_.get(); }
+  // Null where no eye may come into the water.
+  const DrawnLens* lens() const { return lens_.get(); }
   // The finished picture, one layer a view, sRGB.
   const RenderTarget& picture() const { return picture_; }
   // The desktop frame's scene light before tone mapping; null in the tile frame.
@@ -125,8 +134,11 @@ class Experience {
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
+  void update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
   void draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void set_area();
+  // The viewer wishes no water on his lenses.
+  bool clear_lens() const { return scene_.settings.comfort.on && scene_.settings.comfort.clear_lens; }
   // Warns of what there was nothing of to tell before the last change (remarks_of).
   void tell_remarks();
   Device& device_;
@@ -143,6 +155,8 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<DrawnLens> lens_;
+  WetLens wet_lens_;
   std::unique_ptr<LoadedModels> loaded_models_;  // kept while other objects are built anew
   std::unique_ptr<SolidSurroundings> solid_surroundings_;
   std::unique_ptr<SunMap> sun_map_;  // where solid things throw shadows

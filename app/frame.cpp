@@ -33,9 +33,9 @@ LightInWater light_in_water(const gpu::FrameData& data, double depth_m) {
           (glm::dvec3(data.water_absorption) + glm::dvec3(data.water_backscatter)) / sun_cosine, depth_m};
 }
 
-// Tells shaders which eyes may be in the water, and the exposure. A line of sight begins on the near plane, of which a
-// corner is farthest off.
-void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) {
+// Tells shaders which eyes may be in the water, and the exposure, and returns the first. A line of sight begins on the
+// near plane, of which a corner is farthest off.
+Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) {
   double wide = 0.0;  // tangents of a corner
   for (const View& eye : viewpoint.eyes)
     for (const double across : {eye.fov.left, eye.fov.right})
@@ -50,6 +50,7 @@ void find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) 
   for (std::size_t i = 0; i < viewpoint.eyes.size(); ++i)
     depth_m += side.over_eye[std::min(i, side.over_eye.size() - 1)].x / double(viewpoint.eyes.size());
   data.air.y += float(adaptation_stops(light_in_water(data, depth_m), e.scene().settings.water.adaptation));
+  return side;
 }
 
 }  // namespace
@@ -96,7 +97,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
-  if (e.underwater()) stages.time("queries", [&] { find_eyes(e, data, viewpoint); });
+  Ocean::EyesSide side;
+  if (e.underwater()) stages.time("queries", [&] { side = find_eyes(e, data, viewpoint); });
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   if (e.solids_)
     stages.time("things", [&] {
@@ -111,7 +113,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
-  const EyesIn eyes = EyesIn(data.shown.y);
+  const EyesIn eyes = side.eyes;
+  if (e.lens_) stages.time("queries", [&] { e.update_lens(frame, viewpoint, side, time_s); });
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
@@ -119,8 +122,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
 
   // 5. Things under water as they would be seen without it, for the surface to refract. Sea and solid things, then the
-  // sky where none of them is, hands before them, and spray over all: in the tile up to the finished picture, or into
-  // the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
+  // sky where none of them is, hands before them, spray over all, and water on the lenses: in the tile up to the
+  // finished picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the
+  // light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =
@@ -146,6 +150,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
     if (e.hands_) e.hands_->draw(c, uniform);
     if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
+    if (e.lens_) e.lens_->draw(c, uniform);
     finish(c, tile);
   });
   if (deferred) {
@@ -155,6 +160,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
       if (e.hands_) e.hands_->draw(c, uniform);
       if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
+      if (e.lens_) e.lens_->draw(c, uniform);
       finish(c, tile);
     });
   }

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 #include "app/boats/crew.h"
@@ -88,10 +90,20 @@ struct Person {
   }
 };
 
+// The drops on lenses follow from where the eyes were in the seconds before.
+void wet_lenses(Experience& experience, const Headless& display, const CameraPath& path, double fps, int frames) {
+  if (!experience.underwater()) return;
+  for (int frame = std::max(0, frames - int(std::ceil(WetLens::remembers_s * fps))); frame < frames; ++frame) {
+    const PathSample sample = path.at(frame / fps);
+    experience.wet_lenses(display.viewpoint(sample.pose), sea_time_s(experience.scene().settings, sample.scene_time_s));
+  }
+}
+
 // What floats has come where it is by its own history, and so has its foam: the frames before the first that is drawn
 // are lived through, undrawn.
-void live_through(Experience& experience, const CameraPath& path, const std::optional<InputTimeline>& acted,
-                  Person& person, double fps, int frames) {
+void live_through(Experience& experience, const Headless& display, const CameraPath& path,
+                  const std::optional<InputTimeline>& acted, Person& person, double fps, int frames) {
+  if (experience.bodies() == nullptr) wet_lenses(experience, display, path, fps, frames);
   if (experience.bodies() == nullptr || frames == 0) return;
   Progress progress("replay: frame before --start", std::size_t(frames));
   Stages undrawn;  // nobody reads their times
@@ -100,9 +112,11 @@ void live_through(Experience& experience, const CameraPath& path, const std::opt
     const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
     if (acted)
       person.act(experience, acted_in(*acted, frame == 0 ? -1.0 : (frame - 1) / fps, frame / fps), person.at_m, time_s);
-    person.at_m = pose_in_world(experience, path, sample, time_s, person.at_m).position_m;
+    const Pose head = pose_in_world(experience, path, sample, time_s, person.at_m);
+    person.at_m = head.position_m;
     experience.sea()->advance(time_s, person.at_m);
     experience.ocean().live_through(undrawn, time_s, person.at_m);
+    experience.wet_lenses(display.viewpoint(head), time_s);
     (void)experience.bodies()->take_events();
     progress.step(std::size_t(frame) + 1);
   }
@@ -144,7 +158,7 @@ int run_replay(const Arguments& arguments) {
   Frame& frame = experience.frame();
   ReplayRecord record = record_of(arguments, program, experience, path);
   Person person{path.at(0.0).pose.position_m, {}, {}};
-  live_through(experience, path, acted, person, arguments.fps, arguments.start);
+  live_through(experience, display, path, acted, person, arguments.fps, arguments.start);
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;

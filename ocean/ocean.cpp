@@ -222,8 +222,13 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
     side.still_m = water.still_m;
     // At the horizon each millimetre counts: there the picture's own waves are asked, where the processor has them.
     const QueryAnswer drawn = waves_->by_processor() && waves_alone() ? water_.query({place.x, place.z}) : water;
-    if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size())
+    if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size()) {
       side.over_eye[n] = {drawn.height_m - place.y, -drawn.normal.x / drawn.normal.y, -drawn.normal.z / drawn.normal.y};
+      // Water is drawn out or pressed together by less than half, but where crests fold.
+      const double folded_m = drawn.converged ? 0.0 : 0.5;
+      side.near[n] = {glm::dvec2(place.x - drawn.displacement.x, place.z - drawn.displacement.z),
+                      1.5 * reach_m + (apart_m - reach_m) + drawn.residual_m + folded_m};
+    }
     above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
     below += !water.clipped && water.converged && place.y < water.height_m - apart_m;
   }

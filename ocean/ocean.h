@@ -80,6 +80,8 @@ class Ocean {
     double still_m = 0.0;  // height of the still water at the viewer, where eyes are not in the air
     // There, of each eye: how high over it the water is, m, and the water's slopes along x and z.
     std::array<glm::dvec3, 2> over_eye{};
+    // The water that each eye's near plane may pass.
+    std::array<NearWater, 2> near{};
   };
   EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;
 

@@ -10,4 +10,10 @@ enum class EyesIn {
   water = gpu::eyes_in_water     // all of them, and nothing of the air before them
 };
 
+// Where water rests: within `reach_m` of `rest_m` along x and z, in the world.
+struct NearWater {
+  glm::dvec2 rest_m{0.0};
+  double reach_m = 0.0;
+};
+
 }  // namespace seascape

@@ -150,6 +150,7 @@ void Surface::make_underwater(ShaderLibrary& shaders, const RenderTarget& pictur
   spec.facing = false;
   spec.stencil = Stencil::count;
   in_water_.pipeline = make_graphics_pipeline(device_, shaders, target(picture), spec);
+  values_in_water_ = spec.values;
   set(gpu::value_models, 1);  // the bed is kept as they are
   if (look_.deferred) make_light(shaders, picture, in_water_, spec.values);
   GraphicsSpec side;
@@ -194,6 +195,24 @@ void Surface::bind() {
       bed_bindings_.emplace_back(device_, bed_pipeline_, with_below(entries), "bed in water");
 }
 
+// And their depths.
+void Surface::add_sides(std::vector<Bound>& entries) const {
+  entries.push_back(
+      {.binding = gpu::slot_point_depths, .view = points_.depth()->view(), .sampler = points_sampler_.get()});
+  if (look_.underwater)
+    entries.push_back(
+        {.binding = gpu::slot_point_sides, .view = points_.stencil_view(), .sampler = points_sampler_.get()});
+}
+
+std::vector<std::vector<Bound>> Surface::bound_with_sides() const {
+  std::vector<std::vector<Bound>> of_copies;
+  for (const std::vector<Bound>& entries : entries_) {
+    of_copies.push_back(with_below(entries));
+    if (look_.deferred) add_sides(of_copies.back());
+  }
+  return of_copies;
+}
+
 void Surface::bind_light(Drawing& drawing) {
   drawing.light_bindings.clear();
   for (const std::vector<Bound>& entries : entries_) {
@@ -202,11 +221,7 @@ void Surface::bind_light(Drawing& drawing) {
     if (points_.second() != nullptr)
       list.push_back(
           {.binding = gpu::slot_footprints, .view = points_.second()->view(), .sampler = points_sampler_.get()});
-    list.push_back(
-        {.binding = gpu::slot_point_depths, .view = points_.depth()->view(), .sampler = points_sampler_.get()});
-    if (look_.underwater)
-      list.push_back(
-          {.binding = gpu::slot_point_sides, .view = points_.stencil_view(), .sampler = points_sampler_.get()});
+    add_sides(list);
     drawing.light_bindings.emplace_back(device_, drawing.light, list, "surface light");
   }
 }

@@ -57,6 +57,13 @@ class Surface {
   const RenderTarget& below() const { return below_; }
   void add_below(Uses& uses) const;
 
+  // For what else draws with the sea's shaders into the picture, with look.underwater: the constants of the surface for
+  // eyes in the water; and its bindings, of each copy of the pieces' images, with the points' sides where it is
+  // deferred. shown(): which copy the frame draws.
+  const std::vector<SpecValue>& values_in_water() const { return values_in_water_; }
+  std::vector<std::vector<Bound>> bound_with_sides() const;
+  std::size_t shown() const { return copied_ != nullptr ? copied_->shown() : 0; }
+
   // With look.deferred: how near what draw() drew is, a layer an eye; else null.
   const Image* depths() const { return look_.deferred ? points_.depth() : nullptr; }
 
@@ -83,12 +90,13 @@ class Surface {
                     const Drawing& drawn, bool facing) const;
   void bind();
   void bind_light(Drawing& drawing);
+  void add_sides(std::vector<Bound>& entries) const;
   const Drawing& drawing(EyesIn eyes) const { return eyes == EyesIn::air || !look_.underwater ? in_air_ : in_water_; }
   Device& device_;
   const DrawnPiece* copied_ = nullptr;  // whose images are there several times; null: nobody's
-  std::size_t shown() const { return copied_ != nullptr ? copied_->shown() : 0; }
   SurfaceLook look_;
   std::vector<SurfaceSlots::EffectValue> effect_values_;
+  std::vector<SpecValue> values_in_water_;
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images

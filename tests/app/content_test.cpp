@@ -55,9 +55,10 @@ TEST(Content, PathsStayAboveTheirSeas) {
 
 // Paths that ride a body are of a scene where something of that name floats. Control seen: another name.
 TEST(Content, PathsRideWhatFloats) {
-  for (const auto& [path_name, scene_name] : {std::pair{"regatta", "regatta"}, std::pair{"open_boat", "open_boat"},
-                                              std::pair{"open_boat_engine", "open_boat"},
-                                              std::pair{"flotsam", "flotsam"}, std::pair{"wake_tank", "wake_tank"}}) {
+  for (const auto& [path_name, scene_name] :
+       {std::pair{"regatta", "regatta"}, std::pair{"open_boat", "open_boat"},
+        std::pair{"open_boat_engine", "open_boat"}, std::pair{"flotsam", "flotsam"},
+        std::pair{"wake_tank", "wake_tank"}, std::pair{"waterline", "waterline"}}) {
     const CameraPath path = load_camera_path(path_name);
     const Scene scene = load_scene(scene_name, "low");
     EXPECT_FALSE(path.on.empty()) << path_name;

@@ -169,7 +169,7 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
     const std::string message = error.what();
     EXPECT_NE(message.find("no scene is called 'strom' (did you mean 'storm'?)"), std::string::npos) << message;
     EXPECT_NE(message.find("baked, calm, flotsam, gerstner, harbour, harbour_clip, lagoon, open_boat, open_sea, "
-                           "rain_pool, regatta, rivers, still_life, storm, swell, wake_tank or whirlpool"),
+                           "rain_pool, regatta, rivers, still_life, storm, swell, wake_tank, waterline or whirlpool"),
               std::string::npos)
         << message;
   }

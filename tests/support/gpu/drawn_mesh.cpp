@@ -87,6 +87,17 @@ std::optional<glm::dvec3> DrawnMesh::at(const glm::dvec2& rest) const {
   return std::nullopt;
 }
 
+std::vector<DrawnMesh::Triangle> DrawnMesh::triangles(const glm::dvec2& rest, double reach_m) const {
+  std::vector<Triangle> list;
+  for (std::size_t n = 0; n < patches_.size(); ++n)
+    if (glm::all(glm::lessThanEqual(patches_[n].low, rest + reach_m)) &&
+        glm::all(glm::lessThanEqual(rest - reach_m, patches_[n].high)))
+      for (std::size_t t = 0; t < indices().size(); t += 3)
+        list.push_back({vertices_[n * per_patch + indices()[t]].at, vertices_[n * per_patch + indices()[t + 1]].at,
+                        vertices_[n * per_patch + indices()[t + 2]].at});
+  return list;
+}
+
 double DrawnMesh::distance(const glm::dvec3& point, const glm::dvec2& rest, double reach_m) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < patches_.size(); ++n) {

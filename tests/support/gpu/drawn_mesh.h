@@ -1,6 +1,7 @@
 // The mesh of a frame as the vertex shader put it out, on the processor: where its surface stands at a place, and which
 // of its points each pixel shows.
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,11 @@ class DrawnMesh {
 
   // The surface at a rest position, straight between vertices; none where no patch lies.
   std::optional<glm::dvec3> at(const glm::dvec2& rest) const;
+
+  // Of what of it has its rest within `reach_m` of a place, along x and z, the triangles of its patches, in the world;
+  // from above their corners go round against the clock.
+  using Triangle = std::array<glm::dvec3, 3>;
+  std::vector<Triangle> triangles(const glm::dvec2& rest, double reach_m) const;
 
   // How far a point is from the surface, of what of it has its rest within `reach_m` of a place, along x and z;
   // infinite where none has.

@@ -1,0 +1,81 @@
+#include "ocean/surface/drawn_lens.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace seascape {
+
+DrawnLens::DrawnLens(Device& device, ShaderLibrary& shaders, const RenderTarget& picture, const Surface& surface,
+                     bool tile_shape)
+    : device_(device), surface_(surface) {
+  const EffectScope scope(device, "underwater");
+  GraphicsSpec spec;
+  spec.values = surface.values_in_water();
+  spec.values.push_back({std::uint32_t(gpu::value_tile_shape), tile_shape});
+  spec.values.push_back({std::uint32_t(gpu::value_depth_sampled), surface.depths() != nullptr});
+  spec.depth_write = false;
+  spec.blend = true;
+  if (surface.depths() == nullptr) spec.stencil = Stencil::in_air;
+  spec.vertex = "meniscus.vert";
+  spec.fragment = "meniscus.frag";
+  spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
+  patches_.pipeline = make_graphics_pipeline(device, shaders, picture, spec);
+  spec.vertex = "lens_drop.vert";
+  spec.fragment = "lens_drop.frag";
+  spec.buffers = {{0, sizeof(gpu::LensDrop), VK_VERTEX_INPUT_RATE_INSTANCE}};
+  spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(gpu::LensDrop, place)},
+                     {1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(gpu::LensDrop, shape)}};
+  drops_.pipeline = make_graphics_pipeline(device, shaders, picture, spec);
+  bind();
+}
+
+void DrawnLens::bind() {
+  const EffectScope scope(device_, "underwater");
+  for (Drawing* drawing : {&patches_, &drops_}) {
+    drawing->bindings.clear();
+    for (const std::vector<Bound>& entries : surface_.bound_with_sides())
+      drawing->bindings.emplace_back(device_, drawing->pipeline, entries, "lens");
+  }
+}
+
+void DrawnLens::update(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near,
+                       std::span<const gpu::LensDrop> drops) {
+  const auto may_pass = [&](const gpu::PatchInstance& patch) {
+    if ((patch.flags & gpu::patch_skirt) != 0) return false;
+    const glm::dvec2 least = selection.grid_origin_m + selection.unit_m * glm::dvec2(patch.corner),
+                     most = least + selection.unit_m * double(gpu::patch_quads * patch.stride);
+    return std::any_of(near.begin(), near.end(), [&](const NearWater& eye) {
+      return glm::all(glm::lessThanEqual(least, eye.rest_m + eye.reach_m)) &&
+             glm::all(glm::greaterThanEqual(most, eye.rest_m - eye.reach_m));
+    });
+  };
+  patches_.count =
+      near.empty() ? 0 : std::size_t(std::count_if(selection.patches.begin(), selection.patches.end(), may_pass));
+  if (patches_.count > 0) {
+    patches_.list = frame.vertices(patches_.count * sizeof(gpu::PatchInstance));
+    std::copy_if(selection.patches.begin(), selection.patches.end(),
+                 static_cast<gpu::PatchInstance*>(patches_.list.host), may_pass);
+  }
+  drops_.count = drops.size();
+  if (drops_.count == 0) return;
+  drops_.list = frame.vertices(drops.size_bytes());
+  std::copy(drops.begin(), drops.end(), static_cast<gpu::LensDrop*>(drops_.list.host));
+}
+
+void DrawnLens::draw(Commands& commands, std::uint32_t frame_uniform) const {
+  constexpr std::uint32_t triangles = 2 * gpu::patch_quads * gpu::patch_quads;
+  draw(commands, frame_uniform, patches_, 6 * triangles);
+  draw(commands, frame_uniform, drops_, 6);
+}
+
+void DrawnLens::draw(Commands& commands, std::uint32_t frame_uniform, const Drawing& drawing,
+                     std::uint32_t vertices) const {
+  if (drawing.count == 0) return;
+  commands.bind(drawing.pipeline, drawing.bindings[surface_.shown()], {frame_uniform, 0u});
+  commands.push(gpu::DrawPush{commands.eye()});
+  commands.bind_vertices(drawing.list);
+  commands.draw(vertices, std::uint32_t(drawing.count));
+}
+
+}  // namespace seascape
