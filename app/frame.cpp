@@ -45,11 +45,8 @@ Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& 
   data.water_scattering.w = float(side.still_m);
   for (std::size_t i = 0; i < side.over_eye.size(); ++i)
     data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
-  // Both eyes get used to it as one.
-  double depth_m = 0.0;
-  for (std::size_t i = 0; i < viewpoint.eyes.size(); ++i)
-    depth_m += side.over_eye[std::min(i, side.over_eye.size() - 1)].x / double(viewpoint.eyes.size());
-  data.air.y += float(adaptation_stops(light_in_water(data, depth_m), e.scene().settings.water.adaptation));
+  const LightInWater light = light_in_water(data, side.over_viewer_m);  // both eyes get used to it as one
+  data.air.y += float(adaptation_stops(light, e.scene().settings.water.adaptation));
   return side;
 }
 

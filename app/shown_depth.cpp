@@ -31,9 +31,9 @@ void ShownDepth::resize(const Image& drawn, const TargetSpec& picture, const Len
 }
 
 void ShownDepth::bind() {
-  bindings_ = Bindings(
-      device_, pipeline_,
-      {{.binding = gpu::slot_point_depths, .view = drawn_->view(), .sampler = sampler_.get()}}, "shown depth");
+  bindings_ =
+      Bindings(device_, pipeline_,
+               {{.binding = gpu::slot_point_depths, .view = drawn_->view(), .sampler = sampler_.get()}}, "shown depth");
 }
 
 void ShownDepth::draw(Frame& frame) const {

@@ -214,12 +214,13 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
   const double apart_m =
       reach_m + deviations * std::hypot(sea_.left_out_m(SeaDetail::felt), sea_.left_out_m(SeaDetail::drawn));
   const SeaView felt = sea_.view_at(sea_.time_s(), SeaDetail::felt);
-  EyesSide side;
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  const QueryAnswer at_viewer = felt.query({viewer.x, viewer.z});
+  EyesSide side{.still_m = at_viewer.still_m, .over_viewer_m = at_viewer.clipped ? 0.0 : at_viewer.height_m - viewer.y};
   int above = 0, below = 0;
   for (const View& eye : viewpoint.eyes) {
     const glm::dvec3& place = eye.pose.position_m;
     const QueryAnswer water = felt.query({place.x, place.z});
-    side.still_m = water.still_m;
     // At the horizon each millimetre counts: there the picture's own waves are asked, where the processor has them.
     const QueryAnswer drawn = waves_->by_processor() && waves_alone() ? water_.query({place.x, place.z}) : water;
     if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size()) {

@@ -77,7 +77,8 @@ class Ocean {
   // corners): by what is felt of the sea, and by all that this may lack of what is drawn.
   struct EyesSide {
     EyesIn eyes = EyesIn::air;
-    double still_m = 0.0;  // height of the still water at the viewer, where eyes are not in the air
+    // At the viewer, where eyes are not in the air: height of the still water, and how high over him the felt one is.
+    double still_m = 0.0, over_viewer_m = 0.0;
     // There, of each eye: how high over it the water is, m, and the water's slopes along x and z.
     std::array<glm::dvec3, 2> over_eye{};
     // The water that each eye's near plane may pass.

@@ -17,9 +17,9 @@ LightInWater at(double depth_m) { return {ocean.sent_up, ocean.fading, depth_m};
 // natural logarithm.
 TEST(EyeAdaptation, MakesUpForWhatIsLost) {
   for (const double depth_m : {1.0, 5.0, 20.0}) {
-    const double seen = std::numbers::pi * (0.2126 * 0.0008 * std::exp(-0.35 * depth_m) +
-                                            0.7152 * 0.004 * std::exp(-0.07 * depth_m) +
-                                            0.0722 * 0.012 * std::exp(-0.03 * depth_m));
+    const double seen =
+        std::numbers::pi * (0.2126 * 0.0008 * std::exp(-0.35 * depth_m) + 0.7152 * 0.004 * std::exp(-0.07 * depth_m) +
+                            0.0722 * 0.012 * std::exp(-0.03 * depth_m));
     EXPECT_NEAR(seen * std::exp2(adaptation_stops(at(depth_m), 1.0)), 1.0, 1e-9) << depth_m;
     EXPECT_NEAR(adaptation_stops(at(depth_m), 0.3), 0.3 * adaptation_stops(at(depth_m), 1.0), 1e-12);
   }
