@@ -10,6 +10,7 @@
 #include "app/place_inputs.h"
 #include "app/sea_remarks.h"
 #include "app/sea_spec.h"
+#include "app/water_shapes.h"
 #include "engine/multiview_check.h"
 #include "ocean/effects.h"
 
@@ -119,6 +120,7 @@ void Experience::show_comfort(const ComfortShown& shown) {
 }
 
 void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_air) {
+  if (!scene_.shapes.portals.empty()) return;  // who looks into them stands in a dry place
   if (underwater_ && !clear_lens()) wet_lens_.step(*sea_, viewpoint, scene_.settings.render.near_m, time_s, in_air);
 }
 
@@ -127,7 +129,7 @@ void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Oce
   wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
   const bool clear = clear_lens();
   const std::size_t near =
-      side.eyes == EyesIn::either && !clear ? std::min(viewpoint.eyes.size(), side.near.size()) : 0;
+      side.eyes == EyesIn::either && !clear && scene_.shapes.portals.empty() ? std::min(viewpoint.eyes.size(), side.near.size()) : 0;
   lens_->update(frame, *ocean_->selection(), std::span(side.near).first(near),
                 clear ? std::span<const gpu::LensDrop>() : wet_lens_.drops());
 }
@@ -157,6 +159,7 @@ void Experience::build() {
   const Settings& s = scene_.settings;
   // Debug views but for holes colour the sea's triangles.
   underwater_ = calls_for(scene_.effects, "underwater") && (!is_debug(s) || render.debug == DebugView::holes);
+  shaped_ = underwater_ && calls_for(scene_.effects, "portals") && !scene_.shapes.empty();
   std::string key = sea_key(scene_);
   SeaSpec spec = sea_spec(scene_);  // what it cannot make leaves the old ocean
   std::shared_ptr<Sea> sea = sea_;
@@ -189,6 +192,7 @@ void Experience::build() {
   look.solids = calls_for(scene_.effects, "models") && !scene_.objects.empty();
   look.below = look.solids && s.models.seen_in_water;
   look.underwater = underwater();
+  if (shaped()) look.shapes = {int(scene_.shapes.air.size()), int(scene_.shapes.portals.size())};
   look.anisotropy = std::min(float(s.water.anisotropy), device_.facts().max_anisotropy);
   SurfaceLight light{&frame_->ring(), sky_->map().view(), sky_->sampler(), &sky_->light()};
   sun_map_.reset();
@@ -257,6 +261,7 @@ void Experience::make_sky(const RenderTarget& drawn, const SurfaceLook& look) {
   make("sky", sky_pipeline_, sky_bindings_);
   if (!look.underwater) return;
   spec.values.push_back({gpu::value_underwater, 1});
+  look.shapes.add_to(spec.values);
   make("underwater", sky_underwater_, sky_underwater_bindings_);
 }
 
@@ -307,7 +312,7 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
   solids_ = std::make_unique<DrawnSolids>(
       device_, shaders_, drawn, light, solid_sources(),
       SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater,
+                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater, look.shapes,
                 sun_map_ ? &sun_map_->target() : nullptr});
 }
 
@@ -354,6 +359,12 @@ const Image* Experience::kept_depth() const {
   if (deferred()) return surface_->depths();
   const RenderTarget& drawn = in_tile() ? picture_ : lit_;
   return drawn.spec().keep_depth ? drawn.depth() : nullptr;
+}
+
+bool Experience::in_air_pocket(const glm::dvec3& at_m) const {
+  if (!calls_for(scene_.effects, "portals")) return false;
+  const SeaView felt = sea_->view_at(sea_->time_s(), SeaDetail::felt);
+  return seascape::in_air_pocket(scene_.shapes, scene_.objects, at_m, &felt);
 }
 
 // Everything is drawn into the upper left part of what there is room for.

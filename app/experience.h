@@ -123,6 +123,10 @@ class Experience {
   bool deferred() const;
   // Whether eyes may come into the water.
   bool underwater() const { return underwater_; }
+  // Whether the water has pockets of air in it or is seen through portals.
+  bool shaped() const { return shaped_; }
+  // Whether a place of the world (m) is in a pocket of air, at the sea's time.
+  bool in_air_pocket(const glm::dvec3& at_m) const;
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);
@@ -175,7 +179,7 @@ class Experience {
   Pipeline sky_pipeline_, sky_underwater_, tone_pipeline_;  // sky_underwater_: for eyes that may be in the water
   Bindings sky_bindings_, sky_underwater_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
-  bool goes_on_ = false, underwater_ = false;
+  bool goes_on_ = false, underwater_ = false, shaped_ = false;
   std::function<void()> before_build_;
   std::vector<std::string> told_;  // remarks
 };

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "app/eye_adaptation.h"
-#include "shaders/shared/fresnel.h"
+#include "app/eyes_in_water.h"
 
 namespace seascape {
 
@@ -23,31 +22,6 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
       glm::vec3(world * glm::dvec3(projected[2][0] / projected[0][0], projected[2][1] / projected[1][1], -1.0)), 0.0f);
   data.eye = glm::vec4(glm::vec3(eye.pose.position_m - viewer.position_m), float((eye.fov.up - eye.fov.down) / height));
   return data;
-}
-
-// What deep water sends up, and how it fades at this sun (shaders/lib/underwater.glsl).
-LightInWater light_in_water(const gpu::FrameData& data, double depth_m) {
-  const double sine = data.sun.y, index = gpu::water_index;
-  const double sun_cosine = std::sqrt(std::max(1.0 - (1.0 - sine * sine) / (index * index), 0.1));
-  return {glm::dvec3(data.water_reflectance),
-          (glm::dvec3(data.water_absorption) + glm::dvec3(data.water_backscatter)) / sun_cosine, depth_m};
-}
-
-// Tells shaders which eyes may be in the water, and the exposure, and returns the first. A line of sight begins on the
-// near plane, of which a corner is farthest off.
-Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint) {
-  double wide = 0.0;  // tangents of a corner
-  for (const View& eye : viewpoint.eyes)
-    for (const double across : {eye.fov.left, eye.fov.right})
-      for (const double up : {eye.fov.up, eye.fov.down}) wide = std::max(wide, std::hypot(across, up));
-  const Ocean::EyesSide side = e.ocean().eyes_in(viewpoint, e.scene().settings.render.near_m * std::hypot(1.0, wide));
-  data.shown.y = int(side.eyes);
-  data.water_scattering.w = float(side.still_m);
-  for (std::size_t i = 0; i < side.over_eye.size(); ++i)
-    data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
-  const LightInWater light = light_in_water(data, side.over_viewer_m);  // both eyes get used to it as one
-  data.air.y += float(adaptation_stops(light, e.scene().settings.water.adaptation));
-  return side;
 }
 
 }  // namespace
@@ -94,9 +68,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
+  if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   Ocean::EyesSide side;
   if (e.underwater()) stages.time("queries", [&] { side = find_eyes(e, data, viewpoint); });
-  if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
@@ -112,6 +86,9 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const EyesIn eyes = side.eyes;
   if (e.lens_) stages.time("queries", [&] { e.update_lens(frame, viewpoint, side, time_s); });
+  // In a scene with portals the sea is drawn where one is in sight.
+  static const SurfaceSelection none;
+  if (eyes == EyesIn::air && e.shaped() && !e.scene_.shapes.portals.empty()) selection = &none;
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.

@@ -130,6 +130,10 @@ void read_scene(Scene& scene, const LocatedJson& json, const std::string& where,
   }
   if (const LocatedJson* objects = file.optional("objects"))
     scene.objects = read_objects(*objects, scene.effects, where, faults);
+  if (const LocatedJson* air = file.optional("air"))
+    read_air(*air, scene.effects, scene.objects, where, faults, scene.shapes);
+  if (const LocatedJson* portals = file.optional("portals"))
+    read_portals(*portals, scene.effects, scene.objects, where, faults, scene.shapes);
   faults.attempt([&] { validate_hulls(scene, where); });
   file.finish();
 }

@@ -8,6 +8,7 @@
 
 #include "app/faults.h"
 #include "app/scene_objects.h"
+#include "app/scene_shapes.h"
 #include "app/settings.h"
 #include "engine/view.h"
 #include "ocean/inputs/clip_body.h"
@@ -22,6 +23,7 @@ struct Scene {
   Settings settings;                 // defaults, then the preset, then the scene's own values
   std::vector<InputSpec> inputs;     // in the file's order
   SceneObjects objects;              // likewise
+  SceneShapes shapes;                // likewise: pockets of air and portals
   ClipRoom clip_room;                // for bodies of actors, where clip is called for: no file says it yet
   bool actors_foam = false;          // whether actors make foam: likewise
   bool actors_press = false;         // whether actors press the water, where dynamic waves are called for: likewise

@@ -15,14 +15,30 @@ struct Effect {
 };
 
 constexpr Effect effects[] = {
-    {"waves", true, ""},       {"gerstner", true, "waves"}, {"wave_particles", true, "waves"},
-    {"baked", true, "waves"},  {"dynamic_waves", true, ""}, {"foam", true, "waves"},
-    {"spray", true, "waves"},  {"flow", true, ""},          {"sea_depth", true, ""},
-    {"level", true, ""},       {"clip", true, ""},          {"shadow", true, ""},
-    {"albedo", true, ""},      {"models", true, ""},        {"reflections", false, ""},
-    {"refraction", false, ""}, {"caustics", false, ""},     {"underwater", true, ""},
-    {"portals", false, ""},    {"boats", true, "models"},   {"wakes", true, "boats"},
-    {"clouds", false, ""},     {"sound", false, ""},        {"planet", false, ""},
+    {"waves", true, ""},
+    {"gerstner", true, "waves"},
+    {"wave_particles", true, "waves"},
+    {"baked", true, "waves"},
+    {"dynamic_waves", true, ""},
+    {"foam", true, "waves"},
+    {"spray", true, "waves"},
+    {"flow", true, ""},
+    {"sea_depth", true, ""},
+    {"level", true, ""},
+    {"clip", true, ""},
+    {"shadow", true, ""},
+    {"albedo", true, ""},
+    {"models", true, ""},
+    {"reflections", false, ""},
+    {"refraction", false, ""},
+    {"caustics", false, ""},
+    {"underwater", true, ""},
+    {"portals", true, "underwater"},
+    {"boats", true, "models"},
+    {"wakes", true, "boats"},
+    {"clouds", false, ""},
+    {"sound", false, ""},
+    {"planet", false, ""},
 };
 
 constexpr auto names = [] {

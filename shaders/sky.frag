@@ -20,7 +20,7 @@ void main() {
   bool in_air = true;
   if (underwater) in_air = ends_in_air(pixel_ray, view);
   vec3 lit = in_air ? sky_light(ray, view.eye.w) : vec3(0.0);
-  if (underwater && !in_air) lit = open_water(depth_in_water(view.eye.y), ray);
+  if (underwater && !in_air) lit = open_water_seen(ray, view);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);

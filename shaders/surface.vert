@@ -9,6 +9,7 @@
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/mesh.glsl"
 #include "lib/sea.glsl"
+#include "lib/water_shapes.glsl"
 
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = value_probe) const bool probe = false;
@@ -51,7 +52,7 @@ void main() {
   const vec4 d = sea_displacement(here, displaced);
   vec3 relative = curved(from_viewer + d.xz, d.y, frame.viewer.w);
   relative.y -= frame.viewer.z;
-  if (!deferred) place = relative;
+  if (!deferred || air_pockets + portals > 0) place = relative;
   if (!deferred) rest_at_middle = rest;
   if (!deferred && underwater) place_at_middle = relative.xz;
   if (deferred && water_clip && (water_clip_kinds & (sea_bed ? 8 : 6)) != 0) height_shear = vec3(d.y, 0.0, 0.0);

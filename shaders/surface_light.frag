@@ -37,7 +37,7 @@ void main() {
   bool in_air = true;
   if (underwater) in_air = texelFetch(sides, at, 0).r >= side_in_air;
   if (depth == 0.0 && underwater && !in_air) {
-    lit = open_water(depth_in_water(view.eye.y), normalize(pixel_ray));
+    lit = open_water_seen(normalize(pixel_ray), view);
   } else if (depth == 0.0) {
     lit = sky_light(normalize(pixel_ray), view.eye.w);
   } else {

@@ -3,9 +3,13 @@
 // there.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
+#include "lib/view.glsl"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea.glsl"
+#include "lib/water_shapes.glsl"
+
+layout(location = 0) in vec3 relative;  // where shapes cut the surface: metres from the viewer, world axes
 
 layout(location = 1) in vec2 rest;
 layout(location = 3) in vec4 derivatives;
@@ -26,6 +30,7 @@ void main() {
   if (sea_bed && water_clip)
     dry = water_clip_cuts(rest + shift_shear.xy,
                           vec3(rest.x + shift_shear.x, water_clip_height.x, rest.y + shift_shear.y));
+  if (air_pockets + portals > 0) dry = dry || surface_is_cut(relative, frame.view[eye_index()].eye.xyz);
   const vec2 along = dFdx(rest), across = dFdy(rest);
   if (dry) discard;
   float longest = min(sqrt(max(dot(along, along), dot(across, across))), 6e4);

@@ -74,6 +74,7 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
     make(one, air_side_.opaque, air_side_.blended);
     one.stencil = Stencil::in_water;
     one.values.push_back({gpu::value_underwater, 1});
+    look_.shapes.add_to(one.values);
     make(one, water_side_.opaque, water_side_.blended);
   }
   if (look_.below == nullptr) return;

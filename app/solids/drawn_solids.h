@@ -21,6 +21,7 @@ struct SolidLook {
   const RenderTarget* below = nullptr;    // what is under water is drawn into (Surface::below()); null: nothing is
   float anisotropy = 1.0f;                // of the points (SurfaceLook) and of textures
   bool underwater = false;                // eyes may be in the water (SurfaceLook)
+  ShapesInWater shapes = {};              // likewise
   const RenderTarget* sun_map = nullptr;  // what things hide from the sun is drawn into it; null: by someone else
 };
 

@@ -43,6 +43,11 @@ RenderTarget make_below(Device& device, const RenderTarget& picture) {
 
 }  // namespace
 
+void ShapesInWater::add_to(std::vector<SpecValue>& values) const {
+  if (air > 0) values.push_back({std::uint32_t(gpu::value_air_pockets), std::uint32_t(air)});
+  if (portals > 0) values.push_back({std::uint32_t(gpu::value_portals), std::uint32_t(portals)});
+}
+
 Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& picture,
                  std::span<const std::unique_ptr<DrawnPiece>> pieces, const SurfaceLight& light,
                  const SurfaceLook& look)
@@ -81,6 +86,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   set(gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look.anisotropy));
   set(gpu::value_deferred, look.deferred);
   if (look.below) set(gpu::value_solids_in_water, 1);
+  look.shapes.add_to(spec.values);
   set(gpu::value_sun_map, light.sun_map != VK_NULL_HANDLE);
   // Over a bed what is clipped lies dry.
   const bool clipped = slots[0].value(gpu::value_clip) != 0 && slots[0].value(gpu::value_bed) == 0;

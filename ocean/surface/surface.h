@@ -7,6 +7,12 @@
 
 namespace seascape {
 
+// How many shapes shaders are built for.
+struct ShapesInWater {
+  int air = 0, portals = 0;
+  void add_to(std::vector<SpecValue>& values) const;
+};
+
 // What the surface's shaders are built for.
 struct SurfaceLook {
   bool tile_shape = false;  // tone mapping in the fragment shader
@@ -18,6 +24,7 @@ struct SurfaceLook {
   bool solids = false;      // solid things are drawn among its points, where it is deferred
   bool below = false;       // things under water are seen through it
   bool underwater = false;  // eyes may be in the water: the picture has a stencil then (TargetSpec::stencil)
+  ShapesInWater shapes;     // of the frame's (gpu::WaterShapes): only with underwater
   bool deferred = false;    // its pixels are lit after it is drawn, once each, and the sky with them
   float anisotropy = 1.0f;
 };

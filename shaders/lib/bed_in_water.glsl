@@ -34,6 +34,7 @@ vec3 bed_in_water(vec3 pixel_ray, out float near) {
   const float way = bed_met(ray, view);
   if (way < 0.0) discard;
   const vec3 at = view.eye.xyz + way * ray;
+  if (hidden_by_portals(at, view.eye.xyz)) discard;
   const vec2 place = at.xz + frame.viewer.xy;
   const float pixel = way * view.eye.w, footprint = pixel / max(abs(ray.y), 0.2);
   const vec4 clip = view.clip_from_relative * vec4(at, 1.0);

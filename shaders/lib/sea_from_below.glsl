@@ -73,8 +73,13 @@ vec3 sea_from_below(SurfacePoint p, ViewData view, out vec3 normal) {
   if (foam) lit = mix(lit, 0.4 * water_lit() / (pi * water_index * water_index), 0.94 * covered);
   const vec3 attenuation = frame.water_absorption.rgb + frame.water_backscatter.rgb,
              u = frame.water_backscatter.rgb / attenuation;
-  lit *= exp(-1.03 * sqrt(1.0 + 2.4 * u) * attenuation * range);
+  float wet = range;
+  SeenThrough seen;
+  if (air_pockets + portals > 0) seen = seen_through(view.eye.xyz, ray, range);
+  if (air_pockets + portals > 0) wet = seen.wet;
+  lit *= exp(-1.03 * sqrt(1.0 + 2.4 * u) * attenuation * wet);
   lit += (1.0 - covered) * sun_through_facets(ray, l, slope, var) *
-         exp(-(frame.water_absorption.rgb + frame.water_scattering.rgb) * range);
+         exp(-(frame.water_absorption.rgb + frame.water_scattering.rgb) * wet);
+  if (air_pockets + portals > 0) return seen.share * lit + seen.added;
   return lit + water_added(depth_in_water(view.eye.y), ray, range);
 }

@@ -128,7 +128,9 @@ vec3 solid_sent_in_water(SolidPoint p) {
 vec4 solid_light(bool front) {
   const ViewData view = frame.view[eye_index()];
   const SolidPoint p = solid_point(front);
-  if (underwater) {
+  // In a scene with portals what is not seen in their water is lit as in the air.
+  const vec3 sight = normalize(relative - view.eye.xyz);
+  if (underwater && !hidden_by_portals(relative - 0.03 * sight, view.eye.xyz)) {
     const bool unlit = material.kind.x != 0;
     const vec3 sent = unlit ? vec3(0.0) : solid_sent_in_water(p),
                own = (unlit ? p.base.rgb : p.emissive) / light.exposure.x;
@@ -166,6 +168,7 @@ vec4 solid_light(bool front) {
   lit += p.emissive / light.exposure.x;
   if (material.kind.x != 0) lit = p.base.rgb / light.exposure.x;
   lit = through_air(lit, v, range);
+  if (underwater) lit = seen_behind_water(lit, relative, view);
   return vec4(lit * (light.exposure.x * exp2(frame.air.y)), p.base.a);
 }
 

@@ -74,12 +74,14 @@ void main() {
       const vec3 there = standing(ahead(interpolateAtSample(relative, i)));
       if (water_clipped(there.xz, there)) wet &= ~(1 << i);
     }
+  if (air_pockets + portals > 0 && surface_is_cut(seen, frame.view[eye_index()].eye.xyz)) wet = 0;
   if ((wet & ((1 << clip_samples) - 1)) == 0) discard;
   gl_SampleMask[0] = wet;
 #else
   bool dry = false;
   if (water_clip) dry = water_clipped(place, stands);
   if (sea_bed && water_clip) dry = water_clip_cuts(place, stands);
+  if (air_pockets + portals > 0) dry = dry || surface_is_cut(seen, frame.view[eye_index()].eye.xyz);
   if (dry) discard;
 #endif
   vec3 normal;

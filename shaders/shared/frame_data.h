@@ -7,6 +7,7 @@
 #include "sea_data.h"
 #include "slots.h"
 #include "solid_data.h"
+#include "water_line.h"
 SEASCAPE_SHARED_BEGIN
 
 struct ViewData {
@@ -37,6 +38,7 @@ struct FrameData {
   SeaData sea;
   FoamData foam;         // where it is simulated
   SolidsInWater solids;  // where there are any
+  WaterShapes shapes;    // likewise
 };
 
 // Values of shown.y: all in air; near the surface, so that each pixel decides; all in water.

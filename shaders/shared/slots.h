@@ -42,6 +42,8 @@ SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
 SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
                    value_solids_in_water = 27, value_wide = 31, value_sun_map = 30, value_underwater = 33;
+// How many there are, of those that the frame is told of.
+SEASCAPE_CONST int value_air_pockets = 44, value_portals = 45;
 
 // Of the stencil of the sea's points: from here on the eye's line of sight begins in the air.
 SEASCAPE_CONST uint side_in_air = 128u;

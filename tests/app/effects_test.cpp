@@ -45,8 +45,9 @@ TEST(Effects, TheNamesAreThoseOfTheDesign) {
   EXPECT_TRUE(effect_is_built("wave_particles"));
   EXPECT_TRUE(effect_is_built("boats"));
   EXPECT_TRUE(effect_is_built("wakes"));
-  EXPECT_TRUE(effect_is_known("portals"));
-  EXPECT_FALSE(effect_is_built("portals"));
+  EXPECT_TRUE(effect_is_built("portals"));
+  EXPECT_TRUE(effect_is_known("clouds"));
+  EXPECT_FALSE(effect_is_built("clouds"));
   EXPECT_FALSE(effect_is_known("boat"));
 }
 

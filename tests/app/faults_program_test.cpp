@@ -61,7 +61,7 @@ TEST(FaultsOfScenes, NameFileLineKeyValueAndRemedy) {
       {"{\n \"version\": 1,\n \"waves\": {\"wind_speed_mps\": 900}\n}", {":3: ", "waves.wind_speed_mps", "900", "m/s"}},
       {"{\n \"version\": 1,\n \"waves\": {\"wind_speed_mps\": \"fast\"}\n}", {":3: ", "waves.wind_speed_mps", "fast"}},
       {"{\n \"version\": 1,\n \"effects\": [\"waves\", \"fome\"]\n}", {":3: ", "fome", "foam"}},
-      {"{\n \"version\": 1,\n \"effects\": [\"portals\"]\n}", {":3: ", "portals", "not built"}},
+      {"{\n \"version\": 1,\n \"effects\": [\"clouds\"]\n}", {":3: ", "clouds", "not built"}},
       {"{\n \"version\": 2\n}", {":2: ", "version", "2"}},
       {"[1, 2]", {":1: "}},
       {"", {":1: "}},

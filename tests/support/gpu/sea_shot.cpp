@@ -19,6 +19,7 @@ SeaShot::SeaShot(Device& device, const ShotOptions& options) : device_(device), 
   if (options.effects) scene.effects = *options.effects;
   if (!options.inputs.empty()) scene.inputs = options.inputs;
   if (!options.objects.empty()) scene.objects = options.objects;
+  if (!options.shapes.empty()) scene.shapes = options.shapes;
   scene.clip_room = options.clip_room;
   scene.actors_foam = options.actors_foam;
   for (const auto& [key, value] : options.set) set_from_text(scene.settings, key, value, "test");

@@ -23,6 +23,7 @@ struct ShotOptions {
   std::optional<std::vector<std::string>> effects = {};  // instead of the scene's
   std::vector<InputSpec> inputs = {};                    // instead of the scene's, where there are any
   SceneObjects objects = {};                             // likewise
+  SceneShapes shapes = {};                               // likewise
   ClipRoom clip_room = {};
   bool actors_foam = false;
   // Makes who acts on the sea, in whichever sea there is from the next frame on; null: nobody does.

@@ -1,0 +1,141 @@
+#include "app/water_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace seascape {
+
+namespace {
+
+constexpr double atmosphere_m = 10.08;  // of sea water
+
+struct SeaPlane {
+  double height_m = 0.0, still_m = 0.0;
+  glm::dvec2 slopes{0.0};
+};
+SeaPlane sea_at(const SeaView* sea, const glm::dvec3& at_m) {
+  if (sea == nullptr) return {};
+  const QueryAnswer water = sea->query({at_m.x, at_m.z});
+  return {water.height_m, water.still_m,
+          glm::dvec2(-water.normal.x, -water.normal.z) / std::max(water.normal.y, 0.1)};
+}
+
+Pose pose_of(const PlacedShape& shape, const SceneObjects& objects) {
+  return shape.on ? composed(objects.things[*shape.on].pose, shape.pose) : shape.pose;
+}
+
+// Without the water of its own.
+gpu::WaterShape placed(const PlacedShape& shape, const Pose& pose, const glm::dvec3& viewer_m, const SeaPlane& sea,
+                       int& planes, gpu::WaterShapes& all) {
+  gpu::WaterShape s{};
+  const glm::dvec3 middle = pose.position_m - viewer_m;
+  const glm::dmat3 own = glm::transpose(glm::dmat3(glm::mat3_cast(pose.orientation)));
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 axis = glm::dvec3(own[0][i], own[1][i], own[2][i]) / shape.half_m[i];
+    s.row[i] = glm::vec4(glm::dvec4(axis, -glm::dot(axis, middle)));
+  }
+  s.water = glm::vec4(gpu::no_water_level, float(sea.height_m - viewer_m.y), glm::vec2(sea.slopes));
+  s.middle = glm::vec4(glm::vec3(middle), 0.0f);
+  s.form = {shape.form, planes, int(shape.planes.size()), shape.mode};
+  for (const glm::dvec4& plane : shape.planes) all.plane[planes++] = glm::vec4(plane);
+  return s;
+}
+
+// How much of each column of a shape lies above a height, for its volume.
+struct Columns {
+  static constexpr int side = 32;
+  std::array<glm::dvec2, std::size_t(side* side)> heights;
+  double above(double height) const {
+    double sum = 0.0;
+    for (const glm::dvec2& h : heights) sum += std::max(h.y - std::max(h.x, height), 0.0);
+    return sum;
+  }
+};
+
+}  // namespace
+
+double level_by_boyle_m(const WaterLines& lines, int number, double radius_m, double sea_m) {
+  const gpu::WaterShape& shape = lines.shapes.air[number];
+  const glm::dvec3 middle(shape.middle);
+  Columns columns;
+  double lowest = middle.y + radius_m, highest = middle.y - radius_m;
+  for (int i = 0; i < Columns::side; ++i)
+    for (int k = 0; k < Columns::side; ++k) {
+      const double x = (2.0 * (i + 0.5) / Columns::side - 1.0) * radius_m,
+                   z = (2.0 * (k + 0.5) / Columns::side - 1.0) * radius_m;
+      const glm::dvec3 from(middle.x + x, middle.y, middle.z + z);
+      glm::dvec2 up = lines.span(shape, from, {0.0, 1.0, 0.0});
+      if (up.y <= up.x) up = glm::dvec2(0.0);
+      columns.heights[std::size_t(i * Columns::side + k)] = middle.y + up;
+      if (up.y > up.x) lowest = std::min(lowest, middle.y + up.x), highest = std::max(highest, middle.y + up.y);
+    }
+  const double whole = columns.above(lowest);
+  if (whole <= 0.0) return lowest;
+  double below = lowest, above = highest;  // the air that is there shrinks as water rises, that which there is grows
+  for (int i = 0; i < 40; ++i) {
+    const double middle_m = 0.5 * (below + above), depth_m = std::max(sea_m - middle_m, 0.0);
+    (columns.above(middle_m) / whole > atmosphere_m / (atmosphere_m + depth_m) ? below : above) = middle_m;
+  }
+  return below;
+}
+
+gpu::WaterShapes placed_shapes(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& viewer_m,
+                               const SeaView* sea) {
+  gpu::WaterShapes all{};
+  int planes = 0;
+  const WaterLines lines{all, int(shapes.air.size()), int(shapes.portals.size())};
+  for (std::size_t i = 0; i < shapes.air.size(); ++i) {
+    const PlacedShape& shape = shapes.air[i];
+    const Pose pose = pose_of(shape, objects);
+    const SeaPlane around = sea_at(sea, pose.position_m);
+    all.air[i] = placed(shape, pose, viewer_m, around, planes, all);
+    if (shape.level_m)
+      all.air[i].water.x = float((composed(pose, Pose{{0.0, *shape.level_m, 0.0}}).position_m - viewer_m).y);
+    if (shape.open_below)
+      all.air[i].water.x = float(level_by_boyle_m(lines, int(i), shape.radius_m, around.still_m - viewer_m.y));
+  }
+  for (std::size_t i = 0; i < shapes.portals.size(); ++i) {
+    const Pose pose = pose_of(shapes.portals[i], objects);
+    all.portal[i] = placed(shapes.portals[i], pose, viewer_m, sea_at(sea, pose.position_m), planes, all);
+  }
+  return all;
+}
+
+bool in_air_pocket(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& at_m, const SeaView* sea) {
+  if (shapes.air.empty()) return false;
+  const gpu::WaterShapes placed = placed_shapes(shapes, objects, at_m, sea);
+  return WaterLines{placed, int(shapes.air.size())}.in_air(glm::dvec3(0.0));
+}
+
+bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
+                  const Viewpoint& viewpoint) {
+  for (const View& eye : viewpoint.eyes) {
+    const glm::dvec3 ahead = eye.pose.orientation * glm::dvec3(0.0, 0.0, -1.0);
+    double wide = 0.0;  // tangent of a corner
+    for (const double across : {eye.fov.left, eye.fov.right})
+      for (const double up : {eye.fov.up, eye.fov.down}) wide = std::max(wide, std::hypot(across, up));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const glm::dvec3 to = glm::dvec3(placed[i].middle) - (eye.pose.position_m - viewpoint.viewer.position_m);
+      const double far_m = glm::length(to), radius_m = list[i].radius_m + 0.1;
+      if (far_m <= radius_m) return true;
+      const double off = std::acos(std::clamp(glm::dot(to, ahead) / far_m, -1.0, 1.0));
+      if (off <= std::atan(wide) + std::asin(radius_m / far_m)) return true;
+    }
+  }
+  return false;
+}
+
+EyesIn eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed, const Viewpoint& viewpoint,
+                  double highest_m) {
+  if (!shapes.portals.empty())
+    return any_in_sight(shapes.portals, placed.portal, viewpoint) ? EyesIn::either : EyesIn::air;
+  if (eyes != EyesIn::water) return eyes;
+  for (std::size_t i = 0; i < shapes.air.size(); ++i) {
+    const double top_m = double(placed.air[i].middle.y) + viewpoint.viewer.position_m.y + shapes.air[i].radius_m;
+    if (top_m > -highest_m) return EyesIn::either;  // troughs are no deeper than crests are high
+  }
+  return eyes;
+}
+
+}  // namespace seascape

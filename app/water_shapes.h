@@ -1,0 +1,31 @@
+// A scene's pockets of air and portals as a frame's shaders are told of them. Pure.
+#pragma once
+#include "app/scene_shapes.h"
+#include "ocean/sea/sea_view.h"
+#include "ocean/surface/eyes_in.h"
+#include "ocean/surface/water_line.h"
+
+namespace seascape {
+
+// Shapes where their things stand now, relative to the viewer. `sea`: what is felt of it; null: it lies still at y = 0.
+gpu::WaterShapes placed_shapes(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& viewer_m,
+                               const SeaView* sea);
+
+// Whether a place of the world (m) is in a pocket's air.
+bool in_air_pocket(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& at_m, const SeaView* sea);
+
+// How high water stands in a shape that is open below, m: its air, which filled it at the surface, has
+// 10.08/(10.08 + d) of its volume where that water is d metres deep (Boyle 1662; 10.08 m of sea water press as the
+// atmosphere does). `number`: of shapes.air, without water of its own; `sea_m`: height of the still sea. All relative
+// to the viewer.
+double level_by_boyle_m(const WaterLines& lines, int number, double radius_m, double sea_m);
+
+// Whether any of the shapes may be seen by any of the eyes.
+bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
+                  const Viewpoint& viewpoint);
+
+// Where the eyes are among shapes, where Ocean::eyes_in has said `eyes`: pixels decide where the surface is cut away.
+EyesIn eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed, const Viewpoint& viewpoint,
+                  double highest_m);
+
+}  // namespace seascape
