@@ -21,6 +21,8 @@ MODELS = {"rowing_boat": ("rowing_boat", "build"), "buoy_lateral_port": ("buoys"
           "breakwater": ("shore", "breakwater"),
           "fishing_boat": ("fishing_boat", "build"), "yacht": ("yacht", "build"),
           "rib": ("rib", "build"), "wreck": ("wreck", "build"), "wigley": ("wigley", "build"),
+          "diving_bell": ("dry_rooms", "diving_bell"), "undersea_room": ("dry_rooms", "undersea_room"),
+          "porthole_barge": ("dry_rooms", "porthole_barge"), "aquarium_hall": ("dry_rooms", "aquarium_hall"),
           "harbour_lines": ("moorings", "build")}
 
 
