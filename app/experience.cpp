@@ -128,8 +128,9 @@ void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_a
 void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s) {
   wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
   const bool clear = clear_lens();
-  const std::size_t near =
-      side.eyes == EyesIn::either && !clear && scene_.shapes.portals.empty() ? std::min(viewpoint.eyes.size(), side.near.size()) : 0;
+  const std::size_t near = side.eyes == EyesIn::either && !clear && scene_.shapes.portals.empty()
+                               ? std::min(viewpoint.eyes.size(), side.near.size())
+                               : 0;
   lens_->update(frame, *ocean_->selection(), std::span(side.near).first(near),
                 clear ? std::span<const gpu::LensDrop>() : wet_lens_.drops());
 }

@@ -72,7 +72,8 @@ class Reader {
     shape.open_below = reader.flag("open_below", false);
     if (shape.level_m && shape.open_below)
       faults_.attempt([&] {
-        throw Error(line_of(where_, json), reader.key_name("level_m") + ": how high water stands follows from open_below",
+        throw Error(line_of(where_, json),
+                    reader.key_name("level_m") + ": how high water stands follows from open_below",
                     "give one of the two");
       });
   }
@@ -206,8 +207,7 @@ void read_list(const LocatedJson& list, const std::string& key, const std::vecto
       throw Error(place, key + ": the scene does not name the effect 'portals'", "add \"portals\" to its \"effects\"");
     Reader reader(where, objects, faults);
     for (std::size_t i = 0; i < list.items.size(); ++i)
-      faults.attempt(
-          [&] { reader.read(list.items[i], key + "[" + std::to_string(i) + "]", are_portals, shapes); });
+      faults.attempt([&] { reader.read(list.items[i], key + "[" + std::to_string(i) + "]", are_portals, shapes); });
   });
 }
 

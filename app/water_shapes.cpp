@@ -17,8 +17,7 @@ struct SeaPlane {
 SeaPlane sea_at(const SeaView* sea, const glm::dvec3& at_m) {
   if (sea == nullptr) return {};
   const QueryAnswer water = sea->query({at_m.x, at_m.z});
-  return {water.height_m, water.still_m,
-          glm::dvec2(-water.normal.x, -water.normal.z) / std::max(water.normal.y, 0.1)};
+  return {water.height_m, water.still_m, glm::dvec2(-water.normal.x, -water.normal.z) / std::max(water.normal.y, 0.1)};
 }
 
 Pose pose_of(const PlacedShape& shape, const SceneObjects& objects) {

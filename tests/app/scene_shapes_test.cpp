@@ -1,4 +1,5 @@
-// Pockets of air and portals in a scene file: what is read, and that every fault names file, line, key, value and remedy.
+// Pockets of air and portals in a scene file: what is read, and that every fault names file, line, key, value and
+// remedy.
 #include "app/scene_shapes.h"
 
 #include <gmock/gmock.h>
@@ -73,7 +74,9 @@ TEST(SceneShapes, AreReadWithAllTheirKeys) {
 }
 
 TEST(SceneShapes, FaultsNameTheirPlaceAndRemedy) {
-  const auto air = [](const std::string& shape) { return "\"air\": [{\"shape\": " + shape + ", \"at_m\": [0, -5, 0]}]"; };
+  const auto air = [](const std::string& shape) {
+    return "\"air\": [{\"shape\": " + shape + ", \"at_m\": [0, -5, 0]}]";
+  };
   struct Row {
     std::string lists, says;
   };
@@ -81,30 +84,31 @@ TEST(SceneShapes, FaultsNameTheirPlaceAndRemedy) {
   for (int i = 0; i < 9; ++i)
     nine += std::string(i > 0 ? "," : "") + R"({"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, -5, 0]})";
   nine += "]";
-  for (const Row& row :
-       {Row{air(R"({"kind": "cube"})"), "s.json:3: air[0].shape.kind: 'cube' is not known"},
-        Row{air(R"({"kind": "box"})"), "air[0].shape.size_m"},
-        Row{air(R"({"kind": "box", "size_m": [0, 1, 1]})"), "air[0].shape.size_m"},
-        Row{air(R"({"kind": "sphere", "radius_m": 2000})"), "air[0].shape.radius_m: 2000 is out of range"},
-        Row{air(R"({"kind": "sphere", "radius_m": 2000})"), "give a number from 0.01 to 1000 m"},
-        Row{air(R"({"kind": "disc", "radius_m": 1})"), "a disc holds no air"},
-        Row{air(R"({"kind": "mesh", "file": "none.glb"})"), "air[0].shape.file: "},
-        Row{air(R"({"kind": "mesh", "file": "ball.glb"})"), "'ball.glb' has more than 32 sides"},
-        Row{air(R"({"kind": "mesh", "file": "plate.glb"})"), "'plate.glb' is not closed"},
-        Row{air(R"({"kind": "mesh", "file": "dented.glb"})"), "'dented.glb' is not convex"},
-        Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "on": "B"}])",
-            "air[0].on: 'B' is no object of the scene"},
-        Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "level_m": 0, "open_below": true}])",
-            "give one of the two"},
-        Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "mode": "portal"}])",
-            "unknown key 'air[0].mode'"},
-        Row{nine, "give at most 8"},
-        Row{R"("portals": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0]}])", "portals[0].mode"},
-        Row{R"("portals": [{"mode": "hole", "shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0]}])",
-            "portals[0].mode: 'hole' is not known"},
-        Row{R"("portals": [{"mode": "volume", "shape": {"kind": "disc", "radius_m": 1}, "at_m": [0, 0, 0]}])",
-            "a disc has no inside for the mode 'volume'"},
-        Row{R"("portals": {})", "portals: an object is not a list"}})
+  for (
+      const Row& row :
+      {Row{air(R"({"kind": "cube"})"), "s.json:3: air[0].shape.kind: 'cube' is not known"},
+       Row{air(R"({"kind": "box"})"), "air[0].shape.size_m"},
+       Row{air(R"({"kind": "box", "size_m": [0, 1, 1]})"), "air[0].shape.size_m"},
+       Row{air(R"({"kind": "sphere", "radius_m": 2000})"), "air[0].shape.radius_m: 2000 is out of range"},
+       Row{air(R"({"kind": "sphere", "radius_m": 2000})"), "give a number from 0.01 to 1000 m"},
+       Row{air(R"({"kind": "disc", "radius_m": 1})"), "a disc holds no air"},
+       Row{air(R"({"kind": "mesh", "file": "none.glb"})"), "air[0].shape.file: "},
+       Row{air(R"({"kind": "mesh", "file": "ball.glb"})"), "'ball.glb' has more than 32 sides"},
+       Row{air(R"({"kind": "mesh", "file": "plate.glb"})"), "'plate.glb' is not closed"},
+       Row{air(R"({"kind": "mesh", "file": "dented.glb"})"), "'dented.glb' is not convex"},
+       Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "on": "B"}])",
+           "air[0].on: 'B' is no object of the scene"},
+       Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "level_m": 0, "open_below": true}])",
+           "give one of the two"},
+       Row{R"("air": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0], "mode": "portal"}])",
+           "unknown key 'air[0].mode'"},
+       Row{nine, "give at most 8"},
+       Row{R"("portals": [{"shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0]}])", "portals[0].mode"},
+       Row{R"("portals": [{"mode": "hole", "shape": {"kind": "sphere", "radius_m": 1}, "at_m": [0, 0, 0]}])",
+           "portals[0].mode: 'hole' is not known"},
+       Row{R"("portals": [{"mode": "volume", "shape": {"kind": "disc", "radius_m": 1}, "at_m": [0, 0, 0]}])",
+           "a disc has no inside for the mode 'volume'"},
+       Row{R"("portals": {})", "portals: an object is not a list"}})
     EXPECT_THAT(fault_of(row.lists), HasSubstr(row.says)) << row.lists;
   EXPECT_THAT(fault_of(air(R"({"kind": "sphere", "radius_m": 1})"), "\"models\""),
               HasSubstr("the scene does not name the effect 'portals'"));

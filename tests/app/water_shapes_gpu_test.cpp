@@ -97,8 +97,9 @@ TEST_F(WaterShapesDrawn, APocketIsDry) {
       test::ShotOptions made = options(look, black_water("0.5"), there ? shapes : none);
       test::stand(
           made.objects,
-          test::solid_model(test::solid_sphere(0.6f, 16),
-                            R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
+          test::solid_model(
+              test::solid_sphere(0.6f, 16),
+              R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
           Pose{{0.0, -9.0, 0.0}});
       SeaShot shot(made);
       for (int i = 0; i < (there ? 12 : 1); ++i) {
@@ -126,8 +127,9 @@ TEST_F(WaterShapesDrawn, WaterIsSummedBetweenPockets) {
     test::ShotOptions made = options(look, with(black_water("20"), {{"camera.vertical_fov_deg", "2"}}), shapes);
     test::stand(
         made.objects,
-        test::solid_model(test::solid_box({3.0f, 3.0f, 0.1f}),
-                          R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
+        test::solid_model(
+            test::solid_box({3.0f, 3.0f, 0.1f}),
+            R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
         Pose{{0.0, -9.0, -8.1}});
     SeaShot shot(made);
     const Lit seen = lit(shot, shot.viewpoint(pose({0.0, -9.0, 0.3}, 0.0, 0.0)));
@@ -152,8 +154,9 @@ TEST_F(WaterShapesDrawn, TheWaterInABellIsASurface) {
     test::ShotOptions made = options(look, with(black_water("3"), {{"camera.vertical_fov_deg", "2"}}), shapes);
     test::stand(
         made.objects,
-        test::solid_model(test::solid_box({4.0f, 0.05f, 4.0f}),
-                          R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
+        test::solid_model(
+            test::solid_box({4.0f, 0.05f, 4.0f}),
+            R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
         Pose{{0.0, -2.1, 0.0}});
     SeaShot shot(made);
     const Lit down = lit(shot, shot.viewpoint(pose({0.0, -3.0, 0.0}, 100.0, -20.0)));
@@ -220,7 +223,8 @@ TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
       shapes.portals = portals;
       test::ShotOptions made = options(look, {{"water.type", "3C"}}, shapes);
       test::stand(made.objects, test::solid_model(test::solid_box({2.0f, 0.3f, 0.3f}), "{}"), Pose{{0.0, -3.0, -9.0}});
-      test::stand(made.objects, test::solid_model(test::solid_box({0.08f, 3.0f, 0.08f}), "{}"), Pose{{0.3, -3.0, -2.0}});
+      test::stand(made.objects, test::solid_model(test::solid_box({0.08f, 3.0f, 0.08f}), "{}"),
+                  Pose{{0.3, -3.0, -2.0}});
       return made;
     };
     const PlacedShape behind = disc(1.0, {0.0, -3.0, 30.0}), left = disc(1.0, {-0.4, -3.0, -4.0}),
@@ -262,7 +266,8 @@ TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
     EXPECT_EQ(outside, 0) << look.name << test::leave(both, "portals_" + look.name);
     EXPECT_GT(overlap, 50);
     EXPECT_GT(inside, 500);
-    EXPECT_GT(wet, inside * 8 / 10) << look.name << test::leave(both, "portals_" + look.name);  // a pillar stands before
+    EXPECT_GT(wet, inside * 8 / 10) << look.name
+                                    << test::leave(both, "portals_" + look.name);  // a pillar stands before
   }
 }
 
@@ -277,8 +282,9 @@ TEST_F(WaterShapesDrawn, AVolumeIsFlownThrough) {
     test::ShotOptions made = options(look, with(black_water("8"), {{"camera.vertical_fov_deg", "4"}}), shapes);
     test::stand(
         made.objects,
-        test::solid_model(test::solid_box({1.0f, 1.0f, 0.05f}),
-                          R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
+        test::solid_model(
+            test::solid_box({1.0f, 1.0f, 0.05f}),
+            R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
         Pose{{0.0, -4.0, 0.0}});
     SeaShot shot(made);
     for (const double z : {6.0, 4.0, 3.05, 2.95, 2.0, 1.0}) {
@@ -286,8 +292,8 @@ TEST_F(WaterShapesDrawn, AVolumeIsFlownThrough) {
       const double wet_m = std::min(z, 3.0) - 0.05;
       for (int c = 0; c < 3; ++c) {
         const double a = seen.data.water_absorption[c], b = seen.data.water_backscatter[c], u = b / (a + b);
-        const double expected = std::exp(-1.04 * std::sqrt(1.0 + 5.4 * u) * (a + b) * wet_m) / (n * n) /
-                                double(seen.light.exposure.x);
+        const double expected =
+            std::exp(-1.04 * std::sqrt(1.0 + 5.4 * u) * (a + b) * wet_m) / (n * n) / double(seen.light.exposure.x);
         EXPECT_NEAR(seen.middle()[c], expected, 0.01 * expected) << look.name << " " << z << " channel " << c;
       }
     }

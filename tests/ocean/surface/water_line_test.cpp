@@ -175,8 +175,8 @@ TEST(WaterLine, SumsItsWetParts) {
 }
 
 // What a line leaves of light is what its two halves leave, wherever it is split: T(a + b) = T(a) T(b), here by 1e-9,
-// with pockets between and in volumes that are flown through. Control seen: a gap that begins before the line does taken
-// for none.
+// with pockets between and in volumes that are flown through. Control seen: a gap that begins before the line does
+// taken for none.
 TEST(WaterLine, SplitsAnywhere) {
   Chance chance(3);
   const double attenuation = 0.2;
