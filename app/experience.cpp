@@ -125,14 +125,13 @@ void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_a
 }
 
 // What water on the lenses this frame draws; with underwater().
-void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s) {
-  wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
-  const bool clear = clear_lens();
-  const std::size_t near = side.eyes == EyesIn::either && !clear && scene_.shapes.portals.empty()
-                               ? std::min(viewpoint.eyes.size(), side.near.size())
-                               : 0;
-  lens_->update(frame, *ocean_->selection(), std::span(side.near).first(near),
-                clear ? std::span<const gpu::LensDrop>() : wet_lens_.drops());
+void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const NearPatches& near, EyesIn eyes,
+                             double time_s) {
+  wet_lenses(viewpoint, time_s, eyes == EyesIn::air);
+  if (clear_lens() || !scene_.shapes.portals.empty())
+    lens_->update(frame, {}, {});
+  else
+    lens_->update(frame, near, wet_lens_.drops());
 }
 
 void Experience::hide(const HiddenMesh& mesh) {
@@ -235,43 +234,6 @@ void Experience::build() {
   if (const Image* kept = kept_depth())
     shown_depth_ = std::make_unique<ShownDepth>(device_, shaders_, *kept, picture_.spec(), lent_.get());
   set_area();
-}
-
-// Where the sea is lit later the sky is lit with it.
-void Experience::make_sky(const RenderTarget& drawn, const SurfaceLook& look) {
-  sky_pipeline_ = {};
-  sky_underwater_ = {};
-  if (look.deferred) return;
-  GraphicsSpec spec;
-  spec.vertex = "sky.vert";
-  spec.fragment = "sky.frag";
-  spec.values = {{gpu::value_multiview, !options_.per_eye},
-                 {gpu::value_tile_shape, look.tile_shape},
-                 {gpu::value_debug, look.debug}};
-  spec.depth_write = false;
-  spec.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
-  const auto make = [&](std::string_view effect, Pipeline& pipeline, Bindings& bindings) {
-    const EffectScope scope(device_, effect);
-    pipeline = make_graphics_pipeline(device_, shaders_, drawn, spec);
-    bindings = Bindings(device_, pipeline,
-                        {{.binding = gpu::slot_frame, .buffer = &frame_->ring(), .range = sizeof(gpu::FrameData)},
-                         {.binding = gpu::slot_sky_map, .view = sky_->map().view(), .sampler = sky_->sampler()},
-                         {.binding = gpu::slot_sky_light, .buffer = &sky_->light()}},
-                        effect);
-  };
-  make("sky", sky_pipeline_, sky_bindings_);
-  if (!look.underwater) return;
-  spec.values.push_back({gpu::value_underwater, 1});
-  look.shapes.add_to(spec.values);
-  make("underwater", sky_underwater_, sky_underwater_bindings_);
-}
-
-void Experience::draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
-  const bool wet = eyes != EyesIn::air && sky_underwater_;
-  commands.bind(wet ? sky_underwater_ : sky_pipeline_, wet ? sky_underwater_bindings_ : sky_bindings_,
-                {frame_uniform, 0u});
-  commands.push(gpu::DrawPush{commands.eye()});
-  commands.draw(3);
 }
 
 // Bodies stay where they are while their effect is off, and go on from there in whatever sea there is then.

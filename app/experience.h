@@ -138,7 +138,7 @@ class Experience {
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
-  void update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
+  void update_lens(Frame& frame, const Viewpoint& viewpoint, const NearPatches& near, EyesIn eyes, double time_s);
   void draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void set_area();
   // The viewer wishes no water on his lenses.
@@ -176,8 +176,10 @@ class Experience {
   std::shared_ptr<const LentImages> lent_;
   std::unique_ptr<ShownDepth> shown_depth_;  // where no pass draws into the depth that is shown
   Owned<VkSampler> lit_sampler_;
-  Pipeline sky_pipeline_, sky_underwater_, tone_pipeline_;  // sky_underwater_: for eyes that may be in the water
-  Bindings sky_bindings_, sky_underwater_bindings_, tone_bindings_;
+  // For eyes that may be in the water: what those in the air see, and those in the water.
+  Pipeline sky_over_water_, sky_underwater_;
+  Pipeline sky_pipeline_, tone_pipeline_;
+  Bindings sky_bindings_, sky_over_water_bindings_, sky_underwater_bindings_, tone_bindings_;
   std::uint64_t builds_ = 0;
   bool goes_on_ = false, underwater_ = false, shaped_ = false;
   std::function<void()> before_build_;

@@ -1,5 +1,6 @@
 #include "app/frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/eyes_in_water.h"
@@ -85,7 +86,11 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const EyesIn eyes = side.eyes;
-  if (e.lens_) stages.time("queries", [&] { e.update_lens(frame, viewpoint, side, time_s); });
+  NearPatches near;
+  if (eyes == EyesIn::either)
+    near = e.surface_->near_patches(frame, *selection,
+                                    std::span(side.near).first(std::min(viewpoint.eyes.size(), side.near.size())));
+  if (e.lens_) stages.time("queries", [&] { e.update_lens(frame, viewpoint, near, eyes, time_s); });
   // In a scene with portals the sea is drawn where one is in sight.
   static const SurfaceSelection none;
   if (eyes == EyesIn::air && e.shaped() && !e.scene_.shapes.portals.empty()) selection = &none;
@@ -117,7 +122,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
-    e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only);
+    e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only, near);
     if (e.solids_) e.solids_->draw(c, uniform, eyes);
     if (deferred) return;
     e.draw_sky(c, uniform, eyes);

@@ -225,10 +225,12 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
     const QueryAnswer drawn = waves_->by_processor() && waves_alone() ? water_.query({place.x, place.z}) : water;
     if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size()) {
       side.over_eye[n] = {drawn.height_m - place.y, -drawn.normal.x / drawn.normal.y, -drawn.normal.z / drawn.normal.y};
-      // Water is drawn out or pressed together by less than half, but where crests fold.
-      const double folded_m = drawn.converged ? 0.0 : 0.5;
+      // A plane that leans by less than 50 degrees passes the water within that tangent of how far it is. Water is
+      // drawn out or pressed together by less than half, but where crests fold.
+      const double unsure_m = waves_->by_processor() && waves_alone() ? 0.0 : apart_m - reach_m,
+                   over_m = std::abs(side.over_eye[n].x) + unsure_m, folded_m = drawn.converged ? 0.0 : 0.5;
       side.near[n] = {glm::dvec2(place.x - drawn.displacement.x, place.z - drawn.displacement.z),
-                      1.5 * reach_m + (apart_m - reach_m) + drawn.residual_m + folded_m};
+                      1.5 * (reach_m + unsure_m + 1.2 * over_m) + drawn.residual_m + folded_m};
     }
     above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
     below += !water.clipped && water.converged && place.y < water.height_m - apart_m;

@@ -81,7 +81,8 @@ class Ocean {
     double still_m = 0.0, over_viewer_m = 0.0;
     // There, of each eye: how high over it the water is, m, and the water's slopes along x and z.
     std::array<glm::dvec3, 2> over_eye{};
-    // The water that each eye's near plane may pass.
+    // The water that each eye's near plane passes, where it does not look up or down by more than 50 degrees, also a
+    // little outside the picture.
     std::array<NearWater, 2> near{};
   };
   EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;

@@ -9,6 +9,7 @@
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/lens_light.glsl"
+#include "lib/line_clip.glsl"
 #include "lib/meniscus_plate.glsl"
 #include "lib/tone.glsl"
 
@@ -25,11 +26,7 @@ vec3 light_of_water(vec3 ray) { return open_water(0.0, vec3(ray.x, -abs(ray.y), 
 
 void main() {
   if (not_in_air()) discard;
-  if (water_clip) {
-    const vec3 stands =
-        flattened(line_at + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w) + vec3(frame.viewer.x, 0.0, frame.viewer.y);
-    if (sea_bed ? water_clip_cuts(stands.xz, stands) : water_clipped(stands.xz, stands)) discard;
-  }
+  if (line_is_dry(line_at)) discard;
   const ViewData view = frame.view[eye_index()];
   const Plate plate = plate_before(view);
   const vec3 sight = normalize(line_of_sight), inside = refract(sight, -plate.ahead, 1.0 / water_index);

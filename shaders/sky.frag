@@ -17,12 +17,13 @@ layout(location = 0) out vec4 colour;
 void main() {
   const vec3 ray = normalize(pixel_ray);
   const ViewData view = frame.view[eye_index()];
-  bool in_air = true;
-  if (underwater) in_air = ends_in_air(pixel_ray, view);
-  vec3 lit = in_air ? sky_light(ray, view.eye.w) : vec3(0.0);
-  if (underwater && !in_air) lit = open_water_seen(ray, view);
+  vec3 lit;
+  if (underwater)  // drawn where the stencil has eyes in the water
+    lit = open_water_seen(ray, view);
+  else
+    lit = sky_light(ray, view.eye.w);
   lit *= light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
-  if (debug && frame.shown.x == debug_holes && in_air && is_hole(ray, view)) colour = hole_colour(tile_shape);
+  if (debug && frame.shown.x == debug_holes && !underwater && is_hole(ray, view)) colour = hole_colour(tile_shape);
 }

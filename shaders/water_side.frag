@@ -11,5 +11,11 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 layout(location = 0) in vec3 pixel_ray;
 
 void main() {
-  if (ends_in_air(pixel_ray, frame.view[eye_index()])) discard;
+  const ViewData view = frame.view[eye_index()];
+  bool dry = false;
+  if (air_pockets + portals > 0)
+    dry = ends_in_air(pixel_ray, view);
+  else if (frame.shown.y != eyes_in_water)
+    dry = over_horizon(pixel_ray, view) >= -view.eye.w;  // at the horizon where they begin says it (near_side.frag)
+  if (dry) discard;
 }

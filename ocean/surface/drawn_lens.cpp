@@ -39,24 +39,9 @@ void DrawnLens::bind() {
   }
 }
 
-void DrawnLens::update(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near,
-                       std::span<const gpu::LensDrop> drops) {
-  const auto may_pass = [&](const gpu::PatchInstance& patch) {
-    if ((patch.flags & gpu::patch_skirt) != 0) return false;
-    const glm::dvec2 least = selection.grid_origin_m + selection.unit_m * glm::dvec2(patch.corner),
-                     most = least + selection.unit_m * double(gpu::patch_quads * patch.stride);
-    return std::any_of(near.begin(), near.end(), [&](const NearWater& eye) {
-      return glm::all(glm::lessThanEqual(least, eye.rest_m + eye.reach_m)) &&
-             glm::all(glm::greaterThanEqual(most, eye.rest_m - eye.reach_m));
-    });
-  };
-  patches_.count =
-      near.empty() ? 0 : std::size_t(std::count_if(selection.patches.begin(), selection.patches.end(), may_pass));
-  if (patches_.count > 0) {
-    patches_.list = frame.vertices(patches_.count * sizeof(gpu::PatchInstance));
-    std::copy_if(selection.patches.begin(), selection.patches.end(),
-                 static_cast<gpu::PatchInstance*>(patches_.list.host), may_pass);
-  }
+void DrawnLens::update(Frame& frame, const NearPatches& near, std::span<const gpu::LensDrop> drops) {
+  patches_.list = near.list;
+  patches_.count = near.count;
   drops_.count = drops.size();
   if (drops_.count == 0) return;
   drops_.list = frame.vertices(drops.size_bytes());
@@ -64,8 +49,7 @@ void DrawnLens::update(Frame& frame, const SurfaceSelection& selection, std::spa
 }
 
 void DrawnLens::draw(Commands& commands, std::uint32_t frame_uniform) const {
-  constexpr std::uint32_t triangles = 2 * gpu::patch_quads * gpu::patch_quads;
-  draw(commands, frame_uniform, patches_, 6 * triangles);
+  draw(commands, frame_uniform, patches_, Surface::near_vertices);
   draw(commands, frame_uniform, drops_, 6);
 }
 

@@ -20,10 +20,8 @@ class DrawnLens {
   // After the surface's resize().
   void resize() { bind(); }
 
-  // Before the frame's passes: which water is there in this frame. `near`: of each eye, none where all are in the air
-  // or in the water.
-  void update(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near,
-              std::span<const gpu::LensDrop> drops);
+  // Before the frame's passes: what there is in it. `near`: the patches along whose line a meniscus stands.
+  void update(Frame& frame, const NearPatches& near, std::span<const gpu::LensDrop> drops);
   // Inside a draw pass into the picture; with look.deferred of the surface one that also uses add_points(). Records
   // nothing where there is nothing.
   void draw(Commands& commands, std::uint32_t frame_uniform) const;

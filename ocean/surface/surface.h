@@ -1,5 +1,7 @@
 // Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
 #pragma once
+#include <span>
+
 #include "engine/frame.h"
 #include "ocean/drawn/drawn_piece.h"
 #include "ocean/mesh/surface_selection.h"
@@ -10,6 +12,7 @@ namespace seascape {
 // How many shapes shaders are built for.
 struct ShapesInWater {
   int air = 0, portals = 0;
+  bool any() const { return air + portals > 0; }
   void add_to(std::vector<SpecValue>& values) const;
 };
 
@@ -39,6 +42,12 @@ struct SurfaceLight {
   VkSampler sun_map_sampler = VK_NULL_HANDLE;
 };
 
+// Patches of a frame about its eyes, which their near planes pass.
+struct NearPatches {
+  VertexList list{};
+  std::size_t count = 0;
+};
+
 class Surface {
  public:
   // `picture`: what the finished pixels go into. `pieces`: all that the sea is drawn from; they outlive it.
@@ -52,11 +61,15 @@ class Surface {
 
   // Where draw() draws: the picture, or with look.deferred what light() will light.
   const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
-  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `eyes`: see Ocean::eyes_in; other than
-  // air only with look.underwater, and then the bed before the eyes is drawn too. `facing_only`: from the air, what
-  // faces away from the eyes is not drawn, which what faces them hides.
+  static constexpr std::uint32_t near_vertices =
+      12 * gpu::patch_quads * gpu::patch_quads;  // a patch: see near_line.glsl
+  // Of a selection, before the frame's passes. `near`: of each eye.
+  NearPatches near_patches(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near) const;
+  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `near`: with eyes that may be in
+  // either. `eyes`: see Ocean::eyes_in; other than air only with look.underwater, and then the bed before the eyes is
+  // drawn too. `facing_only`: from the air, what faces away from the eyes is not drawn, which what faces them hides.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-            EyesIn eyes, bool facing_only) const;
+            EyesIn eyes, bool facing_only, const NearPatches& near = {}) const;
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
   void light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void add_points(Uses& uses) const;
@@ -109,9 +122,10 @@ class Surface {
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
   RenderTarget points_, below_;
   Drawing in_air_, in_water_;
-  Pipeline side_pipeline_, bed_pipeline_;  // with look.underwater; the bed where there is one
+  // With look.underwater; the bed where there is one.
+  Pipeline side_pipeline_, near_side_pipeline_, bed_pipeline_;
   Bindings side_bindings_;
-  std::vector<Bindings> bed_bindings_;
+  std::vector<Bindings> near_side_bindings_, bed_bindings_;
   Owned<VkSampler> points_sampler_, below_sampler_;
 };
 

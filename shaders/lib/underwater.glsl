@@ -9,24 +9,30 @@
 
 layout(constant_id = value_underwater) const bool underwater = false;  // an eye may be in the water
 
-// Whether a line of sight that meets nothing ends in the sky, where no shape is in its way. At the horizon, where the
-// last triangles of the sea may miss a pixel, its beginning says it, on the near plane, over the water as it is felt at
-// the eye. `pixel_ray`: of the pixel, as long as its part along the line of sight's axis is 1.
-bool ends_in_sky(vec3 pixel_ray, ViewData view) {
-  if (frame.shown.y == eyes_in_water) return false;
+// Sine of the angle by which a line of sight passes over the horizon; below 0 it ends in the water, if it meets
+// nothing.
+float over_horizon(vec3 sight, ViewData view) {
   const float h = max(frame.viewer.z + view.eye.y, 0.0), c = frame.viewer.w;
   const float dip = sqrt(2.0 * h * c + h * h * c * c) / (1.0 + h * c);  // sine of the dip (0 when flat)
-  const float over_horizon = normalize(pixel_ray).y + dip;
-  if (abs(over_horizon) > view.eye.w) return over_horizon >= 0.0;
+  return normalize(sight).y + dip;
+}
+
+// Among shapes of air or portals: whether a line of sight that meets nothing ends in the sky, where none is in its way.
+// At the horizon, where the last triangles of the sea may miss a pixel, its beginning says it, on the near plane, over
+// the water as it is felt at the eye. `pixel_ray`: of the pixel, as long as its part along the line of sight's axis is
+// 1.
+bool ends_in_sky(vec3 pixel_ray, ViewData view) {
+  if (frame.shown.y == eyes_in_water) return false;
+  const float over = over_horizon(pixel_ray, view);
+  if (abs(over) > view.eye.w) return over >= 0.0;
   const vec3 from = frame.air.z * pixel_ray;
   const vec4 water = frame.water_at_eye[eye_index()];
   return from.y >= water.x + dot(water.yz, from.xz);
 }
 
-// Whether a line of sight that meets nothing shows no water: where the surface is cut away within shapes or outside of
-// portals, its end alone does not say it. The surface that is drawn is counted from here on (docs/underwater.md).
+// Among them: whether a line of sight that meets nothing shows no water. Where the surface is cut away within shapes or
+// outside of portals, its end alone does not say it. The surface that is drawn is counted from here on (docs/underwater.md).
 bool ends_in_air(vec3 pixel_ray, ViewData view) {
-  if (air_pockets + portals == 0) return ends_in_sky(pixel_ray, view);
   const vec3 eye = view.eye.xyz, ray = normalize(pixel_ray);
   const LineThrough line = line_through(eye, ray);
   float wet = 0.0, out_of_it = 0.0;  // 1 in the water; how often the line leaves it in sight

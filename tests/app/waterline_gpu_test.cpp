@@ -27,13 +27,14 @@ bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
 
 // What of a scene makes its surface, lit later, so that the sides can be read.
 test::ShotOptions options(const std::string& scene, double wind_mps, int views) {
-  test::ShotOptions result{.scene = scene,
-                           .preset = "low",
-                           .width = width,
-                           .height = height,
-                           .views = views,
-                           .probe = true,
-                           .set = {{"msaa", "1"}, {"frame.lighting", "deferred"}, {"frame.shape", "tile"}}};
+  test::ShotOptions result{
+      .scene = scene,
+      .preset = "low",
+      .width = width,
+      .height = height,
+      .views = views,
+      .probe = true,
+      .set = {{"msaa", "1"}, {"waves.where", "cpu"}, {"frame.lighting", "deferred"}, {"frame.shape", "tile"}}};
   if (wind_mps >= 0.0) result.set.emplace_back("waves.wind_speed_mps", std::to_string(wind_mps));
   result.effects = load_scene(scene, "low").effects;
   std::erase_if(*result.effects, [](const std::string& effect) { return effect == "models" || effect == "boats"; });
@@ -64,17 +65,17 @@ Compared compare(const std::string& scene, double wind_mps, glm::dvec2 about, do
   for (int n = 0; n < poses; ++n) {
     const double time_s = 20.0 + 0.37 * n;
     const glm::dvec2 at = about + around_m * glm::dvec2(chance(-1.0, 1.0), chance(-1.0, 1.0));
-    const QueryAnswer felt = shot.experience().sea()->view_at(time_s, SeaDetail::drawn).query(at);
-    if (!felt.converged || felt.clipped || felt.depth_m < 0.3) continue;
-    const Viewpoint viewpoint = shot.viewpoint(pose({at.x, felt.height_m + chance(-0.03, 0.03), at.y},
+    const QueryAnswer here = test::drawn_water(shot, at, time_s);
+    if (!here.converged || here.clipped || here.depth_m < 0.3) continue;
+    const Viewpoint viewpoint = shot.viewpoint(pose({at.x, here.height_m + chance(-0.03, 0.03), at.y},
                                                     chance(-180.0, 180.0), chance(-35.0, 35.0), chance(-60.0, 60.0)));
     shot.draw(viewpoint, time_s);
     const DrawnMesh mesh(shot, viewpoint);
-    const SeaView drawn = shot.experience().sea()->view_at(time_s, SeaDetail::drawn);
+    const SeaView drawn = shot.experience().ocean().waves_held();
     for (int eye = 0; eye < 2; ++eye) {
       const View& view = viewpoint.eyes[std::size_t(eye)];
       const double pixel_m = near_m * (view.fov.up - view.fov.down) / height;
-      const NearMesh near = near_mesh(mesh, felt, view.pose.position_m);
+      const NearMesh near = near_mesh(mesh, here, view.pose.position_m);
       const std::vector<bool> shown = test::wet_pixels(shot, eye);
       for (int i = 0; i < a_pose / 2; ++i) {
         const auto x = std::uint32_t(chance(0.0, width - 1e-6)), y = std::uint32_t(chance(0.0, height - 1e-6));
@@ -147,7 +148,7 @@ TEST_F(Waterline, DoesNotFlicker) {
     for (int n = 0; n < count; ++n) {
       const double time_s = 30.0 + n / 90.0;
       const glm::dvec2 at(3.0, -4.0);
-      const QueryAnswer water = shot.experience().sea()->view_at(time_s, SeaDetail::drawn).query(at);
+      const QueryAnswer water = test::drawn_water(shot, at, time_s);
       const double up_m = planted && n % 3 == 0 ? -0.004 : 0.0;
       const Viewpoint viewpoint = shot.viewpoint(pose({at.x, water.height_m + up_m, at.y}, 20.0, 0.0, 8.0));
       shot.draw(viewpoint, time_s);

@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 // Against a wall that stands upright and is wetted it rises by the root of 2 capillary lengths: 3.8 mm, and at most 3.9
-// (facts/underwater.md). Control: the half angle's cosine.
+// (facts/underwater.md). Control: the angle for its half.
 TEST(Meniscus, RisesAsHighAsItDoes) {
   const double rises_m = double(gpu::capillary_length_m) * gpu::meniscus_height(0.5 * pi);
   EXPECT_NEAR(rises_m, std::sqrt(2.0) * double(gpu::capillary_length_m), 1e-9);

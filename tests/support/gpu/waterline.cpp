@@ -35,6 +35,11 @@ std::vector<bool> wet_pixels(SeaShot& shot, int eye) {
   return wet;
 }
 
+QueryAnswer drawn_water(SeaShot& shot, const glm::dvec2& at, double time_s) {
+  shot.draw(pose({at.x, 2.0, at.y}, 0.0, -80.0), time_s);
+  return shot.experience().ocean().waves_held().query(at);
+}
+
 namespace {
 
 double to_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
