@@ -34,12 +34,12 @@ std::vector<std::string> faults_of(const std::filesystem::path& file) {
 TEST(Validate, EveryFaultOfASceneIsTold) {
   const auto file =
       made("bad_scene.json",
-           "{\"version\": 1,\n\"effects\": [\"fom\",\n\"portals\"],\n\"waves\": {\"chop\": 3,\n\"chp\": 1},\n"
+           "{\"version\": 1,\n\"effects\": [\"fom\",\n\"clouds\"],\n\"waves\": {\"chop\": 3,\n\"chp\": 1},\n"
            "\"camera\": {\"pitch_deg\": 100},\n\"msaa\": 3}");
   EXPECT_THAT(
       faults_of(file),
       testing::ElementsAre(testing::HasSubstr(":2: effects: unknown effect 'fom' (did you mean 'foam'?)"),
-                           testing::HasSubstr(":3: effects: the effect 'portals' is not built yet"),
+                           testing::HasSubstr(":3: effects: the effect 'clouds' is not built yet"),
                            testing::HasSubstr(":7: msaa: 3 is not one of the numbers it takes; give 1, 2, 4 or 8"),
                            testing::HasSubstr(":4: waves.chop: 3 is out of range; give a number from 0 to 2"),
                            testing::HasSubstr(":5: unknown key 'waves.chp' (did you mean 'chop'?)"),

@@ -214,8 +214,8 @@ Through through(const WaterLines& lines, const View& eye, std::uint32_t x, std::
 
 // In a dry hall under the level of the sea with a box in it: outside of portals the picture is to the bit what it is
 // where none is in sight; within, water; of two that overlap each pixel is that of the nearer one's own picture; edge
-// on there is nothing. Controls seen: the stencil's beginning without portals; things behind
-// no portal lit as in water.
+// on there is nothing. Control seen: things before a portal lit as
+// in water.
 TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
   for (const test::FrameLook& look : looks()) {
     const auto scene = [&](const std::vector<PlacedShape>& portals) {
@@ -250,7 +250,7 @@ TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
         most = std::max(most, std::abs(int(a.pixels[at + c]) - int(b.pixels[at + c])));
       return most;
     };
-    int outside = 0, wet = 0, inside = 0, overlap = 0;
+    int outside = 0, wet = 0, inside = 0, overlap = 0, before = 0;
     for (std::uint32_t y = 0; y < height; ++y)
       for (std::uint32_t x = 0; x < width; ++x) {
         const Through a = through({first, 0, 1}, eye, x, y), b = through({second, 0, 1}, eye, x, y);
@@ -262,9 +262,16 @@ TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
           EXPECT_LE(apart(both, in_a ? one : other, x, y), 1) << look.name << " " << x << " " << y;
         }
         overlap += in_a && in_b;
+        // The pillar stands in the air before them.
+        if ((in_a || in_b) && test::meets_box({0.0, -3.0, 0.0}, test::pixel_ray(eye, x + 0.5, y + 0.5, width, height),
+                                              {0.3, -3.0, -2.0}, {0.08, 3.0, 0.08}, -0.05)) {
+          EXPECT_LE(apart(both, dry, x, y), 1) << look.name << " " << x << " " << y;
+          ++before;
+        }
       }
     EXPECT_EQ(outside, 0) << look.name << test::leave(both, "portals_" + look.name);
     EXPECT_GT(overlap, 50);
+    EXPECT_GT(before, 10);
     EXPECT_GT(inside, 500);
     EXPECT_GT(wet, inside * 8 / 10) << look.name
                                     << test::leave(both, "portals_" + look.name);  // a pillar stands before
@@ -296,6 +303,33 @@ TEST_F(WaterShapesDrawn, AVolumeIsFlownThrough) {
             std::exp(-1.04 * std::sqrt(1.0 + 5.4 * u) * (a + b) * wet_m) / (n * n) / double(seen.light.exposure.x);
         EXPECT_NEAR(seen.middle()[c], expected, 0.01 * expected) << look.name << " " << z << " channel " << c;
       }
+    }
+  }
+}
+
+// From below, through a volume that lies under the sea, upwards: the plate behind it is dimmed by what water the line
+// goes through, 1 %, though the line's end is the sky, whose side it would have without the volume. Control seen: the
+// stencil's beginning by that end.
+TEST_F(WaterShapesDrawn, AVolumeIsSeenThroughUpwards) {
+  for (const test::FrameLook& look : lit_looks) {
+    SceneShapes shapes;
+    shapes.portals.push_back(box({4.0, 2.0, 2.0}, {0.0, -4.0, -3.0}));
+    shapes.portals.back().mode = gpu::portal_volume;
+    test::ShotOptions made = options(look, with(black_water("8"), {{"camera.vertical_fov_deg", "4"}}), shapes);
+    test::stand(
+        made.objects,
+        test::solid_model(
+            test::solid_box({1.0f, 1.0f, 0.05f}),
+            R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},"extensions":{"KHR_materials_unlit":{}}})"),
+        Pose{{0.0, -3.0, -6.0}});
+    SeaShot shot(made);
+    const double pitch = 10.0, cosine = std::cos(glm::radians(pitch));
+    const Lit seen = lit(shot, shot.viewpoint(pose({0.0, -4.5, 0.0}, 0.0, pitch)));
+    for (int c = 0; c < 3; ++c) {
+      const double a = seen.data.water_absorption[c], b = seen.data.water_backscatter[c], u = b / (a + b);
+      const double expected =
+          std::exp(-1.04 * std::sqrt(1.0 + 5.4 * u) * (a + b) * (2.0 / cosine)) / double(seen.light.exposure.x);
+      EXPECT_NEAR(seen.middle()[c], expected, 0.01 * expected) << look.name << " channel " << c;
     }
   }
 }
