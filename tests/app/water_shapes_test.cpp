@@ -34,7 +34,8 @@ TEST(WaterShapes, ABoxedBellFillsAsBoyleHasIt) {
     }
 }
 
-// A round bell, by the volume of a ball's cap, to 1 % of its height. Control seen: half the columns.
+// A round bell, by the volume of a ball's cap, to 1 % of its height. Control seen: the depth of its top in
+// place of the water's.
 TEST(WaterShapes, ARoundBellFillsAsBoyleHasIt) {
   for (const double depth_m : {5.0, 20.0}) {
     SceneShapes shapes;
