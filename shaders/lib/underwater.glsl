@@ -31,7 +31,8 @@ bool ends_in_sky(vec3 pixel_ray, ViewData view) {
 }
 
 // Among them: whether a line of sight that meets nothing shows no water. Where the surface is cut away within shapes or
-// outside of portals, its end alone does not say it. The surface that is drawn is counted from here on (docs/underwater.md).
+// outside of portals, its end alone does not say it. The surface that is drawn is counted from here on
+// (docs/underwater.md).
 bool ends_in_air(vec3 pixel_ray, ViewData view) {
   const vec3 eye = view.eye.xyz, ray = normalize(pixel_ray);
   const LineThrough line = line_through(eye, ray);
