@@ -124,14 +124,20 @@ void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_a
   if (underwater_ && !clear_lens()) wet_lens_.step(*sea_, viewpoint, scene_.settings.render.near_m, time_s, in_air);
 }
 
-// What water on the lenses this frame draws; with underwater().
-void Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const NearPatches& near, EyesIn eyes,
-                             double time_s) {
-  wet_lenses(viewpoint, time_s, eyes == EyesIn::air);
-  if (clear_lens() || !scene_.shapes.portals.empty())
+// What water on the lenses this frame draws, with underwater(); and the patches that near planes pass.
+NearPatches Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side,
+                                    double time_s) {
+  NearPatches near;
+  const bool portals = !scene_.shapes.portals.empty();  // who looks into them stands in a dry place
+  if (side.eyes == EyesIn::either && !portals)
+    near = surface_->near_patches(frame, *ocean_->selection(),
+                                  std::span(side.near).first(std::min(viewpoint.eyes.size(), side.near.size())));
+  wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
+  if (clear_lens() || portals)
     lens_->update(frame, {}, {});
   else
     lens_->update(frame, near, wet_lens_.drops());
+  return near;
 }
 
 void Experience::hide(const HiddenMesh& mesh) {

@@ -25,6 +25,12 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
+// In a scene with portals the sea is drawn where one is in sight.
+const SurfaceSelection& in_sight(const Experience& e, const SurfaceSelection& chosen, EyesIn eyes) {
+  static const SurfaceSelection none;
+  return eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty() ? none : chosen;
+}
+
 }  // namespace
 
 gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height) {
@@ -87,13 +93,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const EyesIn eyes = side.eyes;
   NearPatches near;
-  if (eyes == EyesIn::either)
-    near = e.surface_->near_patches(frame, *selection,
-                                    std::span(side.near).first(std::min(viewpoint.eyes.size(), side.near.size())));
-  if (e.lens_) stages.time("queries", [&] { e.update_lens(frame, viewpoint, near, eyes, time_s); });
-  // In a scene with portals the sea is drawn where one is in sight.
-  static const SurfaceSelection none;
-  if (eyes == EyesIn::air && e.shaped() && !e.scene_.shapes.portals.empty()) selection = &none;
+  if (e.lens_) stages.time("queries", [&] { near = e.update_lens(frame, viewpoint, side, time_s); });
+  selection = &in_sight(e, *selection, eyes);
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.

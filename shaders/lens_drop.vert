@@ -30,5 +30,5 @@ void main() {
   line_of_sight = ahead + drop_place.x * right + drop_place.y * up + radius * (at.x * along + at.y * across);
   gl_Position = int(drop_place.w) != eye_index()
                     ? vec4(0.0, 0.0, -1.0, 1.0)
-                    : clip * vec4(view.eye.xyz + 1.0005 * frame.air.z * line_of_sight, 1.0);
+                    : clip * vec4(view.eye.xyz + 1.00002 * frame.air.z * line_of_sight, 1.0);
 }

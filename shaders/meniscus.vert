@@ -33,5 +33,5 @@ void main() {
   if (water_clip) line_at = end;
   line_of_sight = end - view.eye.xyz + over_line * plate.up;
   // Nearer than all that is drawn, and farther than what hides pixels that no eye sees.
-  gl_Position = view.clip_from_relative * vec4(view.eye.xyz + 1.001 * line_of_sight, 1.0);
+  gl_Position = view.clip_from_relative * vec4(view.eye.xyz + 1.00002 * line_of_sight, 1.0);
 }

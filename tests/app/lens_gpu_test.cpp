@@ -67,7 +67,7 @@ TEST_F(Lens, TheMeniscusStandsOnTheWaterlineAndChangesNoSide) {
       }
       const DrawnMesh mesh(shot, viewpoint);
       const View& eye = viewpoint.eyes[0];
-      const NearMesh near(mesh, {at.x - water.displacement.x, at.y - water.displacement.z}, 0.6);
+      const NearMesh near(mesh, {at.x - water.displacement.x, at.y - water.displacement.z}, 0.4);
       const double near_m = shot.scene().settings.render.near_m,
                    pixel_m = 1.5 * near_m * (eye.fov.up - eye.fov.down) / height;
       // Upwards along the near plane, and how far it rises there; waves lean the water's plane by less than 0.5.

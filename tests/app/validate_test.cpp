@@ -129,7 +129,7 @@ TEST(Validate, AllFilesAreCheckedAndAnyFaultIsExitOne) {
   const std::string errors = testing::internal::GetCapturedStderr();
   EXPECT_THAT(errors, testing::HasSubstr("seascape: " + arguments.files[0] + ":1: not valid JSON"));
   EXPECT_THAT(errors, testing::HasSubstr("seascape: " + arguments.files[1] + ":1: the file holds a list"));
-  EXPECT_THAT(testing::internal::GetCapturedStdout(), testing::HasSubstr("calm.json: a scene with 1 effect\n"));
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), testing::HasSubstr("calm.json: a scene with 2 effects\n"));
   arguments.files.erase(arguments.files.begin(), arguments.files.begin() + 2);
   testing::internal::CaptureStdout();
   EXPECT_EQ(run_validate(arguments), 0);

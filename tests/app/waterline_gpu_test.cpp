@@ -120,7 +120,7 @@ TEST_F(Waterline, IsTheDrawnSurfaces) {
     SCOPED_TRACE(std::string(place.scene) + " " + std::to_string(place.wind_mps));
     const bool of_many = std::string(place.scene) == "waterline";
     if (!long_run() && place.wind_mps != 6.0 && std::string(place.scene) != "lagoon") continue;
-    const int poses = long_run() ? (of_many ? 40 : 110) : 3;
+    const int poses = long_run() ? (of_many ? 40 : 110) : 2;
     const Compared found = compare(place.scene, place.wind_mps, place.about, place.around_m, poses, 1000);
     EXPECT_GE(found.pairs, long_run() ? (of_many ? 34000 : 100000) : 2000);
     EXPECT_GT(found.wrong_if_lower, found.pairs / 300) << "the control";
