@@ -80,7 +80,7 @@ TEST(Program, ValidateTellsEveryFileAndQueryNeedsNoGpu) {
   const std::string scene = content_directory() / "scenes" / "calm.json";
   const ProgramResult validate = run_program({"validate", scene, points}, no_gpu);
   EXPECT_EQ(validate.exit_code, 1);
-  EXPECT_THAT(validate.out, testing::HasSubstr("calm.json: a scene with 1 effect"));
+  EXPECT_THAT(validate.out, testing::HasSubstr("calm.json: a scene with 2 effects"));
   EXPECT_THAT(validate.err, testing::HasSubstr("the kind '.csv' is not known"));
 }
 

@@ -54,7 +54,8 @@ Set black_water(const std::string& sight_m) {
 
 test::ShotOptions options(const test::FrameLook& look, const Set& set, const SceneShapes& shapes) {
   test::ShotOptions options = test::solid_options(look, {}, width, height, with(test::flat_water, set));
-  options.set.insert(options.set.end(), {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"water.adaptation", "0"}});
+  options.set.insert(options.set.end(),
+                     {{"waves.resolution", "32"}, {"waves.cascades", "2"}, {"water.adaptation", "0"}});
   options.effects = {{"waves", "models", "underwater", "portals"}};
   options.shapes = shapes;
   return options;
