@@ -265,7 +265,7 @@ TEST_F(ComfortDrawn, ItsSettingsBuildNothing) {
     shot.set(std::string(row.key), test::another(shot.scene().settings, row));
     EXPECT_EQ(shot.experience().builds(), builds) << row.key;
   }
-  EXPECT_EQ(rows, 14);
+  EXPECT_EQ(rows, 15);
   EXPECT_EQ(test::device().objects_made(), objects);
 }
 

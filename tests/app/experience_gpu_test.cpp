@@ -122,7 +122,10 @@ TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
                              .preset = preset,
                              .width = 48,
                              .height = 32,
-                             .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}}};
+                             .set = {{"waves.resolution", "32"}, {"lod.patch_quads", "16"}},
+                             .effects = scene == std::string("storm")
+                                            ? std::vector<std::string>{"waves", "foam", "spray"}
+                                            : std::vector<std::string>{"waves"}};  // eyes that may be wet cost more
       FrameCounts counts[3];
       std::size_t patches[3];
       for (int kind = 0; kind < 3; ++kind) {

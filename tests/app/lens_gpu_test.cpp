@@ -133,8 +133,8 @@ TEST_F(Lens, TheMeniscusMirrorsAndRisesAsHighAsItDoes) {
 }
 
 // Out of the water: drops for some seconds, on both lenses, each its own; a later start sees
-// the same picture to the bit; a clear lens has none, and later nothing is drawn. Controls: the left eye's
-// drops drawn for both; drops that are listed for a clear lens.
+// the same picture to the bit; a clear lens has none, and later nothing is drawn. Control: the left eye's
+// drops drawn for both.
 TEST_F(Lens, DropsRunOffForSomeSeconds) {
   for (const test::FrameLook& look : {test::frame_looks[0], test::frame_looks[3]}) {
     SCOPED_TRACE(look.name);

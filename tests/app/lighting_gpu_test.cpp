@@ -25,7 +25,8 @@ test::ShotOptions options(const std::string& scene, const std::string& lighting)
           .height = 108,
           .views = 2,
           .set = {{"msaa", "1"},
-                  {"waves.where", "cpu"},  // whose waves say where eyes are in the air
+                  {"waves.where", "cpu"},     // whose waves say where eyes are in the air
+                  {"water.adaptation", "0"},  // light is compared as it is
                   {"frame.lighting", lighting},
                   {"frame.facing_only", lighting == "deferred" ? "true" : "false"}}};
 }

@@ -62,10 +62,10 @@ class PanelUnderTheMouse : public testing::Test {
     for (int i = 0; i < 2; ++i) told(frame(x + by * float(i), y, true), true);
     for (int i = 0; i < 2; ++i) told(frame(x + by, y, false), false);
   }
-  // Drags and clicks at each row of a column (23 pixels, of which 4 lie between); a list that opens is asked for
+  // Drags and clicks at each place of a column, `step` pixels apart; a list that opens is asked for
   // several of its items, and closed.
-  void try_column(float x, float by, float lowest, const Told& told) {
-    for (float y = 5.0f; y < lowest; y += 17.0f)
+  void try_column(float x, float by, float lowest, const Told& told, float step = 9.0f) {
+    for (float y = 5.0f; y < lowest; y += step)
       for (const float item : {20.0f, 34.0f, 60.0f}) {
         open_all();  // a click on a header closes its group
         drag(x, y, by, told);
@@ -96,10 +96,10 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
       EXPECT_FALSE(down && !row.rebuild.empty()) << row.key;
     }
   };
-  constexpr float lowest = 6000.0f;
-  try_column(290.0f, 40.0f, lowest, told);  // sliders
-  try_column(200.0f, 0.0f, lowest, told);   // boxes and lists
-  try_column(373.0f, 0.0f, lowest, told);   // the steps beside a number that is typed
+  constexpr float lowest = 6000.0f, step = 17.0f;  // a row is 19 pixels high
+  try_column(290.0f, 40.0f, lowest, told, step);   // sliders
+  try_column(200.0f, 0.0f, lowest, told, step);    // boxes and lists
+  try_column(373.0f, 0.0f, lowest, told, step);    // the steps beside a number that is typed
   for (const Setting& row : settings_table())
     EXPECT_TRUE(changed.count(std::string(row.key)) || std::holds_alternative<TextMember>(row.member))
         << row.key;  // what is typed

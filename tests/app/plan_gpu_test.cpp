@@ -184,9 +184,9 @@ TEST_F(PlanOfADevice, FoamIsWordsOfTheSurfaceOnlyWhereAScenesNamesIt) {
     std::vector<std::string> names;
     for (const PlanEffect& effect : plan.effects) names.push_back(effect.name);
     if (std::string(scene) == "calm") {
-      EXPECT_THAT(names, testing::ElementsAre("waves", "surface", "sky", "frame"));
+      EXPECT_THAT(names, testing::ElementsAre("waves", "underwater", "surface", "sky", "frame"));
     } else {
-      EXPECT_THAT(names, testing::ElementsAre("waves", "foam", "spray", "surface", "sky", "frame"));
+      EXPECT_THAT(names, testing::ElementsAre("waves", "foam", "spray", "underwater", "surface", "sky", "frame"));
       ASSERT_EQ(named(plan, "foam").modules.size(), 1u);
       EXPECT_EQ(named(plan, "foam").modules[0].words, words["storm"] - words["calm"]);
     }
