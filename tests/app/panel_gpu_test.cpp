@@ -122,7 +122,7 @@ TEST_F(PanelUnderTheMouse, HasButtonsAndLists) {
   EXPECT_TRUE(recorded);
   EXPECT_TRUE(preset);
   EXPECT_TRUE(travel);
-  for (float y = 5.0f; y < 220.0f && !scrubbed; y += 9.0f)
+  for (float y = 5.0f; y < 400.0f && !scrubbed; y += 5.0f)
     drag(120.0f, y, 60.0f, [&](const PanelWish& wish, bool) { scrubbed |= wish.sea_time_s.has_value(); });
   EXPECT_TRUE(scrubbed);
 }
