@@ -93,7 +93,7 @@ TEST_F(Underwater, CostsTheDryNothing) {
 }
 
 // In still water at 2 m the picture is brighter by what the exposure gains, and in the air the same to the bit. Control
-// seen: the depth below the still sea taken for that below the eye, of either sign.
+// seen: the depth with its sign turned.
 TEST_F(Underwater, TheExposureFollowsTheEye) {
   for (const test::FrameLook& look : {test::frame_looks[2], test::frame_looks[3]}) {
     SeaShot plain(options(look, test::flat_water)),
