@@ -10,7 +10,6 @@
 #include "app/place_inputs.h"
 #include "app/sea_remarks.h"
 #include "app/sea_spec.h"
-#include "app/water_shapes.h"
 #include "engine/multiview_check.h"
 #include "ocean/effects.h"
 
@@ -328,12 +327,6 @@ const Image* Experience::kept_depth() const {
   if (deferred()) return surface_->depths();
   const RenderTarget& drawn = in_tile() ? picture_ : lit_;
   return drawn.spec().keep_depth ? drawn.depth() : nullptr;
-}
-
-bool Experience::in_air_pocket(const glm::dvec3& at_m) const {
-  if (!calls_for(scene_.effects, "portals")) return false;
-  const SeaView felt = sea_->view_at(sea_->time_s(), SeaDetail::felt);
-  return seascape::in_air_pocket(scene_.shapes, scene_.objects, at_m, &felt);
 }
 
 // Everything is drawn into the upper left part of what there is room for.

@@ -125,8 +125,6 @@ class Experience {
   bool underwater() const { return underwater_; }
   // Whether the water has pockets of air in it or is seen through portals.
   bool shaped() const { return shaped_; }
-  // Whether a place of the world (m) is in a pocket of air, at the sea's time.
-  bool in_air_pocket(const glm::dvec3& at_m) const;
 
  private:
   friend void draw_frame(Experience&, Frame&, const Viewpoint&, double time_s);

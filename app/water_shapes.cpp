@@ -101,12 +101,6 @@ gpu::WaterShapes placed_shapes(const SceneShapes& shapes, const SceneObjects& ob
   return all;
 }
 
-bool in_air_pocket(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& at_m, const SeaView* sea) {
-  if (shapes.air.empty()) return false;
-  const gpu::WaterShapes placed = placed_shapes(shapes, objects, at_m, sea);
-  return WaterLines{placed, int(shapes.air.size())}.in_air(glm::dvec3(0.0));
-}
-
 bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
                   const Viewpoint& viewpoint) {
   for (const View& eye : viewpoint.eyes) {

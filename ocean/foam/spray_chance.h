@@ -6,27 +6,24 @@
 #include <numbers>
 
 #include "ocean/foam/spray.h"
+#include "ocean/waves/split_mix.h"
 
 namespace seascape {
 
-// Numbers of a place and a step of their own (SplitMix64: Steele, Lea and Flood 2014).
+// Numbers of a place and a step of their own.
 class Spray::Chance {
  public:
   explicit Chance(std::uint64_t key) : key_(key) {}
-  Chance of(std::int64_t part) const { return Chance(mixed(key_ ^ mixed(std::uint64_t(part) + golden))); }
-  double next() { return double(mixed(key_ += golden) >> 11) * 0x1p-53; }  // in [0, 1)
+  Chance of(std::int64_t part) const {
+    return Chance(split_mix(key_ ^ split_mix(std::uint64_t(part) + split_mix_step)));
+  }
+  double next() { return share_of(split_mix(key_ += split_mix_step)); }  // in [0, 1)
   double normal() {
     const double r = std::sqrt(-2.0 * std::log(1.0 - next()));
     return r * std::cos(2.0 * std::numbers::pi * next());
   }
 
  private:
-  static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
   std::uint64_t key_;
 };
 

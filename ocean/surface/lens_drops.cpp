@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "ocean/waves/split_mix.h"
+
 namespace seascape {
 
 namespace {
@@ -12,20 +14,14 @@ constexpr double longest_step_s = 1.0;
 constexpr double dries = 0.3;        // share of its life in which a drop fades
 constexpr double leaves_run = 0.25;  // tangent by which it has run when it has lost a third of its radius
 
-// Even numbers from 0 to 1 (SplitMix64: Steele, Lea and Flood 2014).
+// Even numbers from 0 to 1.
 class Chance {
  public:
-  Chance(std::uint64_t a, std::uint64_t b) : key_(mixed(a) ^ mixed(b + golden)) {}
-  double next() { return double(mixed(key_ += golden) >> 11) * 0x1p-53; }
+  Chance(std::uint64_t a, std::uint64_t b) : key_(split_mix(a) ^ split_mix(b + split_mix_step)) {}
+  double next() { return share_of(split_mix(key_ += split_mix_step)); }
   double next(double least, double most) { return least + (most - least) * next(); }
 
  private:
-  static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
   std::uint64_t key_;
 };
 

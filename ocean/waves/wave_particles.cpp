@@ -13,6 +13,7 @@
 #include "engine/error.h"
 #include "engine/text.h"
 #include "ocean/waves/particle_sums.h"
+#include "ocean/waves/split_mix.h"
 #include "ocean/waves/wave_field.h"
 #include "shaders/shared/wave_particles.h"
 
@@ -32,16 +33,11 @@ void require(double value, double least, double most, const std::string& name) {
                 "give a value in that range");
 }
 
-// Uniform in [0, 1), by counter (Stafford 2011, variant 13).
+// Uniform in [0, 1), by counter.
 double uniform(std::uint32_t seed, int particle, int which) {
-  std::uint64_t v =
-      (std::uint64_t(seed) << 32 | std::uint64_t(which) << 24 | std::uint64_t(particle)) + 0x9e3779b97f4a7c15u;
-  for (int i = 0; i < 2; ++i) {
-    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
-    v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
-    v = (v ^ (v >> 31)) + 0x9e3779b97f4a7c15u;
-  }
-  return double(v >> 11) * 0x1p-53;
+  std::uint64_t v = (std::uint64_t(seed) << 32 | std::uint64_t(which) << 24 | std::uint64_t(particle)) + split_mix_step;
+  for (int i = 0; i < 2; ++i) v = split_mix(v) + split_mix_step;
+  return share_of(v);
 }
 
 // Turns a tick times 2^64 of a particle that runs `tiles_per_s` tiles a second; of whole tiles in a loop.

@@ -29,7 +29,7 @@ PlacedShape ball(double radius_m, const glm::dvec3& at_m) {
 }
 
 // The side of a pocket between the eyes, and a volume whose side is: each eye decides for itself. Control seen: the
-// first eye's place for both in the line of sight.
+// first eye's place for both in the line of sight through open water.
 TEST_F(WaterShapesStereo, OnePassEqualsEachEyeAndMono) {
   for (const test::FrameLook& look : {test::frame_looks[0], test::frame_looks[1]})
     for (const bool portals : {false, true}) {
