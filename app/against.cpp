@@ -185,6 +185,11 @@ std::vector<CaptureRun> parse_capture_csv(std::string_view text, const std::stri
       if (!ours || std::none_of(cells.begin() + fixed_columns, cells.end(),
                                 [](const std::string& cell) { return cell.starts_with("cpu_"); }))
         throw Error(place, "has not the columns of a capture", remedy);
+      if (std::find(cells.begin(), cells.end(), kept_columns.back()) != cells.end())
+        throw Error(
+            place,
+            "holds runs whose quality was lowered to hold a frame rate: their times tell nothing of the program's",
+            "capture without --set adaptive.use=on");
       for (std::size_t i = fixed_columns; i < cells.size(); ++i)
         if (!(cells[i].starts_with("gpu_") || cells[i].starts_with("cpu_")) || !cells[i].ends_with("_ms") ||
             cells[i].size() < 8)

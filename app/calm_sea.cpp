@@ -14,6 +14,8 @@ Scene calm_sea(const Scene& awaited, DeviceClass device) {
   own.comfort = awaited.settings.comfort;
   own.headset = awaited.settings.headset;
   own.mirror = awaited.settings.mirror;
+  own.adaptive_use = awaited.settings.adaptive_use;
+  own.adaptive = awaited.settings.adaptive;
   own.render.near_m = awaited.settings.render.near_m;
   own.render.stereo = awaited.settings.render.stereo;
   own.sea.wind_speed_mps = 2.0;

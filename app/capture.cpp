@@ -8,14 +8,20 @@
 #include <memory>
 #include <optional>
 
+#include <spdlog/spdlog.h>
+
+#include "app/adaptive/rate_keeper.h"
 #include "app/against.h"
 #include "app/boats/path_on_body.h"
 #include "app/commands.h"
 #include "app/frame.h"
+#include "app/lab/lab_report.h"
+#include "app/measured_display.h"
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/quality.h"
 #include "app/report.h"
+#include "app/report_plots.h"
 #include "app/sea_time.h"
 #include "app/statistics.h"
 #include "app/trace.h"
@@ -23,7 +29,6 @@
 #include "engine/files.h"
 #include "engine/output_folder.h"
 #include "engine/text.h"
-#include "platform/window.h"
 
 namespace seascape {
 
@@ -31,7 +36,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* partial_csv = "capture.partial.csv";
+constexpr const char *partial_csv = "capture.partial.csv", *quality_svg = "quality.svg";
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -72,31 +77,71 @@ std::vector<MemoryUse> memory_of(const Device& device) {
   return uses;
 }
 
-// Without a screen by default: a window shows every frame and may hold the loop to the screen's rate.
-std::unique_ptr<Display> make_display(const HeadlessOptions& options, WindowSystem* windows, Device& device) {
-  if (!windows) return std::make_unique<Headless>(options);
-  WindowOptions shown;
-  shown.title = "Seascape: capture";
-  shown.width = options.width;
-  shown.height = options.height;
-  shown.views = options.views;
-  auto window = std::make_unique<Window>(*windows, device, shown);
-  window->set_lens(options.vertical_fov_deg, options.eye_distance_m);
-  return window;
-}
+// Holds the frame rate where it is asked to, and keeps what it did.
+class Keeping {
+ public:
+  // Throws Error where there is no rate to hold.
+  Keeping(const Settings& settings, Experience& experience, Display& display)
+      : settings_(settings.adaptive),
+        experience_(experience),
+        display_(display),
+        scale_(display.tracks_head() ? settings.headset.scale : 1.0) {
+    settings_.on = settings.adaptive_use == AdaptiveUse::on;
+    keeper_.emplace(live_levers({experience.solids() != nullptr, experience.spray() != nullptr}));
+    if (settings_.on && settings_.target_hz == 0.0 && std::string_view(display.name()) == "headless")
+      throw Error("adaptive.use", "a display without a screen has no rate to hold",
+                  "add --set adaptive.target_hz=72, or take --display window or simulated");
+  }
+  bool on() const { return settings_.on; }
+  // Before display_.begin().
+  void choose() {
+    const Frame& frame = experience_.frame();
+    KnownOfFrames known;
+    known.period_ms = period_ms_;
+    known.timed_frame = frame.timed_frame();
+    known.gpu_ms = frame.gpu_ms();
+    const Decision& decision = keeper_->decide(known, settings_);
+    if (decision.moved()) spdlog::debug("{}", decision_text(decision, keeper_->controller().levers()));
+    display_.set_scale(scale_ * keeper_->quality().scale);
+    experience_.draw_at(keeper_->quality());
+  }
+  void begun(const DisplayFrame& shown) { period_ms_ = 1000.0 * shown.period_s; }
+  void drawn(double cpu_ms, double end_ms) {
+    keeper_->drawn(experience_.frame().number(), cpu_ms, end_ms, experience_.under_water());
+  }
+  // What a frame may take, ms.
+  double period_ms() const { return settings_.target_hz > 0.0 ? 1000.0 / settings_.target_hz : period_ms_; }
+  void keep(CaptureFrame& now) const {
+    const Decision& d = keeper_->last();
+    now.picture_scale = keeper_->quality().scale;
+    now.quality = d.quality;
+    now.decision = name_of(d.reason);
+    if (d.moved()) now.decision += ": " + moves_text(keeper_->controller().levers(), d.before, d.levels);
+  }
 
-// Into `result`, which holds what was measured so far where this throws. `windows`: null to measure without a screen.
-void measure(const Arguments& arguments, Program& program, WindowSystem* windows, Measured& result) {
+ private:
+  AdaptiveSettings settings_;
+  Experience& experience_;
+  Display& display_;
+  double scale_, period_ms_ = 0.0;
+  std::optional<RateKeeper> keeper_;
+};
+
+// Into `result`, which holds what was measured so far where this throws.
+void measure(const Arguments& arguments, Program& program, MeasuredDisplay& displays, Measured& result) {
   Device& device = *program.device;
   const RenderSettings& render = program.scene.settings.render;
   const CameraPath path = path_from(arguments, program.scene);
   validate_rider(path, program.scene);
   const HeadlessOptions options = headless_options(arguments, render);
-  const std::unique_ptr<Display> display = make_display(options, windows, device);
+  const std::unique_ptr<Display> display =
+      displays.make(device, options, program.scene.settings, {arguments.width, arguments.height});
   const bool per_eye = draw_per_eye(device, program.shaders, render.stereo, options.views);
-  Experience experience(device, program.shaders, program.scene,
-                        {options.width, options.height, options.views, per_eye, false});
+  ExperienceOptions made{options.width, options.height, options.views, per_eye, false};
+  suit_display(made, *display);
+  Experience experience(device, program.shaders, program.scene, made);
   Frame& frame = experience.frame();
+  Keeping keeping(program.scene.settings, experience, *display);
 
   CaptureRun& run = result.run;
   run.scene = program.scene.name;
@@ -120,7 +165,9 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
     const bool measured = number >= 0 && number < count;
     const PathSample sample = path.at(path_time_s);
     const auto interval = Clock::now();
+    keeping.choose();
     const DisplayFrame shown = display->begin();
+    keeping.begun(shown);
     if (shown.closed)
       throw Error("--display window", fmt::format("the window was closed at frame {} of {}", i, all),
                   "let it be, or measure headless");
@@ -129,15 +176,19 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
       progress.step(std::size_t(i));
       continue;
     }
-    experience.resize(shown.width, shown.height);
+    experience.resize(shown.width, shown.height, display->most_size());
+    experience.draw_into(shown.lent);
+    if (shown.lent) experience.choose(shown.colour, shown.depth);
     frame.begin();  // waits for the slot; its frame's times are there now
     const auto cpu = Clock::now();
     const double time_s = sea_time_s(program.scene.settings, sample.scene_time_s + before_s);
     const Pose pose = pose_in_world(experience, path, sample, time_s, viewer_m);
     viewer_m = pose.position_m;
-    draw_frame(experience, frame, display->viewpoint(pose), time_s);
-    display->end(frame, &experience.picture());
+    draw_frame(experience, frame, display->viewpoint(carrier_for(*display, pose)), time_s);
+    const double recorded_ms = ms_since(cpu);
+    display->end(frame, &experience.picture(), experience.shown_depth());
     const double cpu_ms = ms_since(cpu);
+    keeping.drawn(recorded_ms, cpu_ms - recorded_ms);
     if (arguments.repeat > 1) device.wait_idle();
 
     if (measured) {
@@ -148,6 +199,7 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
       now.cpu_ms = cpu_ms;
       add_times(frame.stages().times(), run.stage_names, now.stage_ms);
       now.gpu_ms = std::numeric_limits<double>::quiet_NaN();  // until it is read, and on a device that cannot tell
+      if (keeping.on()) keeping.keep(now);
       now.draws = frame.counts().draws;
       now.triangles = frame.counts().triangles;
       now.dispatches = frame.counts().dispatches;
@@ -165,8 +217,9 @@ void measure(const Arguments& arguments, Program& program, WindowSystem* windows
     one.pass_ms.resize(run.pass_names.size(), 0.0);
     one.stage_ms.resize(run.stage_names.size(), 0.0);
   }
-  run.width = int(experience.options().width);
-  run.height = int(experience.options().height);
+  run.width = int(std::max(experience.options().width, keeping.on() ? display->most_size().x : 0));
+  run.height = int(std::max(experience.options().height, keeping.on() ? display->most_size().y : 0));
+  run.kept_ms = keeping.on() ? keeping.period_ms() : 0.0;
   run.memory = memory_of(device);
   expect_no_validation_messages(device);
 }
@@ -202,15 +255,18 @@ void print_table(const std::vector<Measured>& all) {
                s.min, s.median, s.p95, s.p99, s.max, summarise(measured.interval_ms).median);
     for (const int rate : display_rates_hz) fmt::print(" {:>6}", count_missed(times, rate));
     fmt::print("  missed\n");
+    if (measured.run.kept_ms > 0.0) fmt::print("{:<8} {}\n", "", kept_text(measured.run));
   }
 }
 
 }  // namespace
 
 int run_capture(const Arguments& arguments) {
-  if (arguments.display == DisplayKind::headset || arguments.display == DisplayKind::simulated)
-    throw Error(arguments.display == DisplayKind::headset ? "--display headset" : "--display simulated",
-                "capture measures in a window or without a display", "take --display window or headless");
+  if (arguments.display == DisplayKind::headset)
+    throw Error("--display headset", "a headset's runtime shares the device, and its time is not ours to measure",
+                "take --display simulated, window or headless");
+  if (arguments.display == DisplayKind::simulated && arguments.views == 1)
+    throw Error("--views", "a headset has two eyes", "add --views 2, or take --display window or headless", 2);
   std::vector<std::string> presets{arguments.preset};
   if (arguments.preset == "all") presets.assign(preset_names().begin(), preset_names().end());
   const std::filesystem::path out = arguments.out;
@@ -228,19 +284,14 @@ int run_capture(const Arguments& arguments) {
   // Faults in it are told first, and what gives nothing once for all presets.
   tell_remarks(scene_from(arguments, presets.front() == "auto" ? "high" : presets.front()));
 
-  std::optional<WindowSystem> windows;
-  DeviceOptions options = device_options();
-  if (arguments.display == DisplayKind::window) {
-    windows.emplace();
-    options.present = true;
-    options.instance_extensions = windows->instance_extensions();
-  }
   std::vector<Measured> all;
   Machine machine;
   std::optional<OutputFolder> held;
   std::optional<StopLater> while_measured;  // a signal may come while the next preset's scene is made
   try {
     for (const std::string& preset : presets) {
+      DeviceOptions options = device_options();
+      MeasuredDisplay displays(arguments.display, options);
       Program program = make_program(arguments, preset, options);
       if (all.empty()) {  // every fault that can be known is told before the long work
         (void)path_from(arguments, program.scene);
@@ -248,8 +299,7 @@ int run_capture(const Arguments& arguments) {
         while_measured.emplace();
         machine = machine_of(program.device->facts(), program.scene.settings.sea.seed);
       }
-      for (int n = 0; n < arguments.repeat; ++n)
-        measure(arguments, program, windows ? &*windows : nullptr, all.emplace_back());
+      for (int n = 0; n < arguments.repeat; ++n) measure(arguments, program, displays, all.emplace_back());
     }
   } catch (const Error& fault) {
     if (all.empty()) throw;
@@ -261,6 +311,9 @@ int run_capture(const Arguments& arguments) {
   write_trace(out / "trace.json", runs);
   write_report(out / "report.html", machine, runs);
   std::error_code ignored;
+  std::filesystem::remove(out / quality_svg, ignored);  // of an earlier run
+  if (const std::string svg = kept_svg(runs.front()); !svg.empty())
+    write_atomically(out / quality_svg, standalone_svg(svg));
   std::filesystem::remove(out / partial_csv, ignored);  // of an earlier run
   print_table(all);
   // Both as files hold them.

@@ -71,6 +71,11 @@ Experience::Experience(Device& device, ShaderLibrary& shaders, const Scene& scen
   told_ = remarks_of(scene_);  // by who read the scene
 }
 
+bool Experience::under_water() const {
+  return std::any_of(eyes_depth_m_.begin(), eyes_depth_m_.end(),
+                     [](const std::optional<double>& depth_m) { return depth_m && *depth_m > 0.0; });
+}
+
 Experience::~Experience() {
   if (before_build_) before_build_();
 }
@@ -116,27 +121,6 @@ void Experience::show_aim(const std::optional<ShownAim>& aim) {
 void Experience::show_comfort(const ComfortShown& shown) {
   assert(options_.comfort);
   comfort_shown_ = shown;
-}
-
-void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_air) {
-  if (!scene_.shapes.portals.empty()) return;  // who looks into them stands in a dry place
-  if (underwater_ && !clear_lens()) wet_lens_.step(*sea_, viewpoint, scene_.settings.render.near_m, time_s, in_air);
-}
-
-// What water on the lenses this frame draws, with underwater(); and the patches that near planes pass.
-NearPatches Experience::update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side,
-                                    double time_s) {
-  NearPatches near;
-  const bool portals = !scene_.shapes.portals.empty();  // who looks into them stands in a dry place
-  if (side.eyes == EyesIn::either && !portals)
-    near = surface_->near_patches(frame, *ocean_->selection(),
-                                  std::span(side.near).first(std::min(viewpoint.eyes.size(), side.near.size())));
-  wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
-  if (clear_lens() || portals)
-    lens_->update(frame, {}, {});
-  else
-    lens_->update(frame, near, wet_lens_.drops());
-  return near;
 }
 
 void Experience::hide(const HiddenMesh& mesh) {
@@ -213,6 +197,10 @@ void Experience::build() {
   if (ocean_->spray())
     spray_ = std::make_unique<DrawnSpray>(device_, shaders_, drawn, light, s.spray.most,
                                           SprayLook{tile, surface_->depths()});
+  bubbles_.reset();
+  eyes_depth_m_ = {};
+  const BubbleLook bubbles{tile, surface_->depths(), surface_->sides()};
+  if (underwater()) bubbles_ = std::make_unique<DrawnBubbles>(device_, shaders_, drawn, light, bubbles);
   if (look.underwater) lens_ = std::make_unique<DrawnLens>(device_, shaders_, drawn, *surface_, tile);
   hands_.reset();
   if (options_.hands) hands_ = std::make_unique<DrawnHands>(device_, shaders_, drawn, light, tile, surface_->depths());
@@ -340,6 +328,7 @@ void Experience::set_area() {
 void Experience::take_targets() {
   surface_->resize(in_tile() ? picture_ : lit_);
   if (spray_) spray_->resize(surface_->depths());
+  if (bubbles_) bubbles_->resize(surface_->depths(), surface_->sides());
   if (solids_) solids_->resize(surface_->depths());
   if (hands_) hands_->resize(surface_->depths());
   if (lens_) lens_->resize();
@@ -348,11 +337,16 @@ void Experience::take_targets() {
   set_area();
 }
 
-void Experience::resize(std::uint32_t width, std::uint32_t height) {
-  if (width == options_.width && height == options_.height) return;
+void Experience::resize(std::uint32_t width, std::uint32_t height, const glm::uvec2& room) {
+  const bool other_room = room.x > 0 && room.y > 0 && room != glm::uvec2(options_.most_width, options_.most_height);
+  if (other_room) {
+    options_.most_width = room.x;
+    options_.most_height = room.y;
+  }
+  if (!other_room && width == options_.width && height == options_.height) return;
   options_.width = width;
   options_.height = height;
-  if (width <= options_.most_width && height <= options_.most_height) {
+  if (!other_room && width <= options_.most_width && height <= options_.most_height) {
     set_area();
     return;
   }

@@ -7,6 +7,7 @@
 #include "app/boats/scene_bodies.h"
 #include "app/comfort_overlay.h"
 #include "app/drawn_hands.h"
+#include "app/drawn_quality.h"
 #include "app/hidden_area.h"
 #include "app/scene.h"
 #include "app/shown_depth.h"
@@ -15,6 +16,8 @@
 #include "app/solids/sun_map.h"
 #include "app/wet_lens.h"
 #include "ocean/ocean.h"
+#include "ocean/surface/breath.h"
+#include "ocean/surface/drawn_bubbles.h"
 #include "ocean/surface/drawn_lens.h"
 #include "ocean/surface/drawn_spray.h"
 
@@ -44,8 +47,11 @@ class Experience {
              std::shared_ptr<Sea> sea = nullptr);
   ~Experience();
 
-  // Other picture size: new targets where there is no room (ExperienceOptions::most_width), the same pipelines.
-  void resize(std::uint32_t width, std::uint32_t height);
+  // Other picture size: new targets where there is no room (ExperienceOptions::most_width), the same pipelines. `room`:
+  // another most size from now on; 0: as before.
+  void resize(std::uint32_t width, std::uint32_t height, const glm::uvec2& room = {0, 0});
+  // How the frames from now on are drawn, the picture's scale apart. Makes nothing, and outlives a rebuild.
+  void draw_at(const DrawnQuality& quality) { quality_ = quality; }
   // From now on the picture is drawn into these images, of options().colour and of the room's size or larger; null: its
   // own. They outlive it, or the next call. Makes nothing where it has them already.
   void draw_into(std::shared_ptr<const LentImages> lent);
@@ -85,6 +91,22 @@ class Experience {
   // views and at this time of the sea. Frames that are drawn call it themselves; `in_air`: surely no eye is in the
   // water.
   void wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_air = false);
+
+  // The fist that may hold the dive light in the frames from now on, in the world; nothing: no hand is tracked.
+  void hold_lamp(const std::optional<Pose>& hand) { lamp_hand_ = hand; }
+  const std::optional<Pose>& lamp_hand() const { return lamp_hand_; }
+
+  // Where the eyes of the frame drawn last are: metres below the water; nothing: in the air for sure, or where there is
+  // no water.
+  std::span<const std::optional<double>> eyes_depth_m() const { return eyes_depth_m_; }
+  bool under_water() const;  // any of them
+
+  // Has a diver's bubbles go on to a time with his head there, as each frame does: for frames that nobody draws. Does
+  // nothing without the effect underwater.
+  void breathe(double time_s, const Pose& head);
+  const Breath& breath() const { return breath_; }
+  // Null without the effect underwater.
+  const DrawnBubbles* bubbles() const { return bubbles_.get(); }
 
   // What no eye sees of the frames from now on: it is left black and unlit. With options().hidden; makes nothing.
   void hide(const HiddenMesh& mesh);
@@ -136,7 +158,7 @@ class Experience {
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
-  NearPatches update_lens(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
+  NearPatches update_head(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
   void draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void set_area();
   // The viewer wishes no water on his lenses.
@@ -157,6 +179,7 @@ class Experience {
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Surface> surface_;
   std::unique_ptr<DrawnSpray> spray_;
+  std::unique_ptr<DrawnBubbles> bubbles_;
   std::unique_ptr<DrawnLens> lens_;
   WetLens wet_lens_;
   std::unique_ptr<LoadedModels> loaded_models_;  // kept while other objects are built anew
@@ -169,7 +192,11 @@ class Experience {
   HiddenMesh hidden_mesh_;
   std::vector<ShownHand> shown_hands_;
   std::optional<ShownAim> shown_aim_;
+  std::optional<Pose> lamp_hand_;
+  std::array<std::optional<double>, 2> eyes_depth_m_;
+  Breath breath_;
   ComfortShown comfort_shown_;
+  DrawnQuality quality_;
   RenderTarget picture_, lit_;  // lit_: the desktop frame's HDR picture
   std::shared_ptr<const LentImages> lent_;
   std::unique_ptr<ShownDepth> shown_depth_;  // where no pass draws into the depth that is shown

@@ -8,6 +8,8 @@ void Experience::make_sky(const RenderTarget& drawn, const SurfaceLook& look) {
   sky_pipeline_ = {};
   sky_over_water_ = {};
   sky_underwater_ = {};
+  sky_over_water_bindings_ = {};
+  sky_underwater_bindings_ = {};
   if (look.deferred) return;
   GraphicsSpec spec;
   spec.vertex = "sky.vert";
@@ -32,6 +34,7 @@ void Experience::make_sky(const RenderTarget& drawn, const SurfaceLook& look) {
   make("underwater", sky_over_water_, sky_over_water_bindings_);
   spec.stencil = Stencil::in_water;
   spec.values.push_back({gpu::value_underwater, 1});
+  spec.values.push_back({gpu::value_lamp, 1});
   look.shapes.add_to(spec.values);
   make("underwater", sky_underwater_, sky_underwater_bindings_);
 }

@@ -20,10 +20,10 @@ struct CameraWish {
   std::optional<Pose> head;
   std::optional<double> ridden_m;  // the height that carries who rides the waves; nothing: the water's
   double faster_notches = 0;       // of the wheel: each changes the speed by a fifth
-  // A swimmer's eyes are just above the water, and move as far as this along the sea in this time (x, z). Nothing:
-  // one travels, or climbs back to how one travelled.
+  // A swimmer's eyes are just above the water, and move as far as this along the sea in this time, until he dives;
+  // under water they move up and down too. Nothing: one travels, or climbs back to how one travelled.
   struct Swum {
-    glm::dvec2 moved_m{0.0}, velocity_mps{0.0};
+    glm::dvec3 moved_m{0.0}, velocity_mps{0.0};
   };
   std::optional<Swum> swum;
   // Who flies may dive, and comes no lower than this (m). Nothing: no eye comes into the water.
@@ -35,9 +35,11 @@ class ExploreCamera {
  public:
   static constexpr double deck_height_m = 1.7;   // a person's eyes over the still sea
   static constexpr double ride_height_m = 1.2;   // over the water that carries
-  static constexpr double swim_height_m = 0.25;  // a swimmer's, when he began; he may raise his head and lower it
+  static constexpr double swim_height_m = 0.15;  // a swimmer's, when he began; he may raise his head and lower it
   static constexpr double clearance_m = 0.3;     // no eye comes closer to the water than this
-  static constexpr double swim_clearance_m = 0.2;
+  static constexpr double swim_clearance_m = 0.1;
+  static constexpr double under_water_mps = 1.5;  // at full push, of who dives; ten times less than in flight
+  static constexpr double dives_mps = 0.8;        // a swimmer, up or down
   static constexpr double largest_pitch_deg = 89.0;
 
   // Starts flying from a pose; its roll is dropped.
@@ -55,6 +57,8 @@ class ExploreCamera {
   // The middle of the floor that a tracked head stands on: deck height below the camera, level.
   Pose carrier() const;
   Travel travel() const { return travel_; }
+  // He swims under water, not at the surface.
+  bool dived() const { return dived_; }
   // The water, or the ground, kept it from coming lower in the last step.
   bool held() const { return held_; }
   double speed_mps() const;                                         // at full push, not fast
@@ -65,6 +69,7 @@ class ExploreCamera {
  private:
   double rest_height(double water_m) const;
   void swim(const CameraWish& wish, double dt_s, double water_m);
+  void swim_under(const CameraWish& wish, double dt_s, double water_m);
   void come_to(double rest_m, double dt_s);
   Travel travel_ = Travel::fly;
   glm::dvec3 position_m_;
@@ -72,7 +77,7 @@ class ExploreCamera {
   double yaw_deg_ = 0.0, pitch_deg_ = 0.0;
   double speed_factor_ = 1.0;
   double height_above_rest_m_ = 0.0;  // not flying: what is left of the height that the change began with
-  bool height_known_ = false, held_ = false;
+  bool height_known_ = false, held_ = false, dived_ = false;
   std::optional<double> swims_head_m_;  // the head's height over the floor as swimming began
   double flown_at_m_ = 0.0;             // before that
   double climb_m_ = 0.0;                // flying: what is left of it to climb

@@ -157,6 +157,16 @@ void Explorer::toggle_comfort() {
   tell(changed.comfort.on ? "comfort: on" : "comfort: off");
 }
 
+void Explorer::toggle_light() {
+  Settings changed = asked();
+  changed.dive_light.on = !changed.dive_light.on;
+  ask(changed);
+  if (!experience_->underwater())
+    tell("there is no dive light here: switch the effect underwater on");
+  else
+    tell(changed.dive_light.on ? "dive light: on" : "dive light: off");
+}
+
 void Explorer::take_screenshot() {
   const int views = display_.views();
   keep("screenshot", "screenshot", views == 1 ? ".png" : "_left.png", [&](const std::filesystem::path& file) {
@@ -194,6 +204,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.width = shown.width;
   facts.height = shown.height;
   facts.scale = display_.scale();
+  facts.quality = keeper_->text();
   facts.views = display_.views();
   facts.travel = camera_.travel();
   facts.speed_mps = camera_.speed_mps();
@@ -242,6 +253,24 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene, program_.preset);
 }
 
+// Before the display begins a frame, for that gives the picture its size. A screenshot is of a whole picture.
+void Explorer::hold_rate() {
+  AdaptiveSettings wished = settings().adaptive;
+  const AdaptiveUse use = settings().adaptive_use;
+  wished.on = use == AdaptiveUse::on || (use == AdaptiveUse::automatic && display_.in_real_time());
+  const Frame& frame = experience_->frame();
+  KnownOfFrames known;
+  known.period_ms = 1000.0 * period_s_;
+  known.interval_ms = was_shown_ ? frame_ms_ : 0.0;
+  known.focused = focused_ && was_shown_;
+  known.timed_frame = frame.timed_frame();
+  known.gpu_ms = frame.gpu_ms();
+  const Decision& decision = keeper_->decide(known, wished);
+  if (decision.moved()) spdlog::debug("{}", decision_text(decision, keeper_->controller().levers()));
+  whole_ = screenshot_wanted_;
+  quality_ = whole_ ? DrawnQuality{} : keeper_->quality();
+}
+
 void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double began_s = seconds();
   if (overlay_) {
@@ -252,7 +281,8 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
     obey(wish);
   }
   display_.set_lens(settings().render.vertical_fov_deg, settings().render.eye_distance_m);
-  experience_->resize(shown.width, shown.height);
+  experience_->resize(shown.width, shown.height, display_.most_size());
+  experience_->draw_at(quality_);
   experience_->draw_into(shown.lent);
   if (shown.lent) experience_->choose(shown.colour, shown.depth);
   Frame& frame = experience_->frame();
@@ -261,18 +291,25 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double ready_s = seconds();
   move(input_, dt_s);
   if (display_.tracks_head()) show_hands(input_);
+  const auto lamp_hand = pointing_hand(input_);
+  experience_->hold_lamp(lamp_hand ? hands(input_)[*lamp_hand] : std::nullopt);
   const Viewpoint viewpoint = display_.viewpoint(carrier());
   if (const HiddenMesh* hidden = display_.hidden()) experience_->hide(*hidden);
   record(input_, viewpoint.viewer);
   draw_frame(*experience_, frame, viewpoint, sea_time_s());
   experience_->go_on();  // settled as it was for the first frame
   tell_of_bodies();
+  tell_of_eyes();
   patches_ = experience_->ocean().selection()->patches.size();
-  const bool keeps = std::exchange(screenshot_wanted_, false);
+  const bool keeps = whole_ && std::exchange(screenshot_wanted_, false);
   if (keeps || (mirror_ && mirror_->wants_copy()))
     copy_.record(frame, experience_->picture());  // for the picture may be gone once the frame is ended
+  const double recorded_s = seconds();
   display_.end(frame, &experience_->picture(), experience_->shown_depth());
-  cpu_ms_ = 1000.0 * (seconds() - ready_s + waited_s - began_s);
+  const double ended_s = seconds();
+  cpu_ms_ = 1000.0 * (ended_s - ready_s + waited_s - began_s);
+  const double end_ms = 1000.0 * (ended_s - recorded_s);
+  keeper_->drawn(frame.number(), cpu_ms_ - end_ms, end_ms, experience_->under_water(), whole_);
   if (keeps) take_screenshot();
   if (mirror_) show_desk(shown, dt_s);
 }
@@ -301,6 +338,7 @@ void Explorer::step(const DisplayFrame& shown) {
     dropped_ += std::uint64_t(std::lround(passed_s / shown.period_s)) - 1;
   frame_ms_ = 1000.0 * passed_s;
   period_s_ = shown.period_s;
+  focused_ = shown.focused;
   now_s_ += dt_s;
   if (!paused_) {
     if (settings().follow_clock)
@@ -315,6 +353,7 @@ void Explorer::step(const DisplayFrame& shown) {
 bool Explorer::frame() {
   if (leaving_ || (arguments_.frames > 0 && drawn_ >= arguments_.frames)) return false;
   make_changes();
+  hold_rate();
   suit_wearer();
   const DisplayFrame shown = display_.begin();
   if (!shown.closed) step(shown);

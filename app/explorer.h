@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "app/adaptive/rate_keeper.h"
 #include "app/boats/crew.h"
 #include "app/comfort.h"
 #include "app/explore_camera.h"
+#include "app/eye_crossings.h"
 #include "app/hands_in_water.h"
 #include "app/mirror.h"
 #include "app/panel.h"
@@ -62,6 +64,8 @@ class Explorer {
   void obey(const Input& input);  // what was pressed
   void look(const Input& input);
   void suit_wearer();  // whom the display is set for
+  void keep_rate();    // of another experience
+  void hold_rate();    // what the next frame is drawn with
   void move(const Input& input, double dt_s);
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
@@ -72,6 +76,7 @@ class Explorer {
   void sail(const Input& input, double dt_s);
   Pose carrier_aboard() const;
   void tell_of_bodies();
+  void tell_of_eyes();
   void record(const Input& input, const Pose& head);
   void show_hands(const Input& input);
   std::array<std::optional<Pose>, 2> hands(const Input& input) const;  // in the world
@@ -105,6 +110,7 @@ class Explorer {
   void scale_time(double factor);
   void next_debug_view();
   void toggle_comfort();
+  void toggle_light();
   void take_screenshot();  // of the copy that the frame made
   void reload_shaders();   // where one has changed on disk
   void toggle_recording();
@@ -132,6 +138,9 @@ class Explorer {
   std::string loading_;               // the scene asked for last
   std::unique_ptr<Overlay> overlay_;  // null: nowhere to show one
   Panel panel_;
+  std::unique_ptr<RateKeeper> keeper_;  // of the experience
+  bool whole_ = false;                  // the frame is drawn as the preset has it, whatever the keeper says
+  DrawnQuality quality_;                // of the frame
   ExploreCamera camera_;
   Crew crew_;
   int holds_ = 0;             // of the bodies, that are told of
@@ -140,6 +149,7 @@ class Explorer {
   Comfort comfort_;
   HandsInWater hands_;
   Swim swim_;
+  EyeCrossings eyes_;  // in and out of the water
   bool swam_ = false;  // in the frame before
   // Of a swimmer in that frame, over the floor: his hands, and where they were from his head one frame earlier; for the
   // head is known once a frame is drawn.
@@ -148,14 +158,16 @@ class Explorer {
     double dt_s = 0.0;
   } strokes_;
   PathRecorder recorder_;
-  Input input_;                 // of this frame: the display's, and what was done at the desk
-  std::vector<Action> wished_;  // in the panel: pressed in the next frame, so that a recording has them
+  bool recording_began_ = false;  // with this frame
+  Input input_;                   // of this frame: the display's, and what was done at the desk
+  std::vector<Action> wished_;    // in the panel: pressed in the next frame, so that a recording has them
   std::vector<std::string> scenes_;
   std::optional<Settings> wanted_;
   std::optional<std::vector<std::string>> wanted_effects_;
   bool at_sea_ = false;  // in the calm that stands for the first scene until it is loaded
   bool paused_ = false, look_by_button_ = false, look_by_key_ = false, button_was_down_ = false;
-  bool told_to_stay_above_ = false;       // the water
+  bool told_to_stay_above_ = false;  // the water
+  bool told_how_to_swim_ = false;
   bool aiming_ = false;                   // a teleport is held
   std::optional<glm::dvec3> aimed_at_m_;  // where it would go
   bool screenshot_wanted_ = false, leaving_ = false;
@@ -170,7 +182,7 @@ class Explorer {
   double frame_ms_ = 0.0, cpu_ms_ = 0.0;
   std::size_t patches_ = 0;
   std::uint64_t dropped_ = 0;
-  bool was_shown_ = false;  // the frame before
+  bool was_shown_ = false, focused_ = true;  // the frame before
   std::string message_;
 };
 

@@ -89,6 +89,14 @@ void Explorer::tell_of_bodies() {
       tell(fmt::format("{}: {}", crew_.name(), name_of(event.kind)));
 }
 
+void Explorer::tell_of_eyes() {
+  eyes_.step(now_s_, experience_->eyes_depth_m().first(std::size_t(display_.views())));
+  for (const EyeEvent& event : eyes_.take_events()) {
+    if (!event.in || std::exchange(told_how_to_swim_, true)) continue;
+    tell("under water: the move keys swim where one looks, E rises, Q dives, N is the light");
+  }
+}
+
 // What a display's head is seen from: the deck below the eyes, or the eyes.
 Pose Explorer::carrier_aboard() const {
   const glm::dquat turned = orientation_from_angles({look_deg_.x, display_.tracks_head() ? 0.0 : look_deg_.y, 0.0});

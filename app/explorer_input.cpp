@@ -50,6 +50,9 @@ void Explorer::obey(const Input& input) {
       case Action::comfort:
         toggle_comfort();
         break;
+      case Action::light:
+        toggle_light();
+        break;
       case Action::recentre:
         display_.recentre();
         break;

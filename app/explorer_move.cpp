@@ -36,7 +36,7 @@ void Explorer::look(const Input& input) {
 
 void Explorer::suit_wearer() {
   const HeadsetSettings& wearer = settings().headset;
-  display_.set_scale(wearer.scale);
+  display_.set_scale((display_.tracks_head() ? wearer.scale : 1.0) * quality_.scale);
   display_.set_rate(wearer.rate_hz);
   display_.set_left_handed(wearer.left_handed);
   display_.set_stature(wearer.seated, wearer.eye_height_m);
@@ -101,13 +101,14 @@ void Explorer::move(const Input& input, double dt_s) {
 }
 
 CameraWish::Swum Explorer::swim(const Input& input, double dt_s) {
-  const glm::dvec3 ahead = heading(head().orientation) * glm::dvec3(0.0, 0.0, -1.0);
+  const bool under = camera_.dived();
+  const glm::dvec3 ahead = (under ? head().orientation : heading(head().orientation)) * glm::dvec3(0.0, 0.0, -1.0);
   if (!swam_) {
-    swim_.begin_anew({camera_.velocity_mps().x, camera_.velocity_mps().z});
+    swim_.begin_anew({camera_.velocity_mps().x, 0.0, camera_.velocity_mps().z});
     strokes_ = {};
   }
   SwimWish wish;
-  wish.ahead = {ahead.x, ahead.z};
+  wish.ahead = ahead;
   const SeaView water = experience_->sea()->view_at(sea_time_s(), SeaDetail::felt);
   const std::optional<Pose> head_then = display_.head();
   const std::array<std::optional<Pose>, 2> at = hands(input);
@@ -122,8 +123,9 @@ CameraWish::Swum Explorer::swim(const Input& input, double dt_s) {
         const glm::dvec3 moves = carrier().orientation * ((*from_head_m - *strokes_.from_head_m[hand]) / strokes_.dt_s);
         const glm::dvec3& place = at[hand]->position_m;
         const double deep_m = water.query({place.x, place.z}, {.footprint_m = 0.1}).height_m - place.y;
-        wish.hands[hand] = SwimHand{
-            {moves.x, moves.z}, HandInWater::section_m2(deep_m) / HandInWater::section_m2(2.0 * HandInWater::radius_m)};
+        wish.hands[hand] =
+            SwimHand{{moves.x, under ? moves.y : 0.0, moves.z},
+                     HandInWater::section_m2(deep_m) / HandInWater::section_m2(2.0 * HandInWater::radius_m)};
       }
     }
     strokes_.from_head_m[hand] = from_head_m;
@@ -158,11 +160,15 @@ void Explorer::record(const Input& input, const Pose& head) {
   if (std::exchange(recording_wanted_, false)) {
     recorder_.start(now_s_, head, scene_time_s(), {rate_hz(period_s_)});
     recording_began_s_ = now_s_;
+    recording_began_ = true;
     tell("path: recording");
   }
   if (!recorder_.recording()) return;
   RecordedInput told;
   told.values = input.values;
+  // A path begins with its scene's light.
+  if (std::exchange(recording_began_, false) && settings().dive_light.on != program_.scene.settings.dive_light.on)
+    told.presses.push_back({0.0, Action::light, 1.0});
   for (const Press& press : input.pressed) told.presses.push_back({0.0, press.action, press.value});
   told.hands = hands(input);
   recorder_.sample(now_s_, head, scene_time_s(), told);

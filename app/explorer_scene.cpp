@@ -3,6 +3,7 @@
 
 #include "app/calm_sea.h"
 #include "app/explorer.h"
+#include "app/measured_display.h"
 #include "app/quality.h"
 #include "engine/error.h"
 
@@ -21,13 +22,9 @@ ExperienceOptions Explorer::options(const Scene& scene) const {
     result.height = experience_->options().height;
   }
   result.per_eye = draw_per_eye(*program_.device, program_.shaders, scene.settings.render.stereo, display_.views());
-  result.colour = display_.colour();
-  result.show_depth = display_.shows_depth();
+  suit_display(result, display_);
   result.seen_elsewhere = desktop_ != nullptr;
-  result.most_width = display_.most_size().x;
-  result.most_height = display_.most_size().y;
   result.comfort = result.hands = display_.tracks_head();
-  result.hidden = display_.hidden() != nullptr;
   return result;
 }
 
@@ -50,9 +47,18 @@ void Explorer::take_experience() {
   experience_->before_build([this] {
     if (mirror_) mirror_->let_go();
   });
+  keep_rate();
   const std::string title = "Seascape: " + program_.scene.title;
   display_.set_title(title);
   if (mirror_) mirror_->set_title(title);
+}
+
+// Levels go on as they were: another scene on the same machine is more like them than like the finest.
+void Explorer::keep_rate() {
+  std::vector<Lever> levers =
+      live_levers({.models = experience_->solids() != nullptr, .spray = experience_->spray() != nullptr});
+  const LeverLevels levels = nearest_levels(levers, quality_);
+  keeper_ = std::make_unique<RateKeeper>(std::move(levers), levels);
 }
 
 void Explorer::apply(const Settings& wanted) {
@@ -91,6 +97,7 @@ void Explorer::make_changes() {
 void Explorer::apply_effects(const std::vector<std::string>& effects) {
   try {
     experience_->apply_effects(effects);
+    keep_rate();
   } catch (const Error& fault) {
     tell_fault(fault.what());
   }
@@ -128,10 +135,12 @@ std::unique_ptr<Experience> Explorer::loaded_scene() {
 }
 
 void Explorer::take(std::unique_ptr<Experience> loaded) {
-  const HeadsetSettings wearer = settings().headset;  // who stays the same
+  const Settings before = settings();  // who stays the same
   experience_ = std::move(loaded);
   Settings theirs = settings();
-  theirs.headset = wearer;
+  theirs.headset = before.headset;
+  theirs.adaptive_use = before.adaptive_use;
+  theirs.adaptive = before.adaptive;
   experience_->apply(theirs);
   wanted_.reset();  // of the scene before
   wanted_effects_.reset();

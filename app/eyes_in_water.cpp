@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/eye_adaptation.h"
+#include "app/lamp.h"
 #include "app/water_shapes.h"
 #include "shaders/shared/fresnel.h"
 
@@ -28,6 +29,9 @@ void find_shapes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint
   }
   const SeaView felt = e.sea()->view_at(e.sea()->time_s(), SeaDetail::felt);
   data.shapes = placed_shapes(scene.shapes, scene.objects, viewpoint.viewer.position_m, &felt);
+  const WaterLines lines{data.shapes, int(scene.shapes.air.size()), int(scene.shapes.portals.size())};
+  for (std::size_t i = 0; i < viewpoint.eyes.size() && i < side.depth_m.size(); ++i)
+    if (lines.keep_dry(viewpoint.eyes[i].pose.position_m - viewpoint.viewer.position_m)) side.depth_m[i].reset();
   side.eyes = eyes_among(side.eyes, scene.shapes, data.shapes, viewpoint, e.ocean().highest_m());
   if (portals) side.over_viewer_m = 0.0;  // who looks into them stands in a dry place
   if (!above || side.eyes == EyesIn::air) return;
@@ -52,6 +56,7 @@ Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& 
   data.water_scattering.w = float(side.still_m);
   for (std::size_t i = 0; i < side.over_eye.size(); ++i)
     data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
+  data.lamp = lamp_data(e.scene().settings.dive_light, viewpoint.viewer, e.lamp_hand());
   const LightInWater light = light_in_water(data, side.over_viewer_m);  // both eyes get used to it as one
   data.air.y += float(adaptation_stops(light, e.scene().settings.water.adaptation));
   return side;

@@ -31,6 +31,12 @@ const SurfaceSelection& in_sight(const Experience& e, const SurfaceSelection& ch
   return eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty() ? none : chosen;
 }
 
+ModelSettings drawn_models(const Scene& scene, const DrawnQuality& quality) {
+  ModelSettings models = scene.settings.models;
+  models.detail *= quality.detail;
+  return models;
+}
+
 }  // namespace
 
 gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, std::uint32_t height) {
@@ -59,12 +65,13 @@ QueryAnswer water_at_camera(Experience& experience, const glm::dvec3& camera_m, 
 
 void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double time_s) {
   const Settings& settings = e.scene_.settings;
+  const glm::dvec3& viewer_m = viewpoint.viewer.position_m;
   Stages& stages = frame.stages();
 
   // 1. What the sea does: its change, those who act on it, dynamic waves around the viewer. Then what of it the GPU
   // needs: transforms or tiles, windows of places, foam. Each only if the scene asked for it.
-  stages.time("sea", [&] { e.sea_->advance(time_s, viewpoint.viewer.position_m); });
-  e.ocean_->update(frame, time_s, viewpoint.viewer.position_m);
+  stages.time("sea", [&] { e.sea_->advance(time_s, viewer_m); });
+  e.ocean_->update(frame, time_s, viewer_m);
 
   // 2. The light: only when sun or haze have changed.
   bool sky_is_new = false;
@@ -72,7 +79,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
 
   // 3. The patches for all eyes together, chosen by the viewer's head; what the shaders are told.
   const SurfaceSelection* selection = nullptr;
-  stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint); });
+  stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint, e.quality_.mesh); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
   e.ocean_->describe(data, viewpoint);
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
@@ -81,30 +88,29 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
-      e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), settings.models);
+      e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
-      e.solids_->cast(data, viewpoint, settings.models, time_s);
+      e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);
   if (e.solids_) stages.time("recording", [&] { e.solids_->draw_sun_map(frame, uniform); });
   // What is drawn of the viewer himself, and over what he sees.
-  if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewpoint.viewer.position_m);
+  if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewer_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const EyesIn eyes = side.eyes;
   NearPatches near;
-  if (e.lens_) stages.time("queries", [&] { near = e.update_lens(frame, viewpoint, side, time_s); });
+  if (e.underwater()) stages.time("queries", [&] { near = e.update_head(frame, viewpoint, side, time_s); });
   selection = &in_sight(e, *selection, eyes);
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
   if (e.spray_)
-    stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewpoint.viewer.position_m); });
+    stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewer_m, e.quality_.spray); });
 
-  // 5. Things under water as they would be seen without it, for the surface to refract. Sea and solid things, then the
-  // sky where none of them is, hands before them, spray over all, and water on the lenses: in the tile up to the
-  // finished picture, or into the desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the
-  // light of all pixels.
+  // 5. Things under water as they would be seen without it, for the surface to refract. Sea and things, then the sky
+  // where none of them is, hands, spray, and water on the lenses: in the tile up to the finished picture, or into the
+  // desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =
@@ -121,27 +127,27 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
     if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);
   };
+  const auto draw_over = [&](Commands& c) {  // the sea and solid things; the nearest last
+    if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
+    if (e.hands_) e.hands_->draw(c, uniform);
+    if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
+    if (e.bubbles_) e.bubbles_->draw(c, uniform);
+    if (e.lens_) e.lens_->draw(c, uniform);
+    finish(c, tile);
+  };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
     e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only, near);
     if (e.solids_) e.solids_->draw(c, uniform, eyes);
     if (deferred) return;
     e.draw_sky(c, uniform, eyes);
-    if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
-    if (e.hands_) e.hands_->draw(c, uniform);
-    if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
-    if (e.lens_) e.lens_->draw(c, uniform);
-    finish(c, tile);
+    draw_over(c);
   });
   if (deferred) {
     e.surface_->add_points(uses);
     record("light", drawn, uses, [&](Commands& c) {
       e.surface_->light(c, uniform, eyes);
-      if (e.solids_) e.solids_->draw_blended(c, uniform, eyes);
-      if (e.hands_) e.hands_->draw(c, uniform);
-      if (e.spray_ && eyes != EyesIn::water) e.spray_->draw(c, uniform);
-      if (e.lens_) e.lens_->draw(c, uniform);
-      finish(c, tile);
+      draw_over(c);
     });
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/srgb.h"
 #include "engine/text.h"
 #include "ocean/inputs/input_spec.h"
 
@@ -11,15 +12,9 @@ namespace seascape {
 
 namespace {
 
-// Light of an 8-bit sRGB value (IEC 61966-2-1).
-float light_of(int byte) {
-  const double c = byte / 255.0;
-  return float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
-
 ImageF floats_of(const Image8& image, bool colours) {
   std::array<float, 256> light;
-  for (int i = 0; i < 256; ++i) light[std::size_t(i)] = colours ? light_of(i) : float(i) / 255.0f;
+  for (int i = 0; i < 256; ++i) light[std::size_t(i)] = colours ? float(srgb_to_light(i / 255.0)) : float(i) / 255.0f;
   ImageF result{image.width, image.height, {}};
   const std::size_t texels = std::size_t(image.width) * std::size_t(image.height),
                     channels = std::size_t(image.channels);

@@ -232,6 +232,7 @@ void Panel::draw_times(const PanelFacts& facts) {
   ImGui::TextWrapped("%.1f ms a frame (%.0f a second)", facts.frame_ms,
                      facts.frame_ms > 0.0 ? 1000.0 / facts.frame_ms : 0.0);
   ImGui::TextWrapped("CPU %.2f ms   GPU %.2f ms", facts.cpu_ms, facts.gpu_ms);
+  if (!facts.quality.empty()) ImGui::TextWrapped("%s", facts.quality.c_str());
   const auto table = [](const char* title, const auto& times) {
     if (times.empty() || !ImGui::BeginTable(title, 2)) return;
     for (const auto& time : times) {

@@ -27,6 +27,7 @@ struct PanelFacts {
   double frame_ms = 0.0, cpu_ms = 0.0, gpu_ms = 0.0;
   double period_ms = 0.0;              // from one frame to the next as the display has it; 0: it does not say
   double scale = 1.0;                  // of the size that the display asks for
+  std::string quality;                 // what is done to hold the frame rate, and why
   std::uint64_t dropped = 0;           // frames that the display showed nothing new in
   std::string_view state = "focused";  // of a headset: "focused", "unfocused", "away"
   std::span<const PassTime> passes;

@@ -12,6 +12,7 @@
 
 #include "app/quality.h"
 #include "engine/error.h"
+#include "engine/srgb.h"
 
 namespace seascape {
 
@@ -100,7 +101,7 @@ ImageF linear_picture_of(Device& device, const Experience& experience, int view)
   } else {  // the tile frame keeps none: the picture's own light
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
       const double c = bytes[i] / 255.0;
-      image.pixels[i] = i % 4 == 3 ? float(c) : float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+      image.pixels[i] = i % 4 == 3 ? float(c) : float(srgb_to_light(c));
     }
   }
   return image;

@@ -64,6 +64,19 @@ std::vector<std::string> write_pictures(const std::filesystem::path& out, int nu
   return names;
 }
 
+// The dive light as it is at `to_s`: as the scene has it, turned over by each press.
+void burn_light(Experience& experience, const Settings& scene, const std::optional<InputTimeline>& acted,
+                const std::optional<ReplayedInput>& input, double to_s) {
+  if (!acted) return;
+  Settings settings = experience.scene().settings;
+  settings.dive_light.on = scene.dive_light.on;
+  for (const ActionPress& press : acted->presses(-1.0, to_s))
+    if (press.action == Action::light) settings.dive_light.on = !settings.dive_light.on;
+  if (settings.dive_light.on != experience.scene().settings.dive_light.on) experience.apply(settings);
+  const std::size_t first = settings.headset.left_handed ? 0 : 1;
+  experience.hold_lamp(input->hands[first] ? input->hands[first] : input->hands[1 - first]);
+}
+
 // What the path's user did in the frame that ends at `to_s`.
 ReplayedInput acted_in(const InputTimeline& timeline, double after_s, double to_s) {
   ReplayedInput acted;
@@ -90,12 +103,16 @@ struct Person {
   }
 };
 
-// The drops on lenses follow from where the eyes were in the seconds before.
-void wet_lenses(Experience& experience, const Headless& display, const CameraPath& path, double fps, int frames) {
+// The drops on lenses follow from where the eyes were in the seconds before, and bubbles from where the head was.
+void follow_head_before(Experience& experience, const Headless& display, const CameraPath& path, double fps,
+                        int frames) {
   if (!experience.underwater()) return;
-  for (int frame = std::max(0, frames - int(std::ceil(WetLens::remembers_s * fps))); frame < frames; ++frame) {
+  const int wets_lenses = frames - int(std::ceil(WetLens::remembers_s * fps));
+  for (int frame = 0; frame < frames; ++frame) {
     const PathSample sample = path.at(frame / fps);
-    experience.wet_lenses(display.viewpoint(sample.pose), sea_time_s(experience.scene().settings, sample.scene_time_s));
+    const double time_s = sea_time_s(experience.scene().settings, sample.scene_time_s);
+    if (frame >= wets_lenses) experience.wet_lenses(display.viewpoint(sample.pose), time_s);
+    experience.breathe(time_s, sample.pose);
   }
 }
 
@@ -103,7 +120,7 @@ void wet_lenses(Experience& experience, const Headless& display, const CameraPat
 // are lived through, undrawn.
 void live_through(Experience& experience, const Headless& display, const CameraPath& path,
                   const std::optional<InputTimeline>& acted, Person& person, double fps, int frames) {
-  if (experience.bodies() == nullptr) wet_lenses(experience, display, path, fps, frames);
+  if (experience.bodies() == nullptr) follow_head_before(experience, display, path, fps, frames);
   if (experience.bodies() == nullptr || frames == 0) return;
   Progress progress("replay: frame before --start", std::size_t(frames));
   Stages undrawn;  // nobody reads their times
@@ -117,6 +134,7 @@ void live_through(Experience& experience, const Headless& display, const CameraP
     experience.sea()->advance(time_s, person.at_m);
     experience.ocean().live_through(undrawn, time_s, person.at_m);
     experience.wet_lenses(display.viewpoint(head), time_s);
+    experience.breathe(time_s, head);
     (void)experience.bodies()->take_events();
     progress.step(std::size_t(frame) + 1);
   }
@@ -159,6 +177,7 @@ int run_replay(const Arguments& arguments) {
   ReplayRecord record = record_of(arguments, program, experience, path);
   Person person{path.at(0.0).pose.position_m, {}, {}};
   live_through(experience, display, path, acted, person, arguments.fps, arguments.start);
+  EyeCrossings eyes;
   Progress progress("replay: frame", std::size_t(count));
   for (int done = 0; done < count; ++done) {
     ReplayFrame drawn;
@@ -173,6 +192,7 @@ int run_replay(const Arguments& arguments) {
       drawn.acted = acted_in(*acted, first ? -1.0 : (drawn.frame - 1) / arguments.fps, drawn.time_s);
       person.act(experience, *drawn.acted, person.at_m, drawn.scene_time_s);
     }
+    burn_light(experience, program.scene.settings, acted, drawn.acted, drawn.time_s);
     const Pose pose = pose_in_world(experience, path, sample, drawn.scene_time_s, person.at_m);
     person.at_m = pose.position_m;
     drawn.views = display.viewpoint(pose);
@@ -190,6 +210,8 @@ int run_replay(const Arguments& arguments) {
     drawn.patches = experience.ocean().selection()->patches.size();
     drawn.bodies = replayed_bodies(experience, drawn.scene_time_s);
     if (const auto& bodies = experience.bodies()) drawn.events = bodies->take_events();
+    eyes.step(drawn.time_s, experience.eyes_depth_m().first(drawn.views.eyes.size()));
+    drawn.eye_events = eyes.take_events();
     drawn.sea_hash = experience.sea()->hash();
     drawn.files = write_pictures(out, drawn.frame, arguments.format, device, experience);
     record.frames.push_back(std::move(drawn));

@@ -188,12 +188,29 @@ std::vector<double> frame_times_ms(const CaptureRun& run) {
   return times;
 }
 
+std::string kept_text(const CaptureRun& run) {
+  std::size_t late = 0;
+  double quality = 0.0, scale = 0.0;
+  const double frames = static_cast<double>(std::max<std::size_t>(run.frames.size(), 1));
+  for (const CaptureFrame& frame : run.frames) {
+    late += frame_ms(frame) > run.kept_ms;
+    quality += frame.quality / frames;
+    scale += frame.picture_scale / frames;
+  }
+  return fmt::format(
+      "held to {:.2f} ms a frame: {} of {} frames took longer; mean quality {:.3f}, picture scale {:.3f}", run.kept_ms,
+      late, run.frames.size(), quality, scale);
+}
+
 std::string capture_csv(const std::vector<CaptureRun>& runs) {
+  const bool any_kept = std::any_of(runs.begin(), runs.end(), [](const CaptureRun& run) { return run.kept_ms > 0.0; });
   const NamedTimes passes(runs, gpu_passes), stages(runs, cpu_stages);
   std::string text =
       "scene,preset,frame,time_s,cpu_ms,gpu_ms,draws,triangles,dispatches,missed_72,missed_90,missed_120";
   passes.head(text);
   stages.head(text);
+  if (any_kept)
+    for (const std::string_view column : kept_columns) text += "," + std::string(column);
   text += "\n";
   for (const CaptureRun& run : runs) {
     const std::string start = csv_cell(run.scene) + "," + csv_cell(run.preset);
@@ -204,6 +221,9 @@ std::string capture_csv(const std::vector<CaptureRun>& runs) {
                      is_missed(ms, 72), is_missed(ms, 90), is_missed(ms, 120));
       passes.row(run, frame, text);
       stages.row(run, frame, text);
+      if (any_kept)
+        fmt::format_to(std::back_inserter(text), ",{:.4f},{:.4f},{}", frame.picture_scale, frame.quality,
+                       csv_cell(frame.decision));
       text += "\n";
     }
   }
@@ -261,6 +281,11 @@ std::string report_html(const Machine& machine, const std::vector<CaptureRun>& r
             "side. A frame is "
             "missed when that is over the display's interval. Draws and triangles are medians.</p>\n";
     text += "<h2>Frame time along the path</h2>\n" + frame_time_plot(runs);
+    for (const CaptureRun& run : runs)
+      if (run.kept_ms > 0.0)
+        text += "<h2>How the frame rate was held</h2>\n<p class=\"verdict\">" +
+                html_escaped(run_label(run, runs) + ": " + kept_text(run)) + ".</p>\n<figure>" + kept_svg(run) +
+                "</figure>\n";
     text += "<h2>Where the GPU's time goes</h2>\n" + named_time_plot(runs, gpu_passes);
     text += "<h2>Where the CPU's time goes</h2>\n" + named_time_plot(runs, cpu_stages);
     text += "<h2>Spread of frame times</h2>\n" + histogram_plot(runs);

@@ -131,6 +131,51 @@ std::string frame_time_plot(const std::vector<CaptureRun>& runs) {
   return text + "</figure>\n";
 }
 
+std::string kept_svg(const CaptureRun& run) {
+  if (!(run.kept_ms > 0.0) || run.frames.size() < 2 || !(run.frames.back().time_s > run.frames.front().time_s))
+    return "";
+  constexpr double top = 14.0, middle = 200.0, lower = 220.0, bottom = 330.0;
+  const double first = run.frames.front().time_s, last = run.frames.back().time_s;
+  double longest_ms = run.kept_ms;
+  for (const CaptureFrame& frame : run.frames)
+    if (const double ms = frame_ms(frame); std::isfinite(ms)) longest_ms = std::max(longest_ms, ms);
+  const double most = std::min(1.2 * longest_ms, 4.0 * run.kept_ms);
+  const auto x_of = [&](double s) {
+    return left_edge + (s - first) / (last - first) * (plot_width - left_edge - right_edge);
+  };
+  const auto ms_at = [&](double ms) { return middle - std::clamp(ms, 0.0, most) / most * (middle - top); };
+  const auto share_at = [&](double share) { return bottom - share * (bottom - lower); };
+  const std::vector<Legend> entries{{"frame time", colour(0)}, {"picture scale", colour(1)}, {"quality", colour(2)}};
+  std::string text = open_svg(bottom + 44.0 + legend_height(entries), "How the frame rate was held");
+  for (double ms = 0.0, step = round_step(most, 5); ms <= most; ms += step) {
+    text += line(left_edge, ms_at(ms), plot_width - right_edge, ms_at(ms), "axis");
+    text += text_at(left_edge - 8.0, ms_at(ms) + 4.0, tick_text(ms, step), "end");
+  }
+  text += text_at(16.0, top + 4.0, "ms", "start");
+  text += line(left_edge, ms_at(run.kept_ms), plot_width - right_edge, ms_at(run.kept_ms), "budget");
+  text += text_at(plot_width - right_edge + 6.0, ms_at(run.kept_ms) + 4.0, fmt::format("{:.1f} ms", run.kept_ms));
+  for (const double share : {0.0, 0.5, 1.0}) {
+    text += line(left_edge, share_at(share), plot_width - right_edge, share_at(share), "axis");
+    text += text_at(left_edge - 8.0, share_at(share) + 4.0, tick_text(share, 0.5), "end");
+  }
+  const double step_s = round_step(last - first, 10);
+  for (double s = std::ceil(first / step_s) * step_s; s <= last + 1e-9; s += step_s)
+    text += text_at(x_of(s), bottom + 18.0, tick_text(s, step_s) + " s", "middle");
+  const auto curve = [&](std::size_t which, const auto& y_of) {
+    std::vector<std::pair<double, double>> points;
+    for (const CaptureFrame& frame : run.frames)
+      if (const double y = y_of(frame); std::isfinite(y)) points.emplace_back(x_of(frame.time_s), y);
+    text += "<polyline fill=\"none\" stroke-width=\"1.6\" stroke-linejoin=\"round\" style=\"stroke:" + colour(which) +
+            "\" points=\"";
+    for (const auto& [x, y] : thinned(points, 800)) fmt::format_to(std::back_inserter(text), "{:.1f},{:.1f} ", x, y);
+    text += "\"/>\n";
+  };
+  curve(0, [&](const CaptureFrame& frame) { return ms_at(frame_ms(frame)); });
+  curve(1, [&](const CaptureFrame& frame) { return share_at(frame.picture_scale); });
+  curve(2, [&](const CaptureFrame& frame) { return share_at(frame.quality); });
+  return text + legend(entries, bottom + 48.0) + "</svg>\n";
+}
+
 std::string named_time_plot(const std::vector<CaptureRun>& runs, const CaptureTimes& kind) {
   constexpr double row = 34.0, bar = 22.0, start = 130.0, end = 80.0;
   const std::vector<std::string> names = all_names(runs, kind);

@@ -65,6 +65,12 @@ ordered_json frame_json(const ReplayFrame& frame) {
                               {"body", frame.bodies[event.body].name},
                               {"event", name_of(event.kind)},
                               {"strength_mps", event.strength}});
+  for (const EyeEvent& event : frame.eye_events)
+    json["events"].push_back({{"time_s", event.time_s},
+                              {"eye", frame.views.eyes.size() == 1 ? "centre"
+                                      : event.eye == 0             ? "left"
+                                                                   : "right"},
+                              {"event", event.in ? "in" : "out"}});
   json["sea_hash"] = fmt::format("{:016x}", frame.sea_hash);  // no number: many readers have but 53 bits of one
   if (frame.acted) json["actions"] = acted_json(*frame.acted);
   return json;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/eye_crossings.h"
 #include "ocean/bodies/body_events.h"
 #include "platform/input.h"
 #include "platform/input_script.h"
@@ -34,6 +35,7 @@ struct ReplayFrame {
   std::optional<ReplayedInput> acted;       // of a path that has actions
   std::vector<ReplayedBody> bodies;
   std::vector<BodyEvent> events;      // since the frame before
+  std::vector<EyeEvent> eye_events;   // of the views, likewise
   std::uint64_t sea_hash = 0;         // Sea::hash
   std::vector<std::string> files;     // pictures, one an eye
   double cpu_ms = 0.0, gpu_ms = 0.0;  // taken

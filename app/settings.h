@@ -8,8 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/adaptive/adaptive_settings.h"
 #include "app/comfort_settings.h"
 #include "app/headset_settings.h"
+#include "app/lamp_settings.h"
 #include "app/mirror_settings.h"
 #include "app/render_settings.h"
 #include "app/sky_settings.h"
@@ -20,6 +22,7 @@
 #include "ocean/places/dynamic_sea_settings.h"
 #include "ocean/places/place_settings.h"
 #include "ocean/places/wake_settings.h"
+#include "ocean/surface/breath_settings.h"
 #include "ocean/surface/water_settings.h"
 #include "ocean/waves/baked_settings.h"
 #include "ocean/waves/gerstner_settings.h"
@@ -30,30 +33,34 @@
 namespace seascape {
 
 struct Settings {
-  SeaState sea;                                 // keys waves.*
-  WaveQuality waves;                            // keys waves.resolution, waves.cascades, waves.half_storage
-  WavePlace wave_place = WavePlace::automatic;  // key waves.where
-  BakedSettings baked;                          // keys baked.*
-  GerstnerSettings gerstner;                    // keys gerstner.*
-  WaveParticleSettings wave_particles;          // keys wave_particles.*
-  DynamicSeaSettings dynamic_waves;             // keys dynamic_waves.*
-  WakeSettings wakes;                           // keys wakes.*
-  FoamSettings foam;                            // keys foam.*
-  SpraySettings spray;                          // keys spray.*
-  PlaceSettings place;                          // keys place.*, level.*, flow.*, clip.*
-  LodSettings lod;                              // keys lod.*, debug.freeze, debug.drop_patch
-  WaterSettings water;                          // keys water.*
-  ModelSettings models;                         // keys models.*
-  SkySettings sky;                              // keys sky.*
-  RenderSettings render;                        // keys msaa, frame.*, stereo.*, camera.*, debug.view
-  ComfortSettings comfort;                      // keys comfort.*
-  HeadsetSettings headset;                      // keys headset.*
-  MirrorSettings mirror;                        // keys mirror.*
-  double sea_change_s = 6.0;                    // key waves.change_s
-  double time_scale = 1.0;                      // key time.scale
-  double time_start_s = 0.0;                    // key time.start_s
-  double time_offset_s = 0.0;                   // key time.offset_s
-  bool follow_clock = false;                    // key time.follow_clock
+  SeaState sea;                                       // keys waves.*
+  WaveQuality waves;                                  // keys waves.resolution, waves.cascades, waves.half_storage
+  WavePlace wave_place = WavePlace::automatic;        // key waves.where
+  BakedSettings baked;                                // keys baked.*
+  GerstnerSettings gerstner;                          // keys gerstner.*
+  WaveParticleSettings wave_particles;                // keys wave_particles.*
+  DynamicSeaSettings dynamic_waves;                   // keys dynamic_waves.*
+  WakeSettings wakes;                                 // keys wakes.*
+  FoamSettings foam;                                  // keys foam.*
+  SpraySettings spray;                                // keys spray.*
+  PlaceSettings place;                                // keys place.*, level.*, flow.*, clip.*
+  LodSettings lod;                                    // keys lod.*, debug.freeze, debug.drop_patch
+  WaterSettings water;                                // keys water.*
+  ModelSettings models;                               // keys models.*
+  LampSettings dive_light;                            // keys dive_light.*
+  BreathSettings breath;                              // keys breath.*
+  SkySettings sky;                                    // keys sky.*
+  RenderSettings render;                              // keys msaa, frame.*, stereo.*, camera.*, debug.view
+  ComfortSettings comfort;                            // keys comfort.*
+  HeadsetSettings headset;                            // keys headset.*
+  MirrorSettings mirror;                              // keys mirror.*
+  AdaptiveUse adaptive_use = AdaptiveUse::automatic;  // key adaptive.use
+  AdaptiveSettings adaptive;                          // keys adaptive.*; `on` follows from adaptive_use and the display
+  double sea_change_s = 6.0;                          // key waves.change_s
+  double time_scale = 1.0;                            // key time.scale
+  double time_start_s = 0.0;                          // key time.start_s
+  double time_offset_s = 0.0;                         // key time.offset_s
+  bool follow_clock = false;                          // key time.follow_clock
 };
 
 // Where a row's value lies inside a Settings. An enum is read and written by the number of its name in

@@ -67,6 +67,13 @@ constexpr auto water = &at<&Settings::water, member>;
 template <auto member>
 constexpr auto models = &at<&Settings::models, member>;
 template <auto member>
+constexpr auto lamp = &at<&Settings::dive_light, member>;
+template <auto member>
+constexpr ChoiceMember lamp_choice{&choice_of<&Settings::dive_light, member>,
+                                   &set_choice<&Settings::dive_light, member>};
+template <auto member>
+constexpr auto breath = &at<&Settings::breath, member>;
+template <auto member>
 constexpr auto sky = &at<&Settings::sky, member>;
 template <auto member>
 constexpr auto render = &at<&Settings::render, member>;
@@ -76,6 +83,8 @@ template <auto member>
 constexpr auto headset = &at<&Settings::headset, member>;
 template <auto member>
 constexpr auto mirror = &at<&Settings::mirror, member>;
+template <auto member>
+constexpr auto adaptive = &at<&Settings::adaptive, member>;
 template <auto member>
 constexpr ChoiceMember mirror_choice{&choice_of<&Settings::mirror, member>, &set_choice<&Settings::mirror, member>};
 template <auto member>
@@ -853,6 +862,33 @@ const std::vector<Setting>& table() {
        {},
        quality},
 
+      {"dive_light.on", "",
+       "The light that the viewer carries shines, under water and above it; the action light turns it on and off. It "
+       "needs the effect underwater.",
+       lamp<&LampSettings::on>, 0.0, 1.0},
+      {"dive_light.candela", "cd", "How bright it is in the middle of its beam.", lamp<&LampSettings::candela>, 0.0,
+       1e6},
+      {"dive_light.beam_deg", "deg", "How wide its beam is, between where it is half as bright as in the middle.",
+       lamp<&LampSettings::beam_deg>, 2.0, 120.0},
+      {"dive_light.kelvin", "K", "Its colour, as that of a black body of this temperature.",
+       lamp<&LampSettings::kelvin>, 2000.0, 12000.0},
+      {"dive_light.held",
+       "",
+       "What carries it: the head, or a hand, the right one or the left of the left-handed; where none is tracked it "
+       "is "
+       "held before the right shoulder.",
+       lamp_choice<&LampSettings::held>,
+       0.0,
+       0.0,
+       {"head", "hand"}},
+
+      {"breath.on", "",
+       "With an eye in the water one breathes out bubbles, which rise to the surface. It needs the effect underwater.",
+       breath<&BreathSettings::on>, 0.0, 1.0},
+      {"breath.every_s", "s", "Time from breath to breath.", breath<&BreathSettings::every_s>, 1.0, 30.0},
+      {"breath.litres", "l", "Air of a breath, where it is breathed out.", breath<&BreathSettings::litres>, 0.1, 4.0},
+      {"breath.seed", "", "Which bubbles of the same statistics.", breath<&BreathSettings::seed>, 0.0, 4294967295.0},
+
       {"sky.sun_elevation_deg", "deg", "Height of the sun above the horizon.", sky<&SkySettings::sun_elevation_deg>,
        -5.0, 90.0},
       {"sky.sun_to_deg", "deg", "Where the sun stands, clockwise from -z seen from above.",
@@ -984,6 +1020,23 @@ const std::vector<Setting>& table() {
        "part: GPUs that draw by tiles sort triangles once for both. It draws and keeps up to half again as many pixels "
        "in width, black where no eye sees them. Taken when the headset begins.",
        headset<&HeadsetSettings::symmetric>, 0.0, 1.0},
+
+      {"adaptive.use",
+       "",
+       "Lowers quality while frames would be late, and gives it back when there is time: auto where a display shows "
+       "frames at a rate of its own, and not in capture, whose presets it would change. The preset's quality is the "
+       "most there is.",
+       ChoiceMember{&choice_of<&Settings::adaptive_use>, &set_choice<&Settings::adaptive_use>},
+       0.0,
+       0.0,
+       {"auto", "on", "off"}},
+      {"adaptive.target_hz", "1/s", "Pictures a second that quality is lowered for; 0 takes the display's own rate.",
+       adaptive<&AdaptiveSettings::target_hz>, 0.0, 500.0},
+      {"adaptive.floor", "",
+       "Quality is lowered no further than this: 0 all levers at their last step, 1 as the preset has it.",
+       adaptive<&AdaptiveSettings::floor>, 0.0, 1.0},
+      {"adaptive.ceiling", "", "Quality is given back no further than this, likewise.",
+       adaptive<&AdaptiveSettings::ceiling>, 0.0, 1.0},
 
       {"mirror.view",
        "",

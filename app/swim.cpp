@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace seascape {
 
@@ -11,7 +12,7 @@ constexpr double longest_step_s = 10.0;  // he has settled by then
 constexpr double short_step_s = 0.004;
 constexpr double response_per_s = 2.0;  // without hands: how fast he comes to his own speed
 
-bool is_finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // (exp(-z) - 1) / -z and ((1 - z) - exp(-z)) / -z^2: what an exponential step takes of a velocity and of a change.
 double first(double z) { return z < 1e-6 ? 1.0 - 0.5 * z : -std::expm1(-z) / z; }
@@ -19,15 +20,14 @@ double second(double z) { return z < 1e-4 ? 0.5 - z / 6.0 : (std::expm1(-z) + z)
 
 }  // namespace
 
-void Swim::begin_anew(const glm::dvec2& velocity_mps) {
-  velocity_mps_ = is_finite(velocity_mps) ? velocity_mps : glm::dvec2(0.0);
-  moved_m_ = glm::dvec2(0.0);
+void Swim::begin_anew(const glm::dvec3& velocity_mps) {
+  velocity_mps_ = is_finite(velocity_mps) ? velocity_mps : glm::dvec3(0.0);
+  moved_m_ = glm::dvec3(0.0);
 }
 
 void Swim::pull(const SwimWish& wish, double dt_s) {
-  const glm::dvec2 side(-wish.ahead.y, wish.ahead.x);
-  const double ahead_mps = glm::dot(velocity_mps_, wish.ahead), side_mps = glm::dot(velocity_mps_, side),
-               speed_mps = glm::length(velocity_mps_);
+  const double ahead_mps = glm::dot(velocity_mps_, wish.ahead), speed_mps = glm::length(velocity_mps_);
+  const glm::dvec3 across_mps = velocity_mps_ - ahead_mps * wish.ahead;
   // Accelerations, and how they fall with the speed: never the other way, so that each step settles.
   double push = 0.0, falls = 0.0;
   for (const auto& hand : wish.hands) {
@@ -39,24 +39,23 @@ void Swim::pull(const SwimWish& wish, double dt_s) {
     falls += 2.0 * hand_kg_m / mass_kg * wet * through_mps;
   }
   const double drag = drag_kg_m / mass_kg * speed_mps;
-  const auto go = [&](double mps, double acceleration, double rate, double& moved) {
+  // Of a velocity and its acceleration: what is moved, and the velocity then.
+  const auto go = [&](auto mps, auto acceleration, double rate) {
     const double z = rate * dt_s;
-    moved = mps * dt_s + acceleration * dt_s * dt_s * second(z);
-    return mps + acceleration * dt_s * first(z);
+    return std::pair(mps * dt_s + acceleration * (dt_s * dt_s * second(z)), mps + acceleration * (dt_s * first(z)));
   };
-  double moved_ahead = 0.0, moved_side = 0.0;
-  const double now_ahead = go(ahead_mps, push - drag * ahead_mps, falls + 2.0 * drag, moved_ahead),
-               now_side = go(side_mps, -drag * side_mps, 2.0 * drag, moved_side);
-  velocity_mps_ = now_ahead * wish.ahead + now_side * side;
-  moved_m_ += moved_ahead * wish.ahead + moved_side * side;
+  const auto [moved_ahead, now_ahead] = go(ahead_mps, push - drag * ahead_mps, falls + 2.0 * drag);
+  const auto [moved_across, now_across] = go(across_mps, -drag * across_mps, 2.0 * drag);
+  velocity_mps_ = now_ahead * wish.ahead + now_across;
+  moved_m_ += moved_ahead * wish.ahead + moved_across;
 }
 
 void Swim::step(const SwimWish& wish, double dt_s) {
-  moved_m_ = glm::dvec2(0.0);
+  moved_m_ = glm::dvec3(0.0);
   if (!(dt_s > 0.0) || !is_finite(wish.ahead)) return;
   dt_s = std::min(dt_s, longest_step_s);
   if (!wish.tracked) {  // dv/dt = (wanted - v) response, solved exactly
-    const glm::dvec2 wanted = own_speed_mps * wish.ahead, lag = velocity_mps_ - wanted;
+    const glm::dvec3 wanted = own_speed_mps * wish.ahead, lag = velocity_mps_ - wanted;
     const double gone = -std::expm1(-response_per_s * dt_s);
     moved_m_ = wanted * dt_s + lag * (gone / response_per_s);
     velocity_mps_ = wanted + lag * (1.0 - gone);

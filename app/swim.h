@@ -8,12 +8,12 @@ namespace seascape {
 
 // A hand as it moves, without what moves the swimmer himself.
 struct SwimHand {
-  glm::dvec2 velocity_mps{0.0};  // along the sea (x, z), against the head
+  glm::dvec3 velocity_mps{0.0};  // in the world's axes, against the head
   double under_water = 0.0;      // share of it, 0 to 1
 };
 
 struct SwimWish {
-  glm::dvec2 ahead{0.0, -1.0};                   // along the sea, where he looks; of length 1
+  glm::dvec3 ahead{0.0, 0.0, -1.0};              // where he looks, along the sea or under water; of length 1
   std::array<std::optional<SwimHand>, 2> hands;  // of those that are tracked
   bool tracked = false;                          // hands pull, or else he goes ahead by himself
 };
@@ -31,14 +31,14 @@ class Swim {
   // touches the true one, exactly (an exponential Euler step, of second order). What is not a number counts as nothing.
   void step(const SwimWish& wish, double dt_s);
   // Out of the water; or in it again, with a velocity.
-  void begin_anew(const glm::dvec2& velocity_mps = glm::dvec2(0.0));
+  void begin_anew(const glm::dvec3& velocity_mps = glm::dvec3(0.0));
 
-  const glm::dvec2& velocity_mps() const { return velocity_mps_; }
-  const glm::dvec2& moved_m() const { return moved_m_; }  // in the last step
+  const glm::dvec3& velocity_mps() const { return velocity_mps_; }
+  const glm::dvec3& moved_m() const { return moved_m_; }  // in the last step
 
  private:
   void pull(const SwimWish& wish, double dt_s);
-  glm::dvec2 velocity_mps_{0.0}, moved_m_{0.0};
+  glm::dvec3 velocity_mps_{0.0}, moved_m_{0.0};
 };
 
 }  // namespace seascape

@@ -100,6 +100,11 @@ std::vector<TraceEvent> trace_of(const std::vector<CaptureRun>& runs) {
         return passed;
       };
       const double passes_us = slices("GPU passes", gpu_passes), stages_us = slices("CPU stages", cpu_stages);
+      if (run.kept_ms > 0.0) {
+        slice("quality", frame.decision, now, 1000.0 * finite_length(frame_ms(frame)));
+        counter("quality", frame.quality);
+        counter("picture scale", frame.picture_scale);
+      }
       counter("draws", static_cast<double>(frame.draws));
       counter("triangles", static_cast<double>(frame.triangles));
       counter("dispatches", static_cast<double>(frame.dispatches));

@@ -24,7 +24,8 @@ struct TraceEvent {
 std::string trace_json(const std::vector<TraceEvent>& events);
 
 // One process a run, frames end to end: tracks "CPU" and "GPU" with a slice a frame, "GPU passes" with one a pass, "CPU
-// stages" with one a stage, and counters of draws, triangles, dispatches and memory. Only lengths were measured: passes
+// stages" with one a stage, and counters of draws, triangles, dispatches and memory. Where a run holds a frame rate,
+// its track "quality" has each frame's decision, and counters tell what it came to. Only lengths were measured: passes
 // and stages follow one another without gaps, and "waiting" comes before the frame's own CPU time.
 std::vector<TraceEvent> trace_of(const std::vector<CaptureRun>& runs);
 

@@ -101,6 +101,11 @@ gpu::WaterShapes placed_shapes(const SceneShapes& shapes, const SceneObjects& ob
   return all;
 }
 
+bool kept_dry(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& at_m, const SeaView& sea) {
+  const gpu::WaterShapes placed = placed_shapes(shapes, objects, at_m, &sea);
+  return WaterLines{placed, int(shapes.air.size()), int(shapes.portals.size())}.keep_dry(glm::dvec3(0.0));
+}
+
 bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
                   const Viewpoint& viewpoint) {
   for (const View& eye : viewpoint.eyes) {

@@ -11,6 +11,10 @@ namespace seascape {
 gpu::WaterShapes placed_shapes(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& viewer_m,
                                const SeaView* sea);
 
+// Whether a place of the world (m) is kept dry: in a pocket's air, or in a scene with portals outside of volumes that
+// one flies through.
+bool kept_dry(const SceneShapes& shapes, const SceneObjects& objects, const glm::dvec3& at_m, const SeaView& sea);
+
 // How high water stands in a shape that is open below, m: its air, which filled it at the surface, has
 // 10.08/(10.08 + d) of its volume where that water is d metres deep (Boyle 1662; 10.08 m of sea water press as the
 // atmosphere does). `number`: of shapes.air, without water of its own; `sea_m`: height of the still sea. All relative

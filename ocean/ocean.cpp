@@ -170,8 +170,11 @@ DisplacementBounds Ocean::bounds(const Viewpoint& viewpoint) const {
   return result;
 }
 
-const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint) {
-  selection_ = &select(viewpoint, *mesher_, settings_.lod);
+const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, double coarser) {
+  LodSettings lod = settings_.lod;
+  lod.pixel_error = std::min(coarser * lod.pixel_error, 64.0);
+  lod.threshold = std::min(coarser * lod.threshold, 4.0);
+  selection_ = &select(viewpoint, *mesher_, lod);
   return *selection_;
 }
 
@@ -218,6 +221,10 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
   const QueryAnswer at_viewer = felt.query({viewer.x, viewer.z});
   EyesSide side{.still_m = at_viewer.still_m, .over_viewer_m = at_viewer.clipped ? 0.0 : at_viewer.height_m - viewer.y};
   int above = 0, below = 0;
+  double corner = 1.0;  // how far one of a near plane is, over how far the plane is
+  for (const View& eye : viewpoint.eyes)
+    for (const double across : {eye.fov.left, eye.fov.right})
+      for (const double up : {eye.fov.up, eye.fov.down}) corner = std::max(corner, std::hypot(1.0, across, up));
   for (const View& eye : viewpoint.eyes) {
     const glm::dvec3& place = eye.pose.position_m;
     const QueryAnswer water = felt.query({place.x, place.z});
@@ -225,12 +232,12 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
     const QueryAnswer drawn = waves_->by_processor() && waves_alone() ? water_.query({place.x, place.z}) : water;
     if (const auto n = std::size_t(&eye - viewpoint.eyes.data()); n < side.over_eye.size()) {
       side.over_eye[n] = {drawn.height_m - place.y, -drawn.normal.x / drawn.normal.y, -drawn.normal.z / drawn.normal.y};
-      // A plane that leans by less than 50 degrees passes the water within that tangent of how far it is. Water is
-      // drawn out or pressed together by less than half, but where crests fold.
       const double unsure_m = waves_->by_processor() && waves_alone() ? 0.0 : apart_m - reach_m,
-                   over_m = std::abs(side.over_eye[n].x) + unsure_m, folded_m = drawn.converged ? 0.0 : 0.5;
-      side.near[n] = {glm::dvec2(place.x - drawn.displacement.x, place.z - drawn.displacement.z),
-                      1.5 * (reach_m + unsure_m + 1.2 * over_m) + drawn.residual_m + folded_m};
+                   folded_m = drawn.converged ? 0.0 : 0.5;
+      side.near[n] = near_water(eye, reach_m / corner, reach_m, side.over_eye[n], unsure_m);
+      side.near[n].rest_m += glm::dvec2(place.x - drawn.displacement.x, place.z - drawn.displacement.z);
+      side.near[n].half_m += drawn.residual_m + folded_m;
+      if (!water.clipped) side.depth_m[n] = side.over_eye[n].x;
     }
     above += water.clipped || (water.converged && place.y > water.height_m + apart_m);
     below += !water.clipped && water.converged && place.y < water.height_m - apart_m;

@@ -58,8 +58,9 @@ class Ocean {
   // sea for felt water before it calls this first, so that what both need is made once.
   void make_waves(Frame& frame, double time_s);
 
-  // The patches for a viewpoint. The result stays until the next call.
-  const SurfaceSelection& select(const Viewpoint& viewpoint);
+  // The patches for a viewpoint. The result stays until the next call. `coarser` (1 or more): by so much the mesh may
+  // miss the sea by more than the settings say.
+  const SurfaceSelection& select(const Viewpoint& viewpoint, double coarser = 1.0);
   // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with a mesher of its own,
   // whose patches stay until it selects again.
   const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher, const LodSettings& lod) const;
@@ -84,6 +85,8 @@ class Ocean {
     // The water that each eye's near plane passes, where it does not look up or down by more than 50 degrees, also a
     // little outside the picture.
     std::array<NearWater, 2> near{};
+    // How deep it is in the water, m; nothing: it is in the air for sure, or where there is no water.
+    std::array<std::optional<double>, 2> depth_m{};
   };
   EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;
 

@@ -15,6 +15,9 @@
 
 namespace seascape {
 
+// The side of a picture at a scale, at least one pixel.
+std::uint32_t scaled_pixels(std::uint32_t pixels, double scale);
+
 // What a display says before a frame is drawn.
 struct DisplayFrame {
   double time_s = 0.0;                     // when the frame will be seen, seconds since the display was made

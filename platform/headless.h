@@ -23,9 +23,13 @@ class Headless final : public Display {
   DisplayFrame begin() override;
   Viewpoint viewpoint(const Pose& carrier) const override;
   void end(Frame& frame, const RenderTarget* picture, const Image* depth = nullptr) override;
+  void set_scale(double scale) override { scale_ = scale; }
+  double scale() const override { return scale_; }
+  glm::uvec2 most_size() const override { return {options_.width, options_.height}; }
 
  private:
   HeadlessOptions options_;
+  double scale_ = 1.0;
   std::chrono::steady_clock::time_point start_;
 };
 

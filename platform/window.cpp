@@ -195,6 +195,29 @@ bool Window::shows() const {
                       glfwGetWindowAttrib(window_, GLFW_VISIBLE) != 0);
 }
 
+glm::uvec2 Window::most_size() const {
+  return {std::uint32_t(std::max(1, width_ / options_.views)), std::uint32_t(std::max(1, height_))};
+}
+
+// Of the screen that the window stands on, as nearly as its place tells.
+double Window::period_s() const {
+  if (!options_.waits) return 0.0;
+  int x = 0, y = 0, count = 0;
+  glfwGetWindowPos(window_, &x, &y);
+  GLFWmonitor** screens = glfwGetMonitors(&count);
+  const GLFWvidmode* mode = nullptr;
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0;
+    glfwGetMonitorPos(screens[i], &left, &top);
+    const GLFWvidmode* shown = glfwGetVideoMode(screens[i]);
+    if (shown != nullptr && (mode == nullptr || (x + width_ / 2 >= left && x + width_ / 2 < left + shown->width &&
+                                                 y + height_ / 2 >= top && y + height_ / 2 < top + shown->height)))
+      mode = shown;
+  }
+  constexpr double usual_hz = 60.0;
+  return 1.0 / (mode != nullptr && mode->refreshRate > 0 ? mode->refreshRate : usual_hz);
+}
+
 DisplayFrame Window::begin() {
   if (before_events_) before_events_();
   glfwPollEvents();
@@ -215,8 +238,10 @@ DisplayFrame Window::begin() {
   gathering_.wheel = 0.0;
   frame.time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   frame.closed = glfwWindowShouldClose(window_) != 0;
-  frame.width = std::uint32_t(std::max(1, width_ / options_.views));
-  frame.height = std::uint32_t(std::max(1, height_));
+  const glm::uvec2 most = most_size();
+  frame.width = scaled_pixels(most.x, scale_);
+  frame.height = scaled_pixels(most.y, scale_);
+  frame.period_s = period_s();
   return frame;
 }
 
@@ -224,7 +249,7 @@ Viewpoint Window::viewpoint(const Pose& carrier) const {
   const Fov fov =
       symmetric_fov(vertical_fov_deg_, std::max(1.0, double(width_) / options_.views) / std::max(1, height_));
   const std::vector<View> eyes = stereo_views(carrier, fov, eye_distance_m_);
-  const double pixels = pixels_per_radian(eyes, std::max(1, height_));
+  const double pixels = pixels_per_radian(eyes, int(scaled_pixels(most_size().y, scale_)));
   if (options_.views == 2) return {carrier, eyes, pixels};
   return {carrier, {{carrier, fov}}, pixels};
 }

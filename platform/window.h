@@ -66,6 +66,10 @@ class Window final : public Display {
   const Input& input() const override { return input_; }
   void set_post(Post post) override { post_ = post; }
   void set_lens(double vertical_fov_deg, double eye_distance_m) override;
+  // The picture is stretched over the window.
+  void set_scale(double scale) override { scale_ = scale; }
+  double scale() const override { return scale_; }
+  glm::uvec2 most_size() const override;
   void hold_mouse(bool held) override;
   void set_title(const std::string& title) override;
   std::unique_ptr<Overlay> make_overlay() override;
@@ -129,6 +133,7 @@ class Window final : public Display {
   DrawOver drawn_over_;
   std::function<void()> before_events_;
 
+  double period_s() const;
   void gather();                                 // keys and gamepads
   static constexpr std::size_t key_codes = 512;  // GLFW's
   InputGatherer gatherer_;
@@ -138,7 +143,7 @@ class Window final : public Display {
   glm::dvec2 last_mouse_{0.0};
   bool mouse_known_ = false, mouse_held_ = false;
   int width_ = 0, height_ = 0;  // of the window's picture, pixels
-  double vertical_fov_deg_ = 60.0, eye_distance_m_ = 0.064;
+  double vertical_fov_deg_ = 60.0, eye_distance_m_ = 0.064, scale_ = 1.0;
   std::chrono::steady_clock::time_point start_;
 };
 

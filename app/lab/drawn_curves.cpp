@@ -11,6 +11,7 @@
 
 #include "app/effect_costs.h"
 #include "app/lab/frame_curve.h"
+#include "app/lab/lever_curve.h"
 #include "app/lab/screen_error.h"
 #include "app/lab/wave_sum.h"
 #include "app/quality.h"
@@ -231,6 +232,7 @@ std::vector<LabCurve> drawn_curves(Device& device, ShaderLibrary& shaders) {
        true,
        true,
        of(compute_tasks)},
+      lever_curve(device, shaders),
       frame_curve(device, shaders),
   };
 }

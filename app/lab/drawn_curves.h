@@ -1,4 +1,4 @@
-// Curves that need a device: the mesh, where waves are computed, and whole frames.
+// Curves that need a device: the mesh, where waves are computed, levers of adaptive quality, and whole frames.
 #pragma once
 #include "app/lab/lab.h"
 #include "engine/device.h"
@@ -6,7 +6,7 @@
 
 namespace seascape {
 
-// mesh, compute, frame. The device and the shaders must outlive them.
+// mesh, compute, levers, frame. The device and the shaders must outlive them.
 std::vector<LabCurve> drawn_curves(Device& device, ShaderLibrary& shaders);
 
 }  // namespace seascape

@@ -37,6 +37,9 @@ std::vector<LabCurve> cpu_curves() {
   for (LabCurve& curve : local_curves()) curves.push_back(std::move(curve));
   for (LabCurve& curve : wake_curves()) curves.push_back(std::move(curve));
   for (LabCurve& curve : body_curves()) curves.push_back(std::move(curve));
+  for (LabCurve& curve : water_curves()) curves.push_back(std::move(curve));
+  curves.push_back(waterline_curve());
+  for (LabCurve& curve : adaptive_curves()) curves.push_back(std::move(curve));
   return curves;
 }
 

@@ -82,17 +82,21 @@ std::string sea_name(double wind_mps);
 SeaState lab_sea(double wind_mps, const LabOptions& options);
 
 // What --curve takes, apart from "all".
-inline constexpr std::string_view lab_curve_names[] = {"query",    "transform",  "cascades",     "particles", "baked",
-                                                       "dynamic",  "wakes",      "wake_windows", "texel",     "fresnel",
-                                                       "buoyancy", "body_steps", "mesh",         "compute",   "frame"};
+inline constexpr std::string_view lab_curve_names[] = {
+    "query",        "transform", "cascades", "particles", "baked",      "dynamic", "wakes",
+    "wake_windows", "texel",     "fresnel",  "buoyancy",  "body_steps", "volume",  "dive_light",
+    "waterline",    "adaptive",  "mesh",     "compute",   "levers",     "frame"};
 
 // The curves that need no device: query, transform, cascades; particles, baked; dynamic, texel, fresnel; wakes,
-// wake_windows; buoyancy, body_steps; and all of these.
+// wake_windows; buoyancy, body_steps; volume, dive_light; waterline; adaptive; and all of these.
 std::vector<LabCurve> sea_curves();
 std::vector<LabCurve> source_curves();
 std::vector<LabCurve> local_curves();
 std::vector<LabCurve> wake_curves();
 std::vector<LabCurve> body_curves();
+std::vector<LabCurve> water_curves();
+LabCurve waterline_curve();
+std::vector<LabCurve> adaptive_curves();
 std::vector<LabCurve> cpu_curves();
 
 // Times the tasks in turn, each first as often as last, for about `seconds` and at least five rounds, a run of less

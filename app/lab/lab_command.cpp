@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/lab/adaptive_report.h"
 #include "app/lab/drawn_curves.h"
 #include "app/lab/lab_report.h"
 #include "app/program.h"
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool needs_device(const std::string& curve) {
-  return curve == "all" || curve == "mesh" || curve == "compute" || curve == "frame";
+  return curve == "all" || curve == "mesh" || curve == "compute" || curve == "levers" || curve == "frame";
 }
 
 // One curve in one sea is a part: kept in a file of its own until all are there, so that a run that is stopped goes on
@@ -83,6 +84,21 @@ std::vector<LabPoint> measured(const std::vector<LabCurve>& curves, const LabOpt
   return points;
 }
 
+// A plot a trace and the table of all, in a folder of their own: the curve alone shows families, not frames.
+void write_traces(const LabOptions& options, const fs::path& out) {
+  const std::vector<LoadTrace> traces = lab_traces(options.seed, options.quick ? 1 : 5);
+  Progress progress("lab: traces of adaptive quality", traces.size());
+  fs::create_directories(out / "adaptive");
+  std::vector<JudgedTrace> judged;
+  for (const LoadTrace& trace : traces) {
+    judged.push_back(judge(trace));
+    write_atomically(out / "adaptive" / trace_file_name(trace), trace_svg(trace));
+    progress.step(judged.size());
+  }
+  write_atomically(out / "adaptive.csv", adaptive_csv(judged));
+  fmt::print("{}", adaptive_table(judged));
+}
+
 int recommend(const std::vector<LabPoint>& points, double budget_ms) {
   bool all_fit = true;
   for (const double wind_mps : lab_winds_mps) {
@@ -140,6 +156,8 @@ int run_lab(const Arguments& arguments) {
   const std::vector<LabPoint> points = measured(curves, options, origin, out);
   if (device) expect_no_validation_messages(*device);
   fmt::print("{}", lab_table(curves, points));
+  if (std::any_of(curves.begin(), curves.end(), [](const LabCurve& one) { return one.name == "adaptive"; }))
+    write_traces(options, out);
   fmt::print("{}: curves.csv, report.html and a plot a curve\n", out.string());
   return arguments.recommend ? recommend(points, arguments.budget_ms) : 0;
 }

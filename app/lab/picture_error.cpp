@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "app/statistics.h"
+#include "engine/srgb.h"
 
 namespace seascape {
 
 namespace {
-
-double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
-double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055; }
 
 // Of Rec. 709's weights, from 0 to 1.
 std::vector<double> luma(const Image8& image) {
@@ -72,7 +70,7 @@ Image8 averaged(const Image8& image, int times) {
     throw std::invalid_argument("averaged: sides that are no multiples");
   Image8 small{image.width / times, image.height / times, image.channels, {}};
   double light[256];
-  for (int i = 0; i < 256; ++i) light[i] = linear(i / 255.0);
+  for (int i = 0; i < 256; ++i) light[i] = srgb_to_light(i / 255.0);
   const std::size_t channels = std::size_t(image.channels), row = std::size_t(image.width) * channels;
   for (int z = 0; z < small.height; ++z)
     for (int x = 0; x < small.width; ++x)
@@ -85,7 +83,7 @@ Image8 averaged(const Image8& image, int times) {
             sum += c == 3 ? value / 255.0 : light[value];
           }
         const double mean = sum / (times * times);
-        small.pixels.push_back(std::uint8_t(std::lround(255.0 * (c == 3 ? mean : encoded(mean)))));
+        small.pixels.push_back(std::uint8_t(std::lround(255.0 * (c == 3 ? mean : light_to_srgb(mean)))));
       }
   return small;
 }

@@ -98,7 +98,7 @@ inline DisplacementBounds bounds_of(const WaveField& field, const WaveTiles& til
 // A head over the water: from 0.3 m to a kilometre above what stands there, grazing, looking down, rolled.
 inline Viewpoint pose_over(const WaveField& field, const WaveTiles& tiles, std::mt19937& random, int n) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const std::array<glm::dvec2, 1> at{glm::dvec2(unit(random), unit(random)) * 20000.0};
+  const std::array<glm::dvec2, 1> at{glm::dvec2{unit(random), unit(random)} * 20000.0};
   std::array<QueryAnswer, 1> water;
   query(field, tiles, at, water);
   const double above = n % 3 == 0 ? 1.7 : std::pow(10.0, 1.25 + 1.75 * unit(random));

@@ -50,7 +50,8 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
   spec.values = {{gpu::value_multiview, !picture.spec().per_eye},
                  {gpu::value_tile_shape, look_.tile_shape},
                  {gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE},
-                 {gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look_.anisotropy)}};
+                 {gpu::value_anisotropy, std::bit_cast<std::uint32_t>(look_.anisotropy)},
+                 {gpu::value_lamp, look_.underwater}};
   spec.buffers = {{0, sizeof(gpu::SolidVertex), VK_VERTEX_INPUT_RATE_VERTEX},
                   {1, sizeof(gpu::SolidInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   for (std::uint32_t i = 0; i < 4; ++i) spec.attributes.push_back({i, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});

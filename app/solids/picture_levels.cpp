@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 
+#include "engine/srgb.h"
+
 namespace seascape {
 
 namespace {
-
-double light_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
 // A power for each texel took most of a scene's loading, so both ways are tables.
 struct SrgbTables {
@@ -20,9 +20,9 @@ struct SrgbTables {
   std::array<std::uint8_t, cells> first{};  // the byte of a cell's least light; a cell holds two bytes at most
   SrgbTables() {
     for (int i = 0; i < 256; ++i) {
-      light[std::size_t(i)] = float(light_of(i / 255.0));
+      light[std::size_t(i)] = float(srgb_to_light(i / 255.0));
       data[std::size_t(i)] = float(i) / 255.0f;
-      least[std::size_t(i)] = i == 0 ? 0.0f : float(light_of((i - 0.5) / 255.0));
+      least[std::size_t(i)] = i == 0 ? 0.0f : float(srgb_to_light((i - 0.5) / 255.0));
     }
     least[256] = 2.0f;
     int byte = 0;

@@ -75,8 +75,9 @@ class Spray {
   double step_s() const { return double(tick_) / settings_.rate_hz; }
   // How many steps there have been.
   std::uint64_t steps() const { return steps_; }
-  // Writes what is to be seen of them at a time since the last step, and gives how many.
-  std::size_t drawn(double time_s, const glm::dvec3& viewer_m, std::span<gpu::SprayPuff> to);
+  // Writes what is to be seen of them at a time since the last step, and gives how many. `share` (0 to 1): of them, the
+  // same from frame to frame.
+  std::size_t drawn(double time_s, const glm::dvec3& viewer_m, std::span<gpu::SprayPuff> to, double share = 1.0);
   const SpraySettings& settings() const { return settings_; }
   const Breaking& breaking() const { return breaking_; }
   // Of a square metre that breaks on a crest, 1/s.

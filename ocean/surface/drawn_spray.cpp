@@ -45,11 +45,12 @@ void DrawnSpray::resize(const Image* depths) {
   bind();
 }
 
-void DrawnSpray::update(Frame& frame, Spray& spray, double time_s, const glm::dvec3& viewer) {
+void DrawnSpray::update(Frame& frame, Spray& spray, double time_s, const glm::dvec3& viewer, double share) {
   slot_ = frame.slot();
-  count_ = spray.puffs().empty()
-               ? 0
-               : spray.drawn(time_s, viewer, std::span(puffs_[std::size_t(slot_)].mapped<gpu::SprayPuff>(), most_));
+  count_ =
+      spray.puffs().empty()
+          ? 0
+          : spray.drawn(time_s, viewer, std::span(puffs_[std::size_t(slot_)].mapped<gpu::SprayPuff>(), most_), share);
 }
 
 void DrawnSpray::draw(Commands& commands, std::uint32_t frame_uniform) const {

@@ -26,7 +26,8 @@ class DrawnSpray {
   void resize(const Image* depths);
 
   // Has the spray of a time, as a viewer (m) sees it, ready for this frame; writes nothing where there is none.
-  void update(Frame& frame, Spray& spray, double time_s, const glm::dvec3& viewer_m);
+  // `share`: of it (Spray::drawn).
+  void update(Frame& frame, Spray& spray, double time_s, const glm::dvec3& viewer_m, double share = 1.0);
   // Inside a draw pass into the picture, which also uses the light and the depths; records nothing where there is none
   // to be seen.
   void draw(Commands& commands, std::uint32_t frame_uniform) const;

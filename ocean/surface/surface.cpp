@@ -87,6 +87,9 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   set(gpu::value_deferred, look.deferred);
   if (look.below) set(gpu::value_solids_in_water, 1);
   look.shapes.add_to(spec.values);
+  if (look.underwater) set(gpu::value_lamp, 1);
+  if (look.shapes.air > 0) effect_values_.push_back({"portals", gpu::value_air_pockets});
+  if (look.shapes.portals > 0) effect_values_.push_back({"portals", gpu::value_portals});
   set(gpu::value_sun_map, light.sun_map != VK_NULL_HANDLE);
   // Over a bed what is clipped lies dry.
   const bool clipped = slots[0].value(gpu::value_clip) != 0 && slots[0].value(gpu::value_bed) == 0;
@@ -297,10 +300,7 @@ NearPatches Surface::near_patches(Frame& frame, const SurfaceSelection& selectio
     if ((patch.flags & gpu::patch_skirt) != 0) return false;
     const glm::dvec2 least = selection.grid_origin_m + selection.unit_m * glm::dvec2(patch.corner),
                      most = least + selection.unit_m * double(gpu::patch_quads * patch.stride);
-    return std::any_of(near.begin(), near.end(), [&](const NearWater& eye) {
-      return glm::all(glm::lessThanEqual(least, eye.rest_m + eye.reach_m)) &&
-             glm::all(glm::greaterThanEqual(most, eye.rest_m - eye.reach_m));
-    });
+    return std::any_of(near.begin(), near.end(), [&](const NearWater& eye) { return eye.touches(least, most); });
   };
   NearPatches found;
   if (!near.empty())

@@ -86,6 +86,8 @@ class Surface {
 
   // With look.deferred: how near what draw() drew is, a layer an eye; else null.
   const Image* depths() const { return look_.deferred ? points_.depth() : nullptr; }
+  // With look.deferred and look.underwater: whether a pixel's line of sight begins in the air (side_in_air).
+  VkImageView sides() const { return look_.deferred && look_.underwater ? points_.stencil_view() : VK_NULL_HANDLE; }
 
   const Pipeline& pipeline() const { return in_air_.pipeline; }
   // What its pixels are lit by.

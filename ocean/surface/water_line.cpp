@@ -46,6 +46,16 @@ bool WaterLines::in_air(const glm::dvec3& at) const {
   return false;
 }
 
+bool WaterLines::keep_dry(const glm::dvec3& at) const {
+  bool dry = portals > 0;
+  for (int i = 0; i < portals; ++i) {
+    if (shapes.portal[i].form.w != gpu::portal_fly_through) continue;
+    const glm::dvec2 up = span(shapes.portal[i], at, {0.0, 1.0, 0.0});
+    if (up.x <= 0.0 && up.y > 0.0) dry = false;
+  }
+  return dry || in_air(at);
+}
+
 std::vector<glm::dvec2> WaterLines::wet_parts(const glm::dvec3& from, const glm::dvec3& ray, double way) const {
   glm::dvec2 dry[gpu::most_air_pockets], seen[gpu::most_portals];
   for (int i = 0; i < air; ++i) dry[i] = air_span(shapes.air[i], from, ray);

@@ -20,6 +20,8 @@ struct WaterLines {
   // Where water may be seen through a portal.
   glm::dvec2 portal_span(const gpu::WaterShape& shape, const glm::dvec3& from, const glm::dvec3& ray) const;
   bool in_air(const glm::dvec3& at) const;  // in any pocket's
+  // In any pocket's, or with portals in none of the volumes that one flies through.
+  bool keep_dry(const glm::dvec3& at) const;
   // The parts of the line's first `way` metres that are in water, in their order, where the sea is all around.
   std::vector<glm::dvec2> wet_parts(const glm::dvec3& from, const glm::dvec3& ray, double way) const;
 };

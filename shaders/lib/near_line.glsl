@@ -22,6 +22,11 @@ bool near_line(PatchInstance p, int vertex, ViewData view, Plate plate, out vec3
   const bool second = (triangle & 1) != 0;
   vec3 at[3];
   at[0] = corner_at(p, second ? i + 1 : i, j);
+  // Most triangles are farther from the plane than waves draw their sides out.
+  end = vec3(0.0);
+  top = false;
+  if (abs(dot(plate.ahead, at[0] - view.eye.xyz) - frame.air.z) > 4.0 * float(p.stride) * frame.mesh.unit_m)
+    return false;
   at[1] = corner_at(p, i, j + 1);
   at[2] = corner_at(p, i + 1, second ? j + 1 : j);
   float beyond[3];

@@ -189,7 +189,7 @@ const vec3 ground_around = vec3(0.24, 0.21, 0.16);
 
 // Land lit by sun, sky and the ground around it; wet as far as run-up comes, where it is darker (Lekner and Dorf 1988)
 // and mirrors the sky.
-vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
+vec3 bed_land(Bed bed, vec2 place, vec3 relative, vec3 v, float sunlit, float footprint) {
   const vec3 normal = normalize(vec3(-bed.slope.x, 1.0, -bed.slope.y));
   const float run_up = frame.sea.place.shift_along[0].z;
   const float wet =
@@ -200,8 +200,9 @@ vec3 bed_land(Bed bed, vec2 place, vec3 v, float sunlit, float footprint) {
   // half of the sky gives it what pi / 2 times the radiance 19 degrees above the horizon would (docs/accuracy.md).
   const vec3 low = 0.5 * pi * textureLod(sky_map, sky_coordinate(normalize(vec3(normal.x, 0.35, normal.z))), 0.0).rgb;
   const vec3 around = ground_around * (light.sky_irradiance.rgb + light.sun_irradiance.rgb * max(frame.sun.y, 0.0));
-  const vec3 light_there = mix(low + 0.5 * around, light.sky_irradiance.rgb, normal.y) +
-                           sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);
+  vec3 light_there = mix(low + 0.5 * around, light.sky_irradiance.rgb, normal.y) +
+                     sunlit * light.sun_irradiance.rgb * max(dot(normal, frame.sun.xyz), 0.0);
+  if (lamp_carried && lamp_shines()) light_there += lamp_on(relative, normal);
   vec3 lit = bed_albedo(place, max(-bed.still_depth, 0.0), bed.slope, footprint) * light_there / pi;
   lit *= mix(1.0, 0.45, wet);
   if (wet > 0.0) {

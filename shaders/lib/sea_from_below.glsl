@@ -81,5 +81,5 @@ vec3 sea_from_below(SurfacePoint p, ViewData view, out vec3 normal) {
   lit += (1.0 - covered) * sun_through_facets(ray, l, slope, var) *
          exp(-(frame.water_absorption.rgb + frame.water_scattering.rgb) * wet);
   if (air_pockets + portals > 0) return seen.share * lit + seen.added;
-  return lit + water_added(depth_in_water(view.eye.y), ray, range);
+  return lit + water_added_to_eye(view.eye.xyz, ray, 0.0, range, 0.0);
 }

@@ -147,6 +147,7 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
     lit = sky + (1.0 - mirrored) * (below + sunlit.x * through) + sunlit.y * glitter;
 
     white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(dot(normal, l), 0.0)) / pi;
+    if (lamp_carried && lamp_shines()) white += lamp_on(p.relative, normal) / pi;
     FoamWay foam_way = FoamWay(vec2(0.0), vec2(0.0), 1.0);
     if (foam_kept && sea_flow)
       foam_way =
@@ -156,7 +157,8 @@ vec3 sea_light(SurfacePoint p, ViewData view, out vec3 normal) {
   if (sea_bed && water <= 0.0) normal = normalize(vec3(-sea_bed_below.slope.x, 1.0, -sea_bed_below.slope.y));
   if (sea_bed && water <= 0.0)
     white = (light.sky_irradiance.rgb + sunlit.y * light.sun_irradiance.rgb * max(l.y, 0.0)) / pi;
-  if (sea_bed && water < 1.0) lit = mix(bed_land(sea_bed_below, p.place, v, sunlit.y, sea_bed_footprint), lit, water);
+  if (sea_bed && water < 1.0)
+    lit = mix(bed_land(sea_bed_below, p.place, p.relative, v, sunlit.y, sea_bed_footprint), lit, water);
 
   if (water_albedo > 0) lay_albedo(lit, p.place, p.rest, white);
   return through_air(lit, v, range);

@@ -123,6 +123,32 @@ vec3 solid_sent_in_water(SolidPoint p) {
   return p.base.rgb * there * (p.occlusion / 3.14159265);
 }
 
+// What a thing sends towards `v` of light that comes from `l` to a plane that faces it: 1/sr, the plane's cosine `nl`
+// left out. `a`: width of its facets (lib/ggx.glsl); `f0`: what they mirror of light along their normals; `spread`:
+// share of the light that goes anywhere.
+vec3 solid_sent(vec3 n, vec3 l, vec3 v, float nl, float nv, float a, vec3 f0, vec3 spread) {
+  const vec3 h = normalize(v + l);
+  const float nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
+  const vec3 f = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
+  const vec3 by_facets = f * (ggx_facets(nh, a) * ggx_seen(nl, nv, a));
+  return by_facets + spread / 3.14159265;
+}
+
+// Of the lamp's light.
+vec3 solid_of_lamp(SolidPoint p, vec3 v, float nv, vec3 f0, vec3 spread) {
+  const LampThere there = lamp_there(relative);
+  const float nl = dot(p.normal, there.towards);
+  if (nl <= 0.0) return vec3(0.0);
+  return there.irradiance * nl * solid_sent(p.normal, there.towards, v, nl, nv, p.rough * p.rough, f0, spread);
+}
+
+// The same under water, where paint, wood and stone (of index 1.5) mirror less.
+vec3 solid_of_lamp_in_water(SolidPoint p, ViewData view) {
+  const vec3 v = normalize(view.eye.xyz - relative);
+  const vec3 f0 = mix(vec3(0.0035), p.base.rgb, p.metallic);
+  return solid_of_lamp(p, v, max(abs(dot(p.normal, v)), 1e-3), f0, p.base.rgb * (1.0 - p.metallic));
+}
+
 // Radiance towards the eye, what the air or the water before it makes of it included, exposed, and how much of what
 // lies behind it hides. Discards what its material's mask takes away.
 vec4 solid_light(bool front) {
@@ -134,7 +160,9 @@ vec4 solid_light(bool front) {
     const bool unlit = material.kind.x != 0;
     const vec3 sent = unlit ? vec3(0.0) : solid_sent_in_water(p),
                own = (unlit ? p.base.rgb : p.emissive) / light.exposure.x;
-    return vec4(light_in_water(sent, own, relative, view) * (light.exposure.x * exp2(frame.air.y)), p.base.a);
+    vec3 of_lamp = vec3(0.0);
+    if (lamp_carried && lamp_shines() && !unlit) of_lamp = solid_of_lamp_in_water(p, view);
+    return vec4(light_in_water(sent, own, of_lamp, relative, view) * (light.exposure.x * exp2(frame.air.y)), p.base.a);
   }
   const vec3 n = p.normal, to_eye = view.eye.xyz - relative, l = frame.sun.xyz;
   const float range = length(to_eye);
@@ -159,12 +187,9 @@ vec4 solid_light(bool front) {
   if (nl > 0.0) {
     float reaches = 1.0;
     if (sun_map_there) reaches = sun_reaches_thing(p);
-    const vec3 h = normalize(v + l);
-    const float nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
-    const vec3 f = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
-    const vec3 by_facets = f * (ggx_facets(nh, a) * ggx_seen(nl, nv, a));
-    lit += reaches * light.sun_irradiance.rgb * nl * (by_facets + (again + spread) / 3.14159265);
+    lit += reaches * light.sun_irradiance.rgb * nl * solid_sent(n, l, v, nl, nv, a, f0, again + spread);
   }
+  if (lamp_carried && lamp_shines()) lit += solid_of_lamp(p, v, nv, f0, again + spread);
   lit += p.emissive / light.exposure.x;
   if (material.kind.x != 0) lit = p.base.rgb / light.exposure.x;
   lit = through_air(lit, v, range);

@@ -43,9 +43,12 @@ bool ends_in_air(vec3 pixel_ray, ViewData view) {
     const vec2 span = vec2(max(line.seen[i].x, 0.0), line.seen[i].y);
     if (span.y <= span.x) continue;
     const WaterShape s = frame.shapes.portal[i];
-    const float from = below_sea(s, eye + span.x * ray), to = span.y < 0.5 * line_endless
-                                                                  ? below_sea(s, eye + span.y * ray)
-                                                                  : (ends_in_sky(pixel_ray, view) ? 0.0 : 1.0);
+    const float from = below_sea(s, eye + span.x * ray), over = over_horizon(pixel_ray, view);
+    float to = from;  // at the horizon, likewise
+    if (span.y < 0.5 * line_endless)
+      to = below_sea(s, eye + span.y * ray);
+    else if (abs(over) > view.eye.w)
+      to = over < 0.0 ? 1.0 : 0.0;
     out_of_it += from - to;
     if (from + to < 0.5 || span.x > nearest) continue;
     nearest = span.x;
@@ -105,8 +108,21 @@ vec3 water_added(float depth, vec3 ray, float way, float before) {
 }
 vec3 water_added(float depth, vec3 ray, float way) { return water_added(depth, ray, way, 0.0); }
 
-// What a line of sight that meets nothing shows; upwards it would leave the water in the end.
-vec3 open_water(float depth, vec3 ray) { return water_added(depth, ray, min(1e4, (depth + 0.1) / max(ray.y, 1e-5))); }
+// How far a line of sight that begins `depth` metres below the surface goes in the water, where it meets nothing.
+float way_to_surface(float depth, vec3 ray) { return min(1e4, (depth + 0.1) / max(ray.y, 1e-5)); }
+
+// What such a line shows.
+vec3 open_water(float depth, vec3 ray) { return water_added(depth, ray, way_to_surface(depth, ray)); }
+
+#include "lib/lamp.glsl"
+
+// What the water between `from` and `to` metres on an eye's line of sight adds, lamp and all; `wet`: metres of water
+// before it.
+vec3 water_added_to_eye(vec3 eye, vec3 ray, float from, float to, float wet) {
+  vec3 added = water_added(depth_in_water(eye.y + from * ray.y), ray, to - from, wet);
+  if (lamp_carried && lamp_shines()) added += lamp_in_water(eye, ray, from, to, from - wet);
+  return added;
+}
 
 // The water on a line of sight, between shapes of air and within portals.
 struct SeenThrough {
@@ -145,7 +161,7 @@ SeenThrough seen_through(vec3 from, vec3 ray, float way) {
       seen.share *= 1.0 - mirrored;
     }
     const float to = min(part.y, way);
-    seen.added += seen.share * water_added(depth_in_water(from.y + part.x * ray.y), ray, to - part.x, seen.wet);
+    seen.added += seen.share * water_added_to_eye(from, ray, part.x, to, seen.wet);
     seen.wet += to - part.x;
     if (part.x <= last && part.y > last) seen.ends_dry = false;
     if (goes_up) {
@@ -161,9 +177,9 @@ SeenThrough seen_through(vec3 from, vec3 ray, float way) {
 
 // What a line of sight shows that meets nothing but the water, through which it may come to the sky.
 vec3 open_water_seen(vec3 ray, ViewData view) {
-  const float depth = depth_in_water(view.eye.y);
-  if (air_pockets + portals == 0) return open_water(depth, ray);
-  const SeenThrough seen = seen_through(view.eye.xyz, ray, min(1e4, (depth + 0.1) / max(ray.y, 1e-5)));
+  const float way = way_to_surface(depth_in_water(view.eye.y), ray);
+  if (air_pockets + portals == 0) return water_added_to_eye(view.eye.xyz, ray, 0.0, way, 0.0);
+  const SeenThrough seen = seen_through(view.eye.xyz, ray, way);
   if (!seen.ends_dry) return seen.added;
   return seen.added + seen.share * water_passed(seen.wet) * sky_light(ray, view.eye.w);
 }
@@ -192,15 +208,20 @@ vec3 light_in_water(vec3 sent, vec3 own, float depth, float from, vec3 ray, floa
          water_added(from, ray, way);
 }
 
-// The same as an eye sees it, at `place`. In air it shines by the index's square more.
-vec3 light_in_water(vec3 sent, vec3 own, vec3 place, ViewData view) {
+// The same as an eye sees it, at `place`; `of_lamp`: what it sends to the eye of the lamp's light. In air it shines by
+// the index's square more.
+vec3 light_in_water(vec3 sent, vec3 own, vec3 of_lamp, vec3 place, ViewData view) {
   const vec3 line = place - view.eye.xyz;
   const float way = max(length(line), 1e-3);
   const vec3 ray = line / way;
-  if (air_pockets + portals == 0)
-    return light_in_water(sent, own, depth_in_water(place.y), depth_in_water(view.eye.y), ray, way);
-  const SeenThrough seen = seen_through(view.eye.xyz, ray, way);
-  const vec3 sends = sent_in_water(sent, depth_in_water(place.y), ray) + own;
-  return seen.share * sends / (seen.ends_dry ? 1.0 : water_index * water_index) * water_passed(seen.wet) + seen.added;
+  SeenThrough seen = SeenThrough(vec3(0.0), way, 1.0, false);
+  if (air_pockets + portals > 0)
+    seen = seen_through(view.eye.xyz, ray, way);
+  else
+    seen.added = water_added_to_eye(view.eye.xyz, ray, 0.0, way, 0.0);
+  const float spread_in = seen.ends_dry ? 1.0 : water_index * water_index;
+  vec3 lit = (sent_in_water(sent, depth_in_water(place.y), ray) + own) * water_passed(seen.wet);
+  if (lamp_carried && lamp_shines()) lit += of_lamp * exp(-lamp_attenuation() * seen.wet);
+  return seen.share * lit / spread_in + seen.added;
 }
 #endif

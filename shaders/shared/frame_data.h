@@ -3,6 +3,7 @@
 #define SEASCAPE_FRAME_DATA_H
 #include "foam_data.h"
 #include "gpu_types.h"
+#include "lamp_data.h"
 #include "mesh_data.h"
 #include "sea_data.h"
 #include "slots.h"
@@ -38,6 +39,7 @@ struct FrameData {
   SeaData sea;
   FoamData foam;         // where it is simulated
   SolidsInWater solids;  // where there are any
+  LampData lamp;         // that the viewer carries
   WaterShapes shapes;    // likewise
 };
 

@@ -41,7 +41,8 @@ SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
 SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
-                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30, value_underwater = 33;
+                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30, value_underwater = 33,
+                   value_lamp = 36;
 // How many there are, of those that the frame is told of.
 SEASCAPE_CONST int value_air_pockets = 44, value_portals = 45;
 

@@ -87,7 +87,7 @@ double corners_seen(const std::vector<Image8>& with, const std::vector<Image8>& 
 // Controls: limbs relative to the world's origin; both eyes drawn from the left one; the ring at the height of the
 // still sea in a swell is AimShape's.
 TEST_F(AimDrawn, LiesOnTheWaterInBothEyes) {
-  for (const auto& shape : test::frame_looks) {
+  for (const test::FrameLook& shape : test::sampled_looks()) {
     SCOPED_TRACE(shape.name);
     SeaShot shot(options(shape));
     const std::vector<Image8> without = shot.pictures(eyes(), time_s);
@@ -120,7 +120,7 @@ TEST_F(AimDrawn, IsSeenWhateverTheLight) {
 
 // Controls: without the question of the sea's depth; without the pass's own.
 TEST_F(AimDrawn, IsHiddenByTheSea) {
-  for (const auto& shape : test::frame_looks) {
+  for (const test::FrameLook& shape : test::sampled_looks()) {
     SCOPED_TRACE(shape.name);
     SeaShot shot(options(shape));
     const std::vector<Image8> without = shot.pictures(eyes(), time_s);
@@ -148,7 +148,7 @@ TEST_F(AimDrawn, CostsNothingWhereNobodyAims) {
 // Control: the view of gl_ViewIndex in a pass an eye.
 TEST_F(AimDrawn, IsTheSameInOnePassAndInTwo) {
   if (!multiview_works(test::device(), test::shaders())) GTEST_SKIP() << "the driver draws multiview wrongly";
-  for (const auto& shape : test::frame_looks) {
+  for (const test::FrameLook& shape : test::sampled_looks()) {
     SCOPED_TRACE(shape.name);
     ShotOptions two = options(shape);
     two.per_eye = true;

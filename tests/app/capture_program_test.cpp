@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using test::ProgramResult;
 using test::run_program;
 using test::TemporaryFolder;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -67,6 +68,43 @@ TEST(Capture, PresetsTakeOneSampleAPixelInSoftware) {
   EXPECT_THAT(plain, HasSubstr(software ? "1 view, 1 × MSAA" : "1 view, 4 × MSAA"));
   EXPECT_THAT(page("auto", {"--set", "msaa=4"}), HasSubstr("1 view, 4 × MSAA"));
   EXPECT_THAT(page("high", {}), HasSubstr(software ? "1 view, 1 × MSAA" : "1 view, 4 × MSAA"));
+}
+
+// A run that holds a frame rate says what it was drawn at and why, in each row and in one sentence; the rate has to be
+// known. In the simulated headset too. Controls seen: the columns in every capture; the finest quality written whatever
+// was drawn.
+TEST(Capture, TellsHowAFrameRateWasHeld) {
+  const TemporaryFolder folder;
+  const auto capture = [&](const std::string& display, std::vector<std::string> more) {
+    std::vector<std::string> words{"capture", "--scene",  "swell",     "--preset", "low",
+                                   "--size",  "320x320",  "--display", display,    "--frames",
+                                   "40",      "--warmup", "8",         "--out",    folder / display};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const ProgramResult unknown = capture("headless", {"--set", "adaptive.use=on"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("adaptive.use: a display without a screen has no rate to hold"));
+  EXPECT_THAT(unknown.err, HasSubstr("--set adaptive.target_hz=72"));
+  for (const std::string display : {"headless", "simulated"}) {
+    // A rate that no machine here comes to: all levers go to their last step.
+    const ProgramResult held = capture(display, {"--set", "adaptive.use=on", "--set", "adaptive.target_hz=500"});
+    EXPECT_EQ(held.exit_code, 0) << held.err;
+    EXPECT_THAT(held.out, HasSubstr("held to 2.00 ms a frame: "));
+    std::istringstream text(text_of(fs::path(folder / display) / "capture.csv"));
+    std::string line;
+    std::getline(text, line);
+    EXPECT_THAT(line, HasSubstr(",picture_scale,quality,decision"));
+    std::string last;
+    while (std::getline(text, line)) last = line;
+    EXPECT_THAT(last, HasSubstr(",0.5003,")) << display;
+    EXPECT_THAT(last, AnyOf(HasSubstr("late at every level"), HasSubstr("over budget"), HasSubstr("steady")))
+        << display;
+    EXPECT_THAT(text_of(fs::path(folder / display) / "trace.json"), HasSubstr("\"picture scale\"")) << display;
+  }
+  const ProgramResult plain = capture("headless", {});
+  EXPECT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_THAT(text_of(fs::path(folder / "headless") / "capture.csv"), Not(HasSubstr("picture_scale")));
 }
 
 // Control seen: told by make_program() of each preset there are four lines more, and one more of plan.

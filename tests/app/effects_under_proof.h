@@ -14,18 +14,21 @@ namespace seascape::test {
 
 struct EffectUnderProof {
   std::string name;
-  std::vector<std::string> without, with;                // the scene's effects
-  std::vector<std::pair<std::string, std::string>> set;  // that let it be seen
-  std::pair<std::string, std::string> idle;              // a setting by which it is declared but not needed; none: ""
-  std::vector<std::uint32_t> bindings;                   // of the surface's shaders that are its own
-  bool variants;                       // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
-  bool objects;                        // it has objects of its own, and a pass a frame
-  std::string pass = name;             // that pass, in a frame that moves
-  std::vector<InputSpec> inputs = {};  // of the scene, with it or without
-  std::string part = name;             // where only a part of the effect is meant: its name among tests and variants
-  bool shown = false;                  // it is drawn in every frame, whether the clock stands or not
-  SceneObjects things = {};            // of the scene, with it or without
+  std::vector<std::string> without, with;                     // the scene's effects
+  std::vector<std::pair<std::string, std::string>> set = {};  // that let it be seen
+  std::pair<std::string, std::string> idle = {};  // a setting by which it is declared but not needed; none: ""
+  std::vector<std::uint32_t> bindings = {};       // of the surface's shaders that are its own
+  bool variants;                                  // without_NAME and leaking_NAME are built (tests/CMakeLists.txt)
+  bool objects;                                   // it has objects of its own, and a pass a frame
+  std::string pass = name;                        // that pass, in a frame that moves
+  std::vector<InputSpec> inputs = {};             // of the scene, with it or without
+  std::string part = name;   // where only a part of the effect is meant: its name among tests and variants
+  bool shown = false;        // it is drawn in every frame, whether the clock stands or not
+  SceneObjects things = {};  // of the scene, with it or without
   std::shared_ptr<SeaActor> (*actor)() = nullptr;  // who acts on its sea, with it or without
+  SceneShapes shapes = {};                         // of the scene, with it or without
+  double head_m = 3.0;                             // how high its viewer is
+  bool apart = false;  // its code is in pipelines of its own, which only eyes in the water draw
 };
 
 inline std::shared_ptr<SeaActor> a_boat() {
@@ -76,6 +79,14 @@ inline SceneObjects a_box() {
   return objects;
 }
 
+// It reaches out of the water.
+inline SceneShapes a_pocket() {
+  SceneShapes shapes;
+  shapes.air.push_back(
+      {.form = gpu::shape_box, .half_m = glm::dvec3(2.0), .radius_m = 4.0, .pose = {{-3.0, 0.0, -9.0}, {}}});
+  return shapes;
+}
+
 // Away from the view.
 inline InputSpec far_pool(InputTarget to, glm::vec4 value) {
   InputSpec spec = pool(to, value);
@@ -98,6 +109,22 @@ inline const EffectUnderProof effects_under_proof[] = {
      "sun_map",
      true,
      a_box()},
+    {.name = "underwater",
+     .without = {"waves"},
+     .with = {"waves", "underwater"},
+     .set = {{"frame.lighting", "forward"}},
+     .variants = false,
+     .objects = true,
+     .pass = "underwater",
+     .shown = true,
+     .head_m = -2.0,
+     .apart = true},
+    {.name = "portals",
+     .without = {"waves", "underwater"},
+     .with = {"waves", "underwater", "portals"},
+     .variants = false,
+     .objects = false,
+     .shapes = a_pocket()},
     {"waves", {}, {"waves"}, {}, {"", ""}, {1, 2, 3, 9, 10, 11}, false, true, "wave rows"},
     {"foam",
      {"waves"},

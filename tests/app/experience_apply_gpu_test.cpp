@@ -31,7 +31,7 @@ bool of_an_absent_effect(const Scene& scene, std::string_view key) {
   return std::find(names.begin(), names.end(), group) != names.end() && !calls_for(scene.effects, group);
 }
 
-// Each setting goes to another value and back: all with SEASCAPE_LONG=1, else a quarter of those of the scene's
+// Each setting goes to another value and back: all with SEASCAPE_LONG=1, else an eighth of those of the scene's
 // effects. Controls: waves.wind_speed_mps without `rebuild` in the table, and an apply that forgets Ocean::apply, each
 // fail here.
 TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
@@ -57,7 +57,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   for (const Setting& row : settings_table()) {
     SCOPED_TRACE(row.key);
     if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
-    if (!test::long_run() && (of_an_absent_effect(live.scene(), row.key) || number++ % 4 != 0)) continue;
+    if (!test::long_run() && (of_an_absent_effect(live.scene(), row.key) || number++ % 8 != 0)) continue;
     const std::string before = value_text(live.scene().settings, row),
                       value = test::another(live.scene().settings, row);
     live.set(std::string(row.key), value);
@@ -72,22 +72,22 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
     EXPECT_EQ(test::differing_pixels(live.picture(head, time_s), plain), 0) << "and back";
     changed_pictures += test::differing_pixels(picture, plain) > 0;
   }
-  EXPECT_GE(changed_pictures, test::long_run() ? 24 : 6);  // else nothing was compared
+  EXPECT_GE(changed_pictures, test::long_run() ? 24 : 3);  // else nothing was compared
 }
 
 // Rows that the caller of the next frame reads, and not the ocean.
 bool of_the_next_frame(std::string_view key) {
   for (const char* begins :
-       {"time.", "stereo.", "camera.", "debug.", "comfort.", "mirror.", "headset.", "waves.change_s"})
+       {"time.", "stereo.", "camera.", "debug.", "comfort.", "mirror.", "headset.", "adaptive.", "waves.change_s"})
     if (key.starts_with(begins)) return true;
   return false;
 }
 
 // Rows whose sentences promise no other picture of a sea that goes on, from above: they act at a jump of the time,
-// under water, or save time.
+// under water, or save time; or a test of their own has the hand or the breath that they need (DiveLight, Breath).
 bool leaves_the_picture(std::string_view key) {
-  return key == "water.adaptation" || key == "foam.settle_s" || key == "dynamic_waves.settle_s" ||
-         key == "frame.facing_only";
+  return key == "water.adaptation" || key == "dive_light.held" || key.starts_with("breath.") ||
+         key == "foam.settle_s" || key == "dynamic_waves.settle_s" || key == "frame.facing_only";
 }
 
 // What a running sea draws a second after a setting has changed, and what it then has of foam and spray; or, with no
@@ -153,10 +153,10 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
-    if (!test::sampled(live, 4)) continue;
+    if (!test::sampled(live, 8)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     // Half of those with waves of the GPU, which software drivers do not have of themselves.
-    const char* where = live / 4 % 2 == 0 ? "gpu" : "cpu";
+    const char* where = live / 8 % 2 == 0 ? "gpu" : "cpu";
     options.set.push_back({"waves.where", where});
     const std::string shown = options.scene + std::to_string(options.set.size()) + where;
     if (!plain.contains(shown)) {

@@ -7,6 +7,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -90,6 +91,7 @@ TEST_F(ExperienceLife, ResizingBackAndForthLeavesNothingBehind) {
 TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
   for (const auto& [preset, place] :
        {std::pair("medium", "cpu"), std::pair("medium", "gpu"), std::pair("high", "cpu"), std::pair("high", "gpu")}) {
+    if ((preset == std::string("medium")) != (place == std::string("cpu")) && !test::long_run()) continue;
     SeaShot shot({.scene = "storm",
                   .preset = preset,
                   .width = 64,
@@ -116,8 +118,10 @@ TEST_F(ExperienceLife, NoFrameMakesAPipelineOrAnyOtherObject) {
 // One draw for all patches; at most four for the surface with both eyes; stereo costs hardly a command more than mono.
 // The control: a pass per eye draws all twice, and is seen to.
 TEST_F(ExperienceLife, StereoCostsNoDrawsAndHardlyACommand) {
+  std::size_t number = 0;
   for (const char* preset : {"low", "medium", "high", "ultra"})
     for (const char* scene : {"open_sea", "storm"}) {
+      if (!test::sampled(number++, 3)) continue;
       const ShotOptions base{.scene = scene,
                              .preset = preset,
                              .width = 48,

@@ -126,7 +126,8 @@ TEST(ExploreCamera, WalkStaysOnDeckAndRideFollowsTheWater) {
 
 CameraWish swimming(const glm::dvec2& mps, double dt_s, std::optional<double> head_m = std::nullopt) {
   CameraWish wish;
-  wish.swum = CameraWish::Swum{mps * dt_s, mps};
+  const glm::dvec3 along(mps.x, 0.0, mps.y);
+  wish.swum = CameraWish::Swum{along * dt_s, along};
   if (head_m) wish.head = Pose{{0.1, *head_m, 0.2}};
   return wish;
 }
@@ -239,6 +240,59 @@ TEST(ExploreCamera, DivesToTheGroundWhereItMay) {
   up.move.y = 1.0;
   diver.step(up, 0.5, 0.2);
   EXPECT_FALSE(diver.held());
+}
+
+// Under water who flies swims: at 1.5 m/s where he looks, and at a flight's speed again above it. Controls
+// seen: the flight's speed under water; the view's pitch left out.
+TEST(ExploreCamera, WhoFliesSwimsUnderWater) {
+  CameraWish ahead;
+  ahead.move.z = 1.0;
+  ahead.dives_to_m = -60.0;
+  ExploreCamera diver(Pose{{0.0, -5.0, 0.0}, orientation_from_angles({0.0, -30.0, 0.0})});
+  for (int i = 0; i < 600; ++i) diver.step(ahead, 0.01, 0.0);
+  const glm::dvec3 before_m = diver.pose().position_m;
+  for (int i = 0; i < 100; ++i) diver.step(ahead, 0.01, 0.0);
+  const glm::dvec3 moved_m = diver.pose().position_m - before_m;
+  EXPECT_NEAR(glm::length(moved_m), ExploreCamera::under_water_mps, 1e-3);
+  EXPECT_NEAR(moved_m.y, -0.5 * ExploreCamera::under_water_mps, 1e-3);
+  ExploreCamera flier(Pose{{0.0, 50.0, 0.0}});
+  for (int i = 0; i < 300; ++i) flier.step(ahead, 0.01, 0.0);
+  EXPECT_NEAR(glm::length(flier.velocity_mps()), 12.0, 1e-3);
+}
+
+// A swimmer floats with his eyes 0.15 m above the felt water until he dives; then he swims as he is moved, rises and
+// dives by keys, comes no lower than the ground, stays there when he lets go, and floats again once he is up. Where a
+// scene has no water to dive into he floats on. Controls seen: a dive without a key; the way down left out;
+// a climb to where he had flown.
+TEST(ExploreCamera, ASwimmerFloatsUntilHeDives) {
+  ExploreCamera camera(Pose{{0.0, 4.0, 0.0}});
+  CameraWish wish = swimming({0.0, -1.0}, 0.01);
+  wish.dives_to_m = -6.0;
+  const auto swim = [&](double up, int steps, double water_m = 0.3) {
+    wish.move.y = up;
+    for (int i = 0; i < steps; ++i) camera.step(wish, 0.01, water_m);
+    return camera.pose().position_m.y;
+  };
+  EXPECT_NEAR(swim(0.0, 500), 0.45, 1e-6);
+  EXPECT_NEAR(swim(0.0, 200, 0.6), 0.75, 1e-3);
+  EXPECT_FALSE(camera.dived());
+  const double begins_m = swim(0.0, 500);
+  EXPECT_NEAR(swim(-1.0, 200), begins_m - 2.0 * ExploreCamera::dives_mps, 1e-2);
+  EXPECT_TRUE(camera.dived());
+  const double deep_m = camera.pose().position_m.y;
+  EXPECT_NEAR(swim(0.0, 100), deep_m, 1e-9) << "he stays as deep as he is";
+  wish.swum = CameraWish::Swum{{0.0, -0.005, -0.005}, {0.0, -0.5, -0.5}};
+  EXPECT_NEAR(swim(0.0, 100), deep_m - 0.5, 1e-9) << "he goes where he looks";
+  wish.swum = CameraWish::Swum{};
+  EXPECT_NEAR(swim(-1.0, 2000), -6.0 + ExploreCamera::clearance_m, 1e-9);
+  CameraWish lets_go;
+  lets_go.dives_to_m = -6.0;
+  for (int i = 0; i < 300; ++i) camera.step(lets_go, 0.01, 0.3);
+  EXPECT_NEAR(camera.pose().position_m.y, -6.0 + ExploreCamera::clearance_m, 0.2);
+  EXPECT_NEAR(swim(1.0, 2000), 0.45, 1e-3) << "up again";
+  EXPECT_FALSE(camera.dived());
+  wish.dives_to_m.reset();
+  EXPECT_NEAR(swim(-1.0, 500), 0.45, 1e-3) << "there is no diving here";
 }
 
 // Controls: keys with the clock's time instead of the path's, and no last key, each fail here.

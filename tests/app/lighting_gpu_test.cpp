@@ -8,6 +8,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/sea_shot.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 
@@ -52,7 +53,9 @@ TEST_F(DeferredLight, ShowsWhatForwardLightShows) {
                                                         {"swell", true, 5e-3},
                                                         {"storm", false, 5e-3},
                                                         {"storm", true, 7e-3}};
+  std::size_t row = 0;
   for (const auto& [scene, lace, edges] : rows) {
+    if (!test::sampled(row++, 2)) continue;
     test::ShotOptions one = options(scene, "forward"), other = options(scene, "deferred");
     if (!lace)
       for (test::ShotOptions* o : {&one, &other}) o->set.emplace_back("foam.simulated", "false");

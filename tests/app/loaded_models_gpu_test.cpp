@@ -64,7 +64,7 @@ Pictures pictures_of_models(Device& device) {
 TEST_F(LoadedModelsOnGpu, BlocksShowThePictureInAQuarterOfTheMemory) {
   if (!test::device().facts().block_textures) GTEST_SKIP() << "the device has no blocks";
   double worst = 0.0;
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     Pictures whole, blocks;
     Image8 as_is, in_blocks;
     {

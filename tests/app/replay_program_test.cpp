@@ -55,6 +55,32 @@ TEST(Replay, BothViewsAreTheEyesDrawnAlone) {
   }
 }
 
+// Replays s.json of a folder along its p.json, one view at preset low: keeps the files, returns the record's frames.
+nlohmann::json replayed(const TemporaryFolder& folder, const std::string& fps, const std::string& size,
+                        const std::vector<std::string>& more, Files& files) {
+  const TemporaryFolder out;
+  std::vector<std::string> words{"replay",
+                                 "--scene",
+                                 (folder / "s.json").string(),
+                                 "--path",
+                                 (folder / "p.json").string(),
+                                 "--preset",
+                                 "low",
+                                 "--views",
+                                 "1",
+                                 "--fps",
+                                 fps,
+                                 "--size",
+                                 size,
+                                 "--out",
+                                 out.path().string()};
+  words.insert(words.end(), more.begin(), more.end());
+  const ProgramResult result = run_program(words, {"SEASCAPE_VALIDATION=1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const std::string& name : out.names()) files[name] = read_bytes(out / name);
+  return nlohmann::json::parse(read_text(out / "replay.json")).at("frames");
+}
+
 // What floats has lived through what came before, wherever a replay begins: the same picture, with the foam of an
 // engine's wash, poses and hash of the sea. A camera rides a body. Controls seen: the frames before --start left out;
 // the foam of these frames left out (the picture alone differs).
@@ -70,27 +96,7 @@ TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
   write_atomically(folder / "p.json", R"({"version": 1, "on": "A", "horizon_lock": 0.5, "keys": [
     {"time_s": 0, "position_m": [0, 4, 12]}, {"time_s": 2, "position_m": [1, 4, 12]}]})");
   const auto record = [&](const std::vector<std::string>& more, Files& files) {
-    const TemporaryFolder out;
-    std::vector<std::string> words{"replay",
-                                   "--scene",
-                                   (folder / "s.json").string(),
-                                   "--path",
-                                   (folder / "p.json").string(),
-                                   "--preset",
-                                   "low",
-                                   "--views",
-                                   "1",
-                                   "--fps",
-                                   "12",
-                                   "--size",
-                                   "96x64",
-                                   "--out",
-                                   out.path().string()};
-    words.insert(words.end(), more.begin(), more.end());
-    const ProgramResult result = run_program(words, {"SEASCAPE_VALIDATION=1"});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    for (const std::string& name : out.names()) files[name] = read_bytes(out / name);
-    return nlohmann::json::parse(read_text(out / "replay.json")).at("frames");
+    return replayed(folder, "12", "96x64", more, files);
   };
   Files all, one, none;
   const auto frames = record({"--frames", "18"}, all), alone = record({"--start", "17", "--frames", "1"}, one);
@@ -107,6 +113,44 @@ TEST(Replay, AFrameOfWhatFloatsIsTheSameFromAnyStart) {
   ASSERT_EQ(frames.at(17).at("bodies").size(), 2u);
   EXPECT_EQ(frames.at(17).at("bodies").at(0).at("name"), "A");
   EXPECT_NE(frames.at(17).at("bodies").at(0).at("position_m"), frames.at(0).at("bodies").at(0).at("position_m"));
+}
+
+// A dive: the path's light shines from its press on, the diver's bubbles are those of the frames before, wherever a
+// replay begins, and the record has when the eye went in. Controls seen: presses of the frame alone (the light is
+// off from --start); the breath of the frames before left out.
+TEST(Replay, ADiveHasItsLightItsBreathAndItsEvents) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "s.json", R"({"version": 1, "effects": ["waves", "models", "underwater"],
+    "waves": {"wind_speed_mps": 0}, "sky": {"sun_elevation_deg": 1}, "objects": [{"model": "crate", "at_m": [0, -2, -3]}]})");
+  const auto path = [&](const std::string& actions) {
+    write_atomically(folder / "p.json", R"({"version": 1, "keys": [{"time_s": 0, "position_m": [0, 0.5, 0]},
+      {"time_s": 2, "position_m": [0, -1.5, 0]}, {"time_s": 9, "position_m": [0, -1.8, 1], "pitch_deg": 55}])" +
+                                            actions + "}");
+  };
+  const auto record = [&](const std::vector<std::string>& more, Files& files) {
+    return replayed(folder, "4", "64x48", more, files);
+  };
+  Files all, one, dark, airless;
+  path(R"(, "actions": {"version": 1, "events": [{"time_s": 3, "action": "light", "value": 1}]})");
+  const auto frames = record({"--frames", "36"}, all);
+  record({"--start", "35", "--frames", "1"}, one);
+  record({"--start", "35", "--frames", "1", "--set", "breath.on=false"}, airless);
+  path("");
+  record({"--frames", "36"}, dark);
+  EXPECT_EQ(all.at("frame_0035.png"), one.at("frame_0035.png"));
+  EXPECT_NE(all.at("frame_0035.png"), airless.at("frame_0035.png"));
+  EXPECT_EQ(all.at("frame_0011.png"), dark.at("frame_0011.png")) << "before the press";
+  EXPECT_NE(all.at("frame_0012.png"), dark.at("frame_0012.png")) << "with it";
+  EXPECT_NE(all.at("frame_0035.png"), dark.at("frame_0035.png")) << "and after it";
+  std::vector<nlohmann::json> events;
+  for (const auto& frame : frames)
+    for (const auto& event : frame.at("events")) events.push_back(event);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].at("eye"), "centre");
+  EXPECT_EQ(events[0].at("event"), "in");
+  // Half a metre down of two, on a way that begins at rest: 2 cm past it (a cubic through its keys, to a frame's bend).
+  EXPECT_GT(events[0].at("time_s").get<double>(), 0.5);
+  EXPECT_LT(events[0].at("time_s").get<double>(), 1.0);
 }
 
 }  // namespace

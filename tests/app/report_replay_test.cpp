@@ -41,12 +41,14 @@ ReplayRecord record() {
     frame.triangles = 5000000000ull;
     frame.dispatches = 12;
     frame.patches = 300;
+    if (i == 6) frame.eye_events = {{6 / 30.0 - 0.01, 0, true}, {6 / 30.0, 1, false}};
     made.frames.push_back(frame);
   }
   return made;
 }
 
-// Control: orientation given as w, x, y, z, or numbers rounded to six digits, read back different.
+// Controls: the eyes' names swapped; orientation given as w, x, y, z, or numbers rounded to six
+// digits, read back different.
 TEST(ReplayRecord, ReadsBackTheSame) {
   const ReplayRecord made = record();
   const json parsed = json::parse(replay_json(made));
@@ -72,6 +74,12 @@ TEST(ReplayRecord, ReadsBackTheSame) {
     EXPECT_EQ(frame.at("counts").at("patches"), 300);
     EXPECT_EQ(frame.at("taken").at("cpu_ms"), 1.25);
     EXPECT_TRUE(frame.at("taken").at("gpu_ms").is_null());
+    ASSERT_EQ(frame.at("events").size(), source.eye_events.size());
+    for (std::size_t n = 0; n < source.eye_events.size(); ++n) {
+      EXPECT_EQ(frame.at("events").at(n).at("time_s").get<double>(), source.eye_events[n].time_s);
+      EXPECT_EQ(frame.at("events").at(n).at("eye"), n == 0 ? "left" : "right");
+      EXPECT_EQ(frame.at("events").at(n).at("event"), n == 0 ? "in" : "out");
+    }
   }
 }
 

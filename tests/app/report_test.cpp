@@ -134,9 +134,31 @@ TEST(Report, HoldsTheFigures) {
   EXPECT_THAT(soft, HasSubstr("With only 99 frames"));
 }
 
+// A run that held a frame rate tells how: a sentence, a plot, and three columns, which a run without has empty of
+// moves. Controls seen: frames that took just as long counted as late; the columns of the run's last frame in all rows.
+TEST(Report, TellsHowAFrameRateWasHeld) {
+  CaptureRun run = capture_run("mid", 12.0, 100, {"surface"});
+  EXPECT_EQ(report_html(test::machine(), {run}).find("How the frame rate was held"), std::string::npos);
+  EXPECT_EQ(capture_csv({run}).find("picture_scale"), std::string::npos);
+  run.kept_ms = frame_ms(run.frames[89]);
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    run.frames[i].picture_scale = i < 50 ? 1.0 : 0.8;
+    run.frames[i].quality = i < 50 ? 1.0 : 0.6;
+    run.frames[i].decision = i == 50 ? "over budget: picture scale 1 to 0.8, mesh" : "steady";
+  }
+  EXPECT_THAT(kept_text(run), HasSubstr(": 10 of 100 frames took longer; mean quality 0.800, picture scale 0.900"));
+  const std::string page = report_html(test::machine(), {run, capture_run("other", 12.0, 100, {"surface"})});
+  EXPECT_THAT(page, HasSubstr("How the frame rate was held"));
+  const std::string csv = capture_csv({run});
+  EXPECT_THAT(csv, HasSubstr(",1.0000,1.0000,steady\n"));
+  EXPECT_THAT(csv, HasSubstr(",0.8000,0.6000,\"over budget: picture scale 1 to 0.8, mesh\"\n"));
+  EXPECT_THAT(csv, HasSubstr(",0.8000,0.6000,steady\n"));
+}
+
 // Every tag that is opened is closed, in order. Control: a plot without its </figure> fails.
 TEST(Report, TagsMatch) {
   CaptureRun odd = capture_run("odd", 3.0, 40, {"a", "b"});
+  odd.kept_ms = 3.0;
   odd.frames[7].gpu_ms = std::nan("");
   odd.frames[8].gpu_ms = 4000.0;
   odd.frames[9].gpu_ms = HUGE_VAL;

@@ -170,7 +170,7 @@ TEST(Scene, NamesResolveInContentAndAMissingOneNamesTheNearest) {
     EXPECT_NE(message.find("no scene is called 'strom' (did you mean 'storm'?)"), std::string::npos) << message;
     EXPECT_NE(message.find("aquarium, baked, calm, diving_bell, flotsam, gerstner, harbour, harbour_clip, lagoon, "
                            "open_boat, open_sea, porthole, rain_pool, regatta, rivers, still_life, storm, swell, "
-                           "wake_tank, waterline or whirlpool"),
+                           "wake_tank, waterline, whirlpool or wreck"),
               std::string::npos)
         << message;
   }

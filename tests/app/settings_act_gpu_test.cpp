@@ -59,7 +59,7 @@ TEST_F(SettingsAct, EveryOneThatIsNotLive) {
     }
     if (row.key == "water.anisotropy" && test::device().facts().max_anisotropy <= 1.0f) continue;
     if (row.key == "baked.loop" || row.key == "time.follow_clock") continue;
-    if (!test::sampled(number++, 6)) continue;
+    if (!test::sampled(number++, 9)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     Settings settings = test::SeaShot(options).scene().settings;
     const std::string value = test::value_in(settings, row);

@@ -96,7 +96,7 @@ TEST_F(SolidsInWater, APlatesColourIsTheClosedForm) {
 // A lamp's square under still water: its edges are where Snell puts them, within a pixel, whether it is near or far,
 // steep or aslant. Control seen: an index of 1.25.
 TEST_F(SolidsInWater, ThingsAreWhereSnellPutsThem) {
-  for (const test::FrameLook& look : test::frame_looks)
+  for (const test::FrameLook& look : test::sampled_looks())
     for (const double depth_m : {0.5, 2.0, 10.0}) {
       SceneObjects objects;
       const double half = 0.5 + 0.25 * depth_m, ahead = 2.0 + 1.5 * depth_m;
@@ -199,7 +199,7 @@ TEST_F(SolidsInWater, NothingBeforeTheWaterIsSeenInIt) {
 // Things that are all above the water cost no pass, and those that are not one. Control seen: all things taken
 // for wet.
 TEST_F(SolidsInWater, OnlyWhatMayBeUnderWaterHasAPass) {
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     const auto passes = [&](double up_m) {
       SceneObjects objects;
       test::stand(objects, test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), "{}"), Pose{{0.0, up_m, -6.0}});

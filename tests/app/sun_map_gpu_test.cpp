@@ -41,7 +41,7 @@ int light_of(const Image8& picture, std::uint32_t x, std::uint32_t y) {
 // and no shadow comes loose from its foot. Controls: sun_map_row turned round; asked four texels beside; no `from` and
 // no `nearer` (a plate shades itself); `from` 30 texels off (a wall's shadow comes loose).
 TEST_F(SunMapDrawn, ShadowsLieWhereRaysToTheSunSay) {
-  for (const test::FrameLook& look : test::frame_looks)
+  for (const test::FrameLook& look : test::sampled_looks())
     for (const bool on_plate : {true, false})
       for (const double up_deg : {60.0, 12.0})
         for (const bool wall : {false, true}) {
@@ -103,7 +103,7 @@ TEST_F(SunMapDrawn, OnlyWhatIsAskedForIsThere) {
   SceneObjects objects;
   test::stand(objects, test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), "{}"), Pose{{0.0, 1.0, -5.0}});
   const Pose head = pose({0.0, 2.0, 0.0}, 0.0, -20.0), far = pose({500.0, 2.0, 0.0}, 0.0, -20.0);
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     {
       SeaShot none = shot_of(look, objects, 40.0, "0");
       none.draw(head, 1.0);

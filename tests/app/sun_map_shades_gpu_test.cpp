@@ -10,6 +10,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/solid_shot.h"
+#include "tests/support/sampled.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -87,7 +88,7 @@ TEST_F(SunMapShades, WhatAMaskCutsOutThrowsNone) {
   test::stand(objects, test::solid_model(board, mask), Pose{middle});
   test::stand(objects, test::solid_model(test::solid_plate(20.0f), rough), Pose{{0.0, floor_m, -4.0}});
   const Box whole{middle, {1.0, 0.02, 1.0}}, right{middle + glm::dvec3(0.5, 0.0, 0.0), {0.5, 0.02, 1.0}};
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     SeaShot with(options_of(look, objects, 50.0, "512")), without(options_of(look, objects, 50.0, "0"));
     const Viewpoint viewpoint = with.viewpoint(above);
     const Image8 shaded = with.picture(viewpoint, 1.0), bare = without.picture(viewpoint, 1.0);
@@ -112,7 +113,7 @@ TEST_F(SunMapShades, LandIsShaded) {
   const Box box{{0.0, land_m + 0.8, -4.0}, {0.5, 0.5, 0.5}};
   SceneObjects objects;
   test::stand(objects, test::solid_model(test::solid_box(glm::vec3(box.half)), rough), Pose{box.middle});
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     ShotOptions options = options_of(look, objects, 50.0, "512");
     options.effects = {{"waves", "sea_depth", "models"}};
     options.inputs = {land};
@@ -139,7 +140,7 @@ TEST_F(SunMapShades, TheyFadeTowardsTheBorder) {
   SceneObjects objects;
   test::stand(objects, test::solid_model(test::solid_box(glm::vec3(wall.half)), rough), Pose{wall.middle});
   test::stand(objects, test::solid_model(test::solid_plate(60.0f), rough), Pose{{0.0, floor_m, 0.0}});
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     ShotOptions options = options_of(look, objects, 35.0, "512");
     options.set.emplace_back("sky.sun_to_deg", "0");
     SeaShot with(options);
@@ -214,7 +215,7 @@ TEST_F(SunMapShades, BothEyesSeeOneShadowThatStandsStill) {
   SceneObjects objects;
   test::stand(objects, test::solid_model(test::solid_box(glm::vec3(box.half)), rough), Pose{box.middle});
   test::stand(objects, test::solid_model(test::solid_plate(20.0f), rough), Pose{{0.0, floor_m, -4.0}});
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     ShotOptions options = options_of(look, objects, 40.0, "512"), none = options_of(look, objects, 40.0, "0");
     options.views = none.views = 2;
     options.per_eye = none.per_eye = !multiview_works(test::device(), test::shaders());
@@ -248,8 +249,10 @@ TEST_F(SunMapShades, BothEyesSeeOneShadowThatStandsStill) {
 TEST_F(SunMapShades, RoundThingsDoNotShadeThemselves) {
   SceneObjects objects;
   test::stand(objects, test::solid_model(test::solid_pile(1.5f, -1.0f, 5.0f, 10), rough), Pose{{0.0, 0.0, -6.0}});
-  for (const test::FrameLook& look : test::frame_looks)
+  std::size_t number = 0;
+  for (const test::FrameLook& look : test::sampled_looks())
     for (const char* to_deg : {"80", "85", "90", "97", "104", "110", "117", "123"}) {
+      if (!test::sampled(number++, 2)) continue;
       ShotOptions options = options_of(look, objects, 15.0, "2048");
       options.set.emplace_back("sky.sun_to_deg", to_deg);
       SeaShot with(options);
@@ -278,7 +281,7 @@ TEST_F(SunMapShades, RoundThingsDoNotShadeThemselves) {
 // In a wall's shade a round pile of few sides is as dark everywhere as one of many. Control seen: sun_reaches_thing()
 // of lib/solid_light.glsl without its second sun_reaches(), by which such triangles are sunlit in any shade.
 TEST_F(SunMapShades, RoundThingsAreShadedByOthers) {
-  for (const test::FrameLook& look : test::frame_looks)
+  for (const test::FrameLook& look : test::sampled_looks())
     for (const char* to_deg : {"90", "104", "117"}) {
       const auto drawn = [&](int sides, const char* texels) {
         SceneObjects objects;

@@ -11,7 +11,7 @@ namespace seascape {
 namespace {
 
 constexpr double drag = Swim::drag_kg_m, pull = Swim::hand_kg_m, mass = Swim::mass_kg;
-const glm::dvec2 ahead(0.6, -0.8);
+const glm::dvec3 ahead(0.6, 0.0, -0.8);
 
 SwimWish pulling(double back_mps, double under_water = 1.0, int hands = 1) {
   SwimWish wish;
@@ -50,11 +50,11 @@ TEST(Swim, SettlesWhereTheHandsPullAsTheWaterHolds) {
 // Controls: the way of a step by its first velocity; the drag across left out.
 TEST(Swim, GlidesAsTheSquareLawHasIt) {
   const double k = drag / mass;
-  for (const glm::dvec2 way : {ahead, glm::dvec2(-ahead.y, ahead.x), -ahead})
+  for (const glm::dvec3 way : {ahead, glm::dvec3(-ahead.z, 0.0, ahead.x), -ahead})
     for (const double dt_s : {1.0 / 144.0, 1.0 / 60.0, 0.1}) {
       Swim swim;
       swim.begin_anew(1.5 * way);
-      glm::dvec2 moved(0.0);
+      glm::dvec3 moved(0.0);
       double t = 0.0;
       for (int n = 0; n < 60; ++n, t += dt_s) {
         swim.step(pulling(0.0), dt_s);
@@ -112,7 +112,7 @@ TEST(Swim, WithoutHandsHeGoesAhead) {
   wish.ahead = ahead;
   for (const int steps : {1, 7, 300}) {
     Swim swim;
-    glm::dvec2 moved(0.0);
+    glm::dvec3 moved(0.0);
     for (int n = 0; n < steps; ++n) {
       swim.step(wish, 3.0 / steps);
       moved += swim.moved_m();
@@ -127,19 +127,19 @@ TEST(Swim, WhatIsNoNumberDoesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), big = std::numeric_limits<double>::infinity();
   Swim swim;
   for (const double bad : {nan, big, -big, 1e300}) {
-    swim.begin_anew({bad, 0.0});
+    swim.begin_anew({bad, 0.0, 0.0});
     swim.begin_anew();
     swim.step(pulling(bad), 0.1);
     swim.step(pulling(1.0, bad), 0.1);
     EXPECT_TRUE(std::isfinite(swim.velocity_mps().x)) << bad;
     SwimWish wish = pulling(1.0);
-    wish.ahead = {bad, bad};
+    wish.ahead = {bad, bad, bad};
     if (!std::isfinite(bad)) swim.step(wish, 0.1);
     swim.step(pulling(1.0), bad);
     EXPECT_TRUE(std::isfinite(swim.velocity_mps().x) && std::isfinite(swim.moved_m().y)) << bad;
     EXPECT_LT(glm::length(swim.velocity_mps()), 1.5) << bad;
   }
-  swim.begin_anew({nan, 1.0});
+  swim.begin_anew({nan, 0.0, 1.0});
   EXPECT_EQ(glm::length(swim.velocity_mps()), 0.0);
 }
 

@@ -73,7 +73,7 @@ const Set clear_water{{"water.type", "colour"},
 // While no eye can be in the water, and no drop is left on a lens, nothing is drawn that is not drawn without the
 // effect, and the picture is the same to the bit. Controls: the same eyes in the water; out of it a moment ago.
 TEST_F(Underwater, CostsTheDryNothing) {
-  for (const test::FrameLook& look : test::frame_looks) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     SeaShot wet(options(look, {{"comfort.clear_lens", "false"}})), dry(options(look, {}, {"waves"}));
     const Pose above = pose({0.0, 2.0, 0.0}, 20.0, -12.0), below = pose({0.0, -2.0, 0.0}, 20.0, -12.0);
     const Image8 seen = wet.picture(above, 3.0), wanted = dry.picture(above, 3.0);

@@ -1,17 +1,12 @@
 // Eyes in the water and across its surface, both in one pass: what each eye draws alone, bit for bit.
 #include <gtest/gtest.h>
 
-#include "engine/multiview_check.h"
-#include "tests/support/gpu/frame_shapes.h"
-#include "tests/support/gpu/gpu_test.h"
-#include "tests/support/gpu/picture.h"
-#include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/each_eye.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
 namespace {
 
-using test::differing_pixels;
 using test::pose;
 using test::SeaShot;
 using test::ShotOptions;
@@ -28,16 +23,27 @@ SceneObjects things() {
   return objects;
 }
 
-// Over a bed of 3 m, with things in the water and above it. Control seen: the first eye's height for both in
-// depth_in_water()'s callers.
+// Of a head there that has breathed for some seconds.
+SeaShot shot_of(const ShotOptions& options, const Pose& head) {
+  SeaShot shot(options);
+  Pose mouth = head;
+  mouth.position_m += glm::dvec3(0.0, -0.5, -1.5);
+  for (double t = 0.0; t < 5.0; t += 0.25) shot.experience().breathe(t, mouth);
+  return shot;
+}
+
+// (A fifth of the cases, all with SEASCAPE_LONG.) Over a bed of 3 m, with things in the water and above it, bubbles,
+// and a lamp that shines. Controls seen: the first eye's height for both in depth_in_water()'s callers; the first
+// eye's line of sight for both in lamp_in_water().
 TEST_F(UnderwaterStereo, OnePassEqualsEachEyeAndMono) {
-  std::vector<test::FrameLook> looks(std::begin(test::frame_looks), std::end(test::frame_looks));
-  looks.push_back({"tile_1", {{"frame.shape", "tile"}, {"msaa", "1"}, {"frame.lighting", "forward"}}});
-  looks.push_back({"desktop_1", {{"frame.shape", "desktop"}, {"msaa", "1"}, {"frame.lighting", "forward"}}});
-  for (const test::FrameLook& look : looks)
+  std::size_t number = 0;
+  for (const test::FrameLook& look : test::stereo_looks())
     for (const double height_m : {0.0, -1.0}) {
-      ShotOptions options{.scene = "calm", .preset = "medium", .width = 128, .height = 96, .views = 2, .set = look.set};
+      if (!test::sampled(number++, 5)) continue;
+      ShotOptions options{.scene = "calm", .preset = "medium", .width = 128, .height = 96, .set = look.set};
       options.set.emplace_back("waves.resolution", "32");
+      options.set.emplace_back("dive_light.on", "true");
+      if (height_m < 0.0) options.set.emplace_back("sky.sun_elevation_deg", "-4");  // the lamp is what is seen
       options.effects = {{"waves", "models", "underwater", "sea_depth"}};
       InputSpec bed;
       bed.to = InputTarget::sea_depth;
@@ -47,25 +53,8 @@ TEST_F(UnderwaterStereo, OnePassEqualsEachEyeAndMono) {
       options.inputs = {bed};
       options.objects = things();
       const Pose head = pose({0.2, height_m, 0.0}, 3.0, height_m < 0.0 ? 20.0 : 0.0, 14.0);
-      std::vector<Image8> together;
-      if (multiview_works(test::device(), test::shaders())) together = SeaShot(options).pictures(head, 5.0);
-      options.per_eye = true;
-      const std::vector<Image8> by_eye = SeaShot(options).pictures(head, 5.0);
-      options.per_eye = false;
-      options.views = 1;
-      std::vector<Image8> alone;
-      for (const int eye : {-1, 1}) {
-        options.eye = eye;
-        alone.push_back(SeaShot(options).picture(head, 5.0));
-      }
-      for (std::size_t eye = 0; eye < 2; ++eye) {
-        if (!together.empty()) {
-          EXPECT_EQ(differing_pixels(together[eye], alone[eye]), 0)
-              << look.name << height_m << eye << test::leave(together[eye], "underwater_together");
-        }
-        EXPECT_EQ(differing_pixels(by_eye[eye], alone[eye]), 0) << look.name << height_m << eye;
-      }
-      EXPECT_GT(differing_pixels(alone[0], alone[1]), 500) << look.name << height_m;
+      test::expect_each_eye_alone(options, head, 5.0, look.name + std::to_string(height_m),
+                                  [&](const ShotOptions& made) { return shot_of(made, head); });
     }
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 #include "app/frame.h"
@@ -11,6 +10,7 @@
 #include "shaders/shared/fresnel.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
+#include "tests/support/gpu/portal_pixels.h"
 #include "tests/support/gpu/solid_shot.h"
 #include "tests/support/solid_maker.h"
 
@@ -20,6 +20,7 @@ namespace {
 using test::pose;
 using test::SeaShot;
 using test::Set;
+using test::Through;
 
 class WaterShapesDrawn : public test::GpuTest {};
 
@@ -81,11 +82,6 @@ Lit lit(SeaShot& shot, const Viewpoint& viewpoint) {
   return result;
 }
 const test::FrameLook lit_looks[] = {test::frame_looks[2], test::frame_looks[3]};
-// Those that differ most; with SEASCAPE_LONG=1 all.
-std::vector<test::FrameLook> looks() {
-  if (std::getenv("SEASCAPE_LONG") != nullptr) return {std::begin(test::frame_looks), std::end(test::frame_looks)};
-  return {test::frame_looks[0], test::frame_looks[3]};
-}
 
 // A ball that shines by itself, white, within a pocket deep in black water is white from 12 poses in it: no water is
 // before it. Control: without the pocket it is not seen.
@@ -204,21 +200,12 @@ TEST_F(WaterShapesDrawn, ThePocketCutsTheSurface) {
   }
 }
 
-// What a pixel's line of sight goes through, by its middle, or where it is nearer to an outline than a pixel: unsure.
-enum class Through { none, some, unsure };
-Through through(const WaterLines& lines, const View& eye, std::uint32_t x, std::uint32_t y) {
-  int within = 0;
-  for (const glm::dvec2 off : {glm::dvec2(0.5), glm::dvec2(-0.5, 0.5), {1.5, 0.5}, {0.5, -0.5}, {0.5, 1.5}})
-    within += !lines.wet_parts({0.0, 0.0, 0.0}, test::pixel_ray(eye, x + off.x, y + off.y, width, height), 1e4).empty();
-  return within == 0 ? Through::none : within == 5 ? Through::some : Through::unsure;
-}
-
 // In a dry hall under the level of the sea with a box in it: outside of portals the picture is to the bit what it is
 // where none is in sight; within, water; of two that overlap each pixel is that of the nearer one's own picture; edge
 // on there is nothing. Control seen: things before a portal lit as
 // in water.
 TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
-  for (const test::FrameLook& look : looks()) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
     const auto scene = [&](const std::vector<PlacedShape>& portals) {
       SceneShapes shapes;
       shapes.portals = portals;
@@ -254,7 +241,8 @@ TEST_F(WaterShapesDrawn, PortalsShowWaterWithinTheirOutlineAlone) {
     int outside = 0, wet = 0, inside = 0, overlap = 0, before = 0;
     for (std::uint32_t y = 0; y < height; ++y)
       for (std::uint32_t x = 0; x < width; ++x) {
-        const Through a = through({first, 0, 1}, eye, x, y), b = through({second, 0, 1}, eye, x, y);
+        const Through a = test::through({first, 0, 1}, eye, x, y, width, height),
+                      b = test::through({second, 0, 1}, eye, x, y, width, height);
         if (a == Through::unsure || b == Through::unsure) continue;
         const bool in_a = a == Through::some, in_b = b == Through::some;
         outside += !in_a && !in_b && apart(both, dry, x, y) > 0;
@@ -346,8 +334,8 @@ TEST_F(WaterShapesDrawn, CostsNothingWithoutShapes) {
     for (const auto& shader : shot.experience().surface().pipeline().shaders()) words.push_back(shader->words);
     return words;
   };
-  for (const test::FrameLook& look : looks()) {
-    if (look.name == "tile" && std::getenv("SEASCAPE_LONG") == nullptr) continue;
+  for (const test::FrameLook& look : test::sampled_looks()) {
+    if (look.name == "tile" && !test::long_run()) continue;
     test::ShotOptions with_it = options(look, {}, shapes), bare = options(look, {}, {}), unnamed = with_it;
     unnamed.effects = {{"waves", "models", "underwater"}};
     test::ShotOptions none = bare;

@@ -1,20 +1,14 @@
 // Pockets of air and portals, both eyes in one pass: what each eye draws alone, bit for bit.
 #include <gtest/gtest.h>
 
-#include "engine/multiview_check.h"
 #include "shaders/shared/water_line.h"
-#include "tests/support/gpu/frame_shapes.h"
-#include "tests/support/gpu/gpu_test.h"
-#include "tests/support/gpu/picture.h"
-#include "tests/support/gpu/sea_shot.h"
+#include "tests/support/gpu/each_eye.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
 namespace {
 
-using test::differing_pixels;
 using test::pose;
-using test::SeaShot;
 using test::ShotOptions;
 
 class WaterShapesStereo : public test::GpuTest {};
@@ -33,7 +27,7 @@ PlacedShape ball(double radius_m, const glm::dvec3& at_m) {
 TEST_F(WaterShapesStereo, OnePassEqualsEachEyeAndMono) {
   for (const test::FrameLook& look : {test::frame_looks[0], test::frame_looks[1]})
     for (const bool portals : {false, true}) {
-      ShotOptions options{.scene = "calm", .preset = "medium", .width = 96, .height = 72, .views = 2, .set = look.set};
+      ShotOptions options{.scene = "calm", .preset = "medium", .width = 96, .height = 72, .set = look.set};
       options.set.emplace_back("waves.resolution", "32");
       options.effects = {{"waves", "models", "underwater", "portals"}};
       test::stand(options.objects, test::solid_model(test::solid_sphere(0.4f, 12), "{}"), Pose{{-0.3, -2.0, -2.0}});
@@ -43,24 +37,7 @@ TEST_F(WaterShapesStereo, OnePassEqualsEachEyeAndMono) {
         options.shapes.air = {ball(1.0, {-1.0, -2.0, 0.0}), ball(0.8, {0.5, -1.6, -3.0})};
       for (PlacedShape& one : options.shapes.portals) one.mode = gpu::portal_fly_through;
       const Pose head = pose({0.0, -2.0, 0.0}, 3.0, 5.0, 0.0);
-      std::vector<Image8> together;
-      if (multiview_works(test::device(), test::shaders())) together = SeaShot(options).pictures(head, 5.0);
-      options.per_eye = true;
-      const std::vector<Image8> by_eye = SeaShot(options).pictures(head, 5.0);
-      options.per_eye = false;
-      options.views = 1;
-      std::vector<Image8> alone;
-      for (const int eye : {-1, 1}) {
-        options.eye = eye;
-        alone.push_back(SeaShot(options).picture(head, 5.0));
-      }
-      for (std::size_t eye = 0; eye < 2; ++eye) {
-        if (!together.empty()) {
-          EXPECT_EQ(differing_pixels(together[eye], alone[eye]), 0) << look.name << portals << eye;
-        }
-        EXPECT_EQ(differing_pixels(by_eye[eye], alone[eye]), 0) << look.name << portals << eye;
-      }
-      EXPECT_GT(differing_pixels(alone[0], alone[1]), 500) << look.name << portals;
+      test::expect_each_eye_alone(options, head, 5.0, look.name + (portals ? " portals" : " air"));
     }
 }
 

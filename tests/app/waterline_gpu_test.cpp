@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
+#include "engine/multiview_check.h"
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/waterline.h"
+#include "tests/support/sampled.h"
 
 namespace seascape {
 namespace {
@@ -23,8 +24,6 @@ class Waterline : public test::GpuTest {};
 constexpr std::uint32_t width = 96, height = 72;
 constexpr double reach_m = 0.25;  // of the near plane's corners
 
-bool long_run() { return std::getenv("SEASCAPE_LONG") != nullptr; }
-
 // What of a scene makes its surface, lit later, so that the sides can be read.
 test::ShotOptions options(const std::string& scene, double wind_mps, int views) {
   test::ShotOptions result{
@@ -33,6 +32,7 @@ test::ShotOptions options(const std::string& scene, double wind_mps, int views) 
       .width = width,
       .height = height,
       .views = views,
+      .per_eye = views == 2 && !multiview_works(test::device(), test::shaders()),
       .probe = true,
       .set = {{"msaa", "1"}, {"waves.where", "cpu"}, {"frame.lighting", "deferred"}, {"frame.shape", "tile"}}};
   if (wind_mps >= 0.0) result.set.emplace_back("waves.wind_speed_mps", std::to_string(wind_mps));
@@ -119,10 +119,10 @@ TEST_F(Waterline, IsTheDrawnSurfaces) {
                              Place{"harbour", -1.0, {60.0, 60.0}, 12.0}}) {
     SCOPED_TRACE(std::string(place.scene) + " " + std::to_string(place.wind_mps));
     const bool of_many = std::string(place.scene) == "waterline";
-    if (!long_run() && place.wind_mps != 6.0 && std::string(place.scene) != "lagoon") continue;
-    const int poses = long_run() ? (of_many ? 40 : 110) : 2;
+    if (!test::long_run() && place.wind_mps != 6.0 && std::string(place.scene) != "lagoon") continue;
+    const int poses = test::long_run() ? (of_many ? 40 : 110) : 2;
     const Compared found = compare(place.scene, place.wind_mps, place.about, place.around_m, poses, 1000);
-    EXPECT_GE(found.pairs, long_run() ? (of_many ? 34000 : 100000) : 2000);
+    EXPECT_GE(found.pairs, test::long_run() ? (of_many ? 34000 : 100000) : 2000);
     EXPECT_GT(found.wrong_if_lower, found.pairs / 300) << "the control";
     EXPECT_EQ(found.wrong, 0) << "up to " << found.worst_m << " m off, of " << found.pairs;
     EXPECT_LT(found.unsure, 0.06 * found.pairs);
@@ -140,7 +140,7 @@ TEST_F(Waterline, IsTheDrawnSurfaces) {
 // its side and changes back within three frames, but where the drawn surface passed within a pixel of it in them. 1,000
 // frames with SEASCAPE_LONG. Control: every third frame's sides taken from a surface 4 mm higher.
 TEST_F(Waterline, DoesNotFlicker) {
-  const int frames = long_run() ? 1000 : 24;
+  const int frames = test::long_run() ? 1000 : 24;
   for (const bool planted : {false, true}) {
     SeaShot shot(options("waterline", 8.0, 1));
     const double near_m = shot.scene().settings.render.near_m;

@@ -198,7 +198,7 @@ struct NamedPath {
 };
 // Ten metres a second at 72 frames; `low_m` is above the sea's crests. Up to 100 m in 60 frames, or to 20 km in 240.
 std::vector<NamedPath> paths(double low_m, const glm::dvec2& from = {0.0, 0.0}) {
-  const int frames = test::long_run() ? 100 : 60, climb = test::long_run() ? 240 : 60;
+  const int frames = test::long_run() ? 100 : 36, climb = test::long_run() ? 240 : 36;
   const double rise = (test::long_run() ? 2e4 : 100.0) / low_m;
   return {{"forward",
            [=](int n) {

@@ -34,7 +34,7 @@ struct Slice {
     for (int i = 0; i < side * side; ++i) before.push_back(unit(random));
     for (int i = 0; i < side * (side + 2); ++i) {
       const bool rests = i % 3 == 0 || (i % (side + 2)) / 16 == 2;
-      speed.push_back(rests ? glm::vec2(0.0f) : 8.0f * glm::vec2(normal(random), normal(random)));
+      speed.push_back(rests ? glm::vec2(0.0f) : 8.0f * glm::vec2{normal(random), normal(random)});
     }
   }
   const glm::vec2* row(int z) const { return speed.data() + glm::clamp(z, 0, side - 1) * (side + 2) + 1; }

@@ -205,6 +205,30 @@ TEST(Spray, KeepsItsMost) {
   }
 }
 
+// A share of it is of the same puffs: each that is drawn at a smaller share is drawn at a larger one, hides as much or
+// more there, and all of it is what is drawn without one. Control seen: ranks by the place in the list.
+TEST(Spray, AShareIsOfTheSamePuffs) {
+  test::OwnSpray spray = spray_of(plenty(), storm());
+  std::vector<gpu::SprayPuff> more(32768), fewer(32768);
+  spray.update(70.0, head);
+  std::size_t before = spray.drawn(70.01, head, more);
+  const std::size_t all = before;
+  ASSERT_GT(all, 1000u);
+  EXPECT_EQ(spray.drawn(70.01, head, fewer, 1.0), all);
+  for (const double share : {0.8, 0.5, 0.2, 0.0}) {
+    const std::size_t n = spray.drawn(70.01, head, fewer, share);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      while (at < before && more[at].place != fewer[k].place) ++at;
+      ASSERT_LT(at, before) << share << ": a puff that was not there before";
+      ASSERT_LE(fewer[k].streak.w, more[at].streak.w) << share;
+    }
+    EXPECT_NEAR(double(n), std::min(1.1 * share, 1.0) * double(all), 0.05 * double(all)) << share;
+    std::swap(more, fewer);
+    before = n;
+  }
+}
+
 // Nothing is drawn that lies deep beneath the water, at any moment between steps; and what has lived less than it may
 // has ended on the water. Control seen: land() that asks for the age alone (metres beneath).
 TEST(Spray, EndsOnTheWater) {

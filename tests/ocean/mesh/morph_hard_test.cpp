@@ -164,7 +164,7 @@ double greatest_step(LodJoin join, const Preset& preset) {
   std::vector<std::pair<glm::dvec2, double>> places;
   // Each with a swell that a mesh at that distance just resolves, where missing it shows most.
   for (int n = 0; n < 40; ++n) {
-    const glm::dvec2 off = glm::dvec2(unit(random), unit(random)) * std::pow(10.0, 1.2 + 0.8 * unit(random));
+    const glm::dvec2 off = glm::dvec2{unit(random), unit(random)} * std::pow(10.0, 1.2 + 0.8 * unit(random));
     places.push_back({off, std::max(8.0 * spacing_over_distance(tree.settings()) * glm::length(off), 2.0)});
   }
   std::vector<double> before(places.size(), std::nan(""));

@@ -20,7 +20,7 @@ std::vector<WaveSource> sources_of(int count, double side_m) {
   std::vector<WaveSource> sources;
   for (int i = 0; i < count; ++i) {
     WaveSource s;
-    s.place_m = side_m * (glm::dvec2(0.2) + 0.6 * glm::dvec2(unit(random), unit(random)));
+    s.place_m = side_m * (glm::dvec2(0.2) + 0.6 * glm::dvec2{unit(random), unit(random)});
     s.velocity_mps = {unit(random) - 0.5, unit(random)};
     s.length_m = 0.5 + 3.0 * unit(random);
     s.head_m = i % 3 == 0 ? 0.0 : unit(random);

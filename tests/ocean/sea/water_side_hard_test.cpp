@@ -229,7 +229,7 @@ TEST(WaterSideHard, hard_17_and_18_an_eye_keeps_its_side) {
     for (const double y : {about.height_m - 0.3, about.height_m + 0.3}) {
       const WaterSide first = water_side(*sea.field, sea.tiles, {place.x, y, place.y});
       for (int n = 0; n < 80; ++n) {
-        const glm::dvec3 off = 1e-6 * glm::dvec3(unit(random), unit(random), unit(random));
+        const glm::dvec3 off = 1e-6 * glm::dvec3{unit(random), unit(random), unit(random)};
         flips += water_side(*sea.field, sea.tiles, glm::dvec3(place.x, y, place.y) + off).in_water != first.in_water;
         moved +=
             water_side(*sea.field, sea.tiles, glm::dvec3(place.x, y, place.y) + 2e6 * off).in_water != first.in_water;

@@ -33,7 +33,8 @@ class MessageSink final : public spdlog::sinks::base_sink<std::mutex> {
 struct Shared {
   std::shared_ptr<MessageSink> sink = std::make_shared<MessageSink>();
   std::unique_ptr<Device> device;
-  ShaderLibrary shaders;
+  // What shaders are specialised to is kept in the build folder: a process each would do it all anew.
+  ShaderLibrary shaders{ShaderLibrary::default_directory(), kept_shaders()};
 };
 
 Shared& shared() {
@@ -66,6 +67,10 @@ class DeviceEnd final : public ::testing::Environment {
 [[maybe_unused]] const auto* const environment = ::testing::AddGlobalTestEnvironment(new DeviceEnd);
 
 }  // namespace
+
+DiskCache kept_shaders() {
+  return DiskCache(std::filesystem::path(SEASCAPE_BUILD_DIR) / "kept_shaders", std::uintmax_t{1} << 30);
+}
 
 Device& device() {
   if (!shared().device) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/device.h"
+#include "engine/disk_cache.h"
 #include "engine/shader.h"
 
 namespace seascape::test {
@@ -14,6 +15,7 @@ namespace seascape::test {
 // the executable. Making a device takes a third of a second, so tests share it.
 Device& device();
 ShaderLibrary& shaders();
+DiskCache kept_shaders();  // where they are kept from one process to the next: by their words and what specialises them
 
 // Messages of the validation layer that any device of this process has given since the last call, oldest first. They
 // are taken from the log, so that those of a second device, and of a device's end, count as well.

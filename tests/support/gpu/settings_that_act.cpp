@@ -69,6 +69,11 @@ ShotOptions where_it_acts(std::string_view key) {
     options.scene = "still_life";
     set("models.shadow_texels", "1024");
   }
+  if (begins("dive_light.")) {
+    options.scene = "lagoon";
+    set("sky.sun_elevation_deg", "-4");
+    if (key != "dive_light.on") set("dive_light.on", "true");
+  }
   if (begins("place.")) options.scene = "rivers";
   if (begins("baked.")) {
     options.scene = "baked";

@@ -1,0 +1,88 @@
+#include "app/adaptive/rate_keeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace seascape {
+
+RateKeeper::RateKeeper(std::vector<Lever> levers, const LeverLevels& start)
+    : controller_(std::move(levers), {}, {}, start), quality_(drawn_quality(controller_.levers(), start)) {
+  timings_.reserve(4);
+  foreseen_.reserve(4);
+}
+
+const Decision& RateKeeper::decide(const KnownOfFrames& known, const AdaptiveSettings& settings) {
+  ++frame_;
+  const double period_ms = settings.target_hz > 0.0 ? 1000.0 / settings.target_hz : known.period_ms;
+  on_ = settings.on && period_ms > 0.0;
+  AdaptiveSettings used = settings;
+  used.on = on_;
+  used.target_hz = 0.0;
+  controller_.set(used);
+  const Drawn& timed = drawn_[known.timed_frame % drawn_.size()];
+  if (known.timed_frame != timed_ && timed.number == known.timed_frame && timed.frame > first_frames)
+    take(timed, known.gpu_ms);
+  timed_ = known.timed_frame;
+  constexpr double least_share = 0.3;
+  FrameInput input;
+  input.frame = frame_;
+  input.period_ms = on_ ? period_ms : 1.0;
+  input.deadline_ms = std::max(input.period_ms - serial_ms_, least_share * input.period_ms);
+  input.interval_ms = known.interval_ms;
+  input.focused = known.focused;
+  input.timings = timings_;
+  input.foreseen = foreseen_;
+  const Decision& decision = controller_.decide(input);
+  timings_.clear();
+  foreseen_.clear();
+  quality_ = on_ ? drawn_quality(controller_.levers(), decision.levels) : DrawnQuality{};
+  return decision;
+}
+
+// A display that waits for the GPU before it gives a frame back has nothing overlap: software drivers do so in windows.
+void RateKeeper::take(const Drawn& timed, double gpu_ms) {
+  timings_.push_back({timed.frame, gpu_ms, 0.0, timed.levels, 1.0});
+  constexpr double waits = 0.5, gain = 0.1;
+  const bool waited = timed.end_ms > waits * gpu_ms;
+  const double serial_ms = waited ? std::max(timed.cpu_ms + timed.end_ms - gpu_ms, 0.0) : 0.0;
+  serial_ms_ += gain * (serial_ms - serial_ms_);
+}
+
+void RateKeeper::drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole) {
+  const LeverLevels levels = on_ && !whole ? controller_.last().levels : LeverLevels{};
+  drawn_[number % drawn_.size()] = {number, frame_, levels, cpu_ms, end_ms};
+  if (frame_ > first_frames) timings_.push_back({frame_, 0.0, cpu_ms, levels, 1.0});
+  cross(under_water);
+}
+
+// Going under and coming up change the load in one frame; by how much is known from the time before.
+void RateKeeper::cross(bool under_water) {
+  const bool crossed = under_water_ && *under_water_ != under_water;
+  if (crossed) {
+    const auto remembered = [&](const CostEstimator& cost, std::array<std::optional<double>, 2>& loads) {
+      if (!cost.known()) return 1.0;
+      const double now = cost.log_load(frame_);
+      loads[std::size_t(*under_water_)] = now;
+      const std::optional<double>& then = loads[std::size_t(under_water)];
+      return then ? std::exp(*then - now) : 1.0;
+    };
+    const double gpu = remembered(controller_.gpu(), gpu_load_), cpu = remembered(controller_.cpu(), cpu_load_);
+    if (gpu != 1.0 || cpu != 1.0)
+      foreseen_.push_back({under_water ? ForeseenKind::going_under : ForeseenKind::surfacing, frame_, gpu, cpu});
+  }
+  under_water_ = under_water;
+}
+
+std::string RateKeeper::text() const {
+  const Decision& d = controller_.last();
+  if (!on_) return "quality: as the preset has it";
+  std::string text = fmt::format("quality {:.2f}, picture {:.2f}", d.quality, quality_.scale);
+  if (d.predicted_ms > 0.0)
+    text += fmt::format(", {} {:.1f} of {:.1f} ms", d.of == CostOf::gpu ? "GPU" : "CPU", d.predicted_ms, d.budget_ms);
+  return text + ": " + std::string(name_of(d.reason));
+}
+
+}  // namespace seascape

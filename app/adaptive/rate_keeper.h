@@ -1,0 +1,66 @@
+// Adaptive quality in a loop of frames: pairs timings with the levels that made them, and says what the next frame is
+// drawn with. Pure, as AdaptiveQuality is.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/adaptive/adaptive.h"
+#include "app/adaptive/live_levers.h"
+
+namespace seascape {
+
+// What is known before a frame. A frame is told by its number in the loop that draws it (Frame::number).
+struct KnownOfFrames {
+  double period_ms = 0.0;         // of the display, where settings ask for no other rate; 0: it does not say
+  double interval_ms = 0.0;       // between the last two frames; 0: not known
+  bool focused = true;            // else the display shows another program
+  std::uint64_t timed_frame = 0;  // the newest whose GPU time is known; 0: none
+  double gpu_ms = 0.0;            // of it
+};
+
+class RateKeeper {
+ public:
+  // Starts at the finest levels, or at `start`.
+  explicit RateKeeper(std::vector<Lever> levers, const LeverLevels& start = {});
+
+  // Before each frame. Does nothing, and leaves the finest levels, where settings.on is false.
+  const Decision& decide(const KnownOfFrames& known, const AdaptiveSettings& settings);
+  // After a frame was handed over: its number, what the processor's work on it took, how long the display then had it,
+  // whether an eye was under water, and with `whole` that it was drawn at the finest levels whatever was decided.
+  void drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole = false);
+
+  // Frames that a scene begins with tell nothing: a driver may still be at work on its pipelines.
+  static constexpr std::uint64_t first_frames = 4;
+
+  const DrawnQuality& quality() const { return quality_; }  // of the frame decided last
+  const LeverLevels& levels() const { return controller_.last().levels; }
+  const Decision& last() const { return controller_.last(); }
+  const AdaptiveQuality& controller() const { return controller_; }
+  // One line: "quality 0.83, picture 0.91, GPU 10.4 of 11.1 ms: over budget".
+  std::string text() const;
+
+ private:
+  struct Drawn {
+    std::uint64_t number = 0, frame = 0;
+    LeverLevels levels{};
+    double cpu_ms = 0.0, end_ms = 0.0;
+  };
+  void take(const Drawn& timed, double gpu_ms);
+  void cross(bool under_water);
+
+  AdaptiveQuality controller_;
+  DrawnQuality quality_;
+  bool on_ = false;
+  double serial_ms_ = 0.0;  // of a frame's time that comes before and after the GPU's, where a display waits for that
+  std::uint64_t frame_ = 0, timed_ = 0;  // of the controller; the newest told of
+  std::array<Drawn, 16> drawn_{};
+  std::vector<FrameTiming> timings_;
+  std::vector<ForeseenChange> foreseen_;
+  std::optional<bool> under_water_;
+  std::array<std::optional<double>, 2> gpu_load_, cpu_load_;  // logarithms, last known in air and under water
+};
+
+}  // namespace seascape

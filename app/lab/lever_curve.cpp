@@ -1,0 +1,148 @@
+#include "app/lab/lever_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "app/drawn_quality.h"
+#include "app/effect_costs.h"
+#include "app/lab/flip.h"
+#include "app/lab/screen_error.h"
+#include "app/program.h"
+
+namespace seascape {
+
+namespace {
+
+// A part of a headset's picture of a scene, of pixels as large as a headset's.
+class Levered {
+ public:
+  Levered(Device& device, ShaderLibrary& shaders, const std::string& name, int side)
+      : device_(device),
+        side_(side),
+        subject_(device, shaders, scene_of(name, side), {unsigned(side), unsigned(side), 2}) {
+    const Pose& start = subject_.experience().scene().start;
+    for (const double turn_deg : {0.0, 130.0})
+      from_.push_back(
+          {start.position_m, glm::angleAxis(glm::radians(turn_deg), glm::dvec3(0.0, 1.0, 0.0)) * start.orientation});
+  }
+
+  void set(const DrawnQuality& quality) {
+    const auto side = std::uint32_t(std::lround(side_ * quality.scale));
+    subject_.experience().resize(side, side, {unsigned(side_), unsigned(side_)});
+    subject_.experience().draw_at(quality);
+    quality_ = quality;
+  }
+  // A frame more of a sea that runs.
+  void run() {
+    const double pixels = pixels_per_radian();
+    subject_.draw_ms(from_[0], start_s + frames_++ / 72.0, pixels);
+  }
+  FlipError error() {
+    const DrawnQuality quality = quality_;
+    FlipError error;
+    for (const Pose& from : from_) {
+      const Image8 whole = drawn(from, {}), now = drawn(from, quality);
+      const FlipError one = flip_error(stretched(now, side_, side_), whole, pixels_per_radian(1.0) * glm::radians(1.0));
+      error.mean += one.mean / double(from_.size());
+      error.worst = std::max(error.worst, one.worst);
+    }
+    return error;
+  }
+
+ private:
+  static constexpr double start_s = 12.0;
+  static Scene scene_of(const std::string& name, int side) {
+    Scene scene = load_scene(name, "medium");
+    scene.settings.render.msaa = 1;
+    scene.settings.render.vertical_fov_deg =
+        glm::degrees(2.0 * std::atan(side / headset_height_px * std::tan(0.5 * glm::radians(headset_fov_deg))));
+    return scene;
+  }
+  double pixels_per_radian(double scale) const {
+    return scale * 0.5 * headset_height_px / std::tan(0.5 * glm::radians(headset_fov_deg));
+  }
+  double pixels_per_radian() const { return pixels_per_radian(quality_.scale); }
+  Image8 drawn(const Pose& from, const DrawnQuality& quality) {
+    set(quality);
+    subject_.draw_ms(from, start_s, pixels_per_radian());
+    return picture_of(device_, subject_.experience(), 0);
+  }
+
+  Device& device_;
+  int side_;
+  CostSubject subject_;
+  std::vector<Pose> from_;
+  DrawnQuality quality_;
+  int frames_ = 0;
+};
+
+struct Tried {
+  const char* knob;
+  double DrawnQuality::*part;
+  std::vector<double> values, quick;
+  std::vector<std::string> scenes;
+};
+
+std::vector<Tried> all_levers() {
+  return {{"picture scale",
+           &DrawnQuality::scale,
+           {1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5},
+           {1.0, 0.9, 0.7, 0.5},
+           {"open_sea", "storm", "harbour"}},
+          {"mesh coarseness",
+           &DrawnQuality::mesh,
+           {1.0, 1.1, 1.2, 1.3, 1.41},
+           {1.0, 1.2, 1.41},
+           {"open_sea", "storm", "harbour"}},
+          {"detail of models", &DrawnQuality::detail, {1.0, 0.85, 0.7, 0.6, 0.5}, {1.0, 0.7, 0.5}, {"harbour"}},
+          {"spray drawn", &DrawnQuality::spray, {1.0, 0.85, 0.7, 0.5, 0.3}, {1.0, 0.7, 0.3}, {"storm"}}};
+}
+
+std::vector<LabTask> lever_tasks(Device& device, ShaderLibrary& shaders, const LabOptions& options) {
+  const int side = !options.timed ? 128 : options.quick ? 256 : 512;
+  std::map<std::string, std::shared_ptr<Levered>> scenes;
+  std::vector<LabTask> tasks;
+  for (const Tried& tried : all_levers()) {
+    std::vector<std::shared_ptr<Levered>> drawn;
+    for (const std::string& name : tried.scenes) {
+      std::shared_ptr<Levered>& scene = scenes[name];
+      if (scene == nullptr) scene = std::make_shared<Levered>(device, shaders, name, side);
+      drawn.push_back(scene);
+    }
+    for (const double value : options.quick ? tried.quick : tried.values) {
+      DrawnQuality quality;
+      quality.*tried.part = value;
+      const auto run = [=] {
+        for (const auto& scene : drawn) scene->set(quality), scene->run();
+      };
+      const auto errors = [=]() -> std::vector<LabError> {
+        FlipError all;
+        for (const auto& scene : drawn) {
+          scene->set(quality);
+          const FlipError one = scene->error();
+          all.mean += one.mean / double(drawn.size());
+          all.worst = std::max(all.worst, one.worst);
+        }
+        return {{all.mean, "FLIP, mean of pixels"}, {all.worst, "FLIP, worst pixel"}};
+      };
+      tasks.push_back({tried.knob, value, run, double(drawn.size()), errors, "", ""});
+    }
+  }
+  return tasks;
+}
+
+}  // namespace
+
+LabCurve lever_curve(Device& device, ShaderLibrary& shaders) {
+  return {"levers",
+          "Levers of adaptive quality",
+          "one frame",
+          {},
+          false,
+          true,
+          [&device, &shaders](double, const LabOptions& options) { return lever_tasks(device, shaders, options); }};
+}
+
+}  // namespace seascape
