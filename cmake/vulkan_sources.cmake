@@ -1,7 +1,7 @@
 # What needs Vulkan (or a window). All else is pure: the sanitizers and fuzzers build just that. A new file that touches
 # Vulkan is named here.
 string(CONCAT VULKAN_SOURCES_REGEX "^("
-  "engine/(barrier|device|device_objects|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
+  "engine/(barrier|device|device_cache|device_objects|frame|memory|multiview_check|pipeline|render_target|resources|shader)|"
   "platform/(display|headless|headset.*|overlay_drawing|simulated.*|window.*|xr_api|xr_pose)|"
   "ocean/ocean|ocean/drawn/.*|ocean/surface/(drawn_bubbles|drawn_lens|drawn_spray|surface)|"
   "app/solids/(drawn_solids|loaded_models|solid_pictures|solid_surroundings|sun_map)|app/boats/path_on_body|app/lab/(drawn_curves|frame_curve|lab_command|lever_curve)|"

@@ -88,9 +88,12 @@ TEST_F(Solids, TheWaterlineIsWhereQueriesSayItIs) {
           for (std::size_t y = 0; y < height; ++y)
             if (is_magenta(texel(picture, x, y))) lowest = int(y);
           const auto line_at = [&](double column) {
-            for (double y = height - 1.0; y > 0.0; y -= 0.125)
-              if (above(column, y) > 0.0) return y;
-            return std::nan("");
+            double y = height - 1.0;
+            while (y > 0.0 && !(above(column, y) > 0.0)) y -= 1.0;
+            if (y <= 0.0) return std::nan("");
+            for (int eighths = 7; eighths > 0; --eighths)
+              if (above(column, y + eighths / 8.0) > 0.0) return y + eighths / 8.0;
+            return y;
           };
           // A pixel off in any direction, as the line may be steep. Columns that only graze its side, or where the line
           // is not in the picture, are left out.

@@ -38,6 +38,7 @@ TEST(LabCurves, ErrorsFallAsTheoryHasIt) {
   std::set<std::string> names;
   for (const LabCurve& curve : cpu_curves()) {
     names.insert(curve.name);
+    if (test::sanitized && names.size() % 2 == 0) continue;  // half of them there
     for (const double wind_mps : curve.at_sea ? std::vector<double>{3.0, 10.0, 25.0} : std::vector<double>{0.0}) {
       if (test::sanitized && wind_mps != 10.0 && curve.at_sea) continue;
       const std::vector<LabPoint> points = errors_of(curve, wind_mps);
@@ -66,9 +67,11 @@ TEST(LabCurves, ErrorsFallAsTheoryHasIt) {
 
 // What truths.md states of single settings. Controls seen: the fourth step's bound with three steps; one rate for two.
 TEST(LabCurves, SayWhatIsKnownOfThem) {
+  if (test::sanitized) GTEST_SKIP() << "the curves are those of ErrorsFallAsTheoryHasIt";
   std::map<std::string, std::map<std::string, std::vector<LabPoint>>> of;
+  const std::set<std::string> known{"query", "particles", "transform", "dynamic", "cascades"};
   for (const LabCurve& curve : cpu_curves())
-    if (curve.name != "baked")
+    if (known.contains(curve.name))
       for (const LabPoint& p : errors_of(curve, curve.at_sea ? 10.0 : 0.0)) of[curve.name][p.knob].push_back(p);
   const auto error = [&](const std::string& curve, const std::string& knob, double value, std::size_t nth = 0) {
     for (const LabPoint& p : of[curve][knob])
