@@ -319,8 +319,8 @@ TEST_F(EffectProof, IdleCostsNothing) {
   }
 }
 
-// Each effect alone, every pair (but with SEASCAPE_LONG=1 a third and a fortieth of them), none and all are drawn
-// without a word of the validation layer, and the plan names each and why.
+// None of the effects, each alone, every pair, and all of them are drawn without a word of the validation layer, and
+// the plan names each and why. (A third of those alone and a fortieth of the pairs; all with SEASCAPE_LONG=1.)
 TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
   const std::size_t count = std::size(effects_under_proof), all = (std::size_t{1} << count) - 1;
   for (std::size_t set = 0; set <= all; ++set) {

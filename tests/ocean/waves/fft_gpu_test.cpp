@@ -43,7 +43,7 @@ struct Shape {
 };
 
 TEST_F(FftOnGpu, equals_the_direct_sum) {
-  // Relative L2 error over 60 places (24 but with SEASCAPE_LONG), bar 1e-6. Controls, all seen: the last value of radix
+  // Relative L2 error over 24 places (60 with SEASCAPE_LONG), bar 1e-6. Controls, all seen: the last value of radix
   // 16 half a turn off, 0.85 to 0.97 where it is used; the exchange read one invocation off, 1.4 everywhere; bins
   // beyond the core folded without their further turn, 1.2 where there are some; a workgroup larger than the shader's
   // default left at that (engine/shader.cpp), no numbers.
