@@ -115,8 +115,8 @@ void add_views(Options& options, Arguments& arguments) {
                  [&](int i) { arguments.eye = static_cast<Eye>(i); });
 }
 
-void add_path(Options& options, Arguments& arguments) {
-  options.option("--path", "P", "the scene's name", "A camera path file, or the name of one in content/paths",
+void add_path(Options& options, Arguments& arguments, const std::string& use = "") {
+  options.option("--path", "P", "the scene's name", use + "A camera path file, or the name of one in content/paths",
                  [&](const std::string& text) {
                    if (text.empty()) refuse("--path", "the value is empty", "leave --path out or give it one");
                    arguments.path = text;
@@ -228,8 +228,11 @@ void add_plan(Options& options, Arguments& arguments) {
   options.text("--matrix", "DIR", arguments.matrix,
                "Folder of what each effect costs beside each other, matrix_SCENE_PRESET.csv and .svg, and of the plan "
                "of every preset");
+  options.text("--presets", "FILE", arguments.presets,
+               "CSV file of what each preset costs: this scene's rows are measured, and put in place of older ones");
+  add_path(options, arguments, "Of --presets. ");
   options.whole("--frames", arguments.frames, 0, 100'000,
-                "Frames of each two scenes that the matrix times in turn; 0: 24");
+                "Frames that --matrix times of each two scenes in turn, and --presets of each preset; 0: 24");
 }
 
 TimeSpan time_span(const std::string& text) {
@@ -281,7 +284,11 @@ void add_validate(Options& options, Arguments& arguments) {
       ->type_name("");
 }
 
-void add_doctor(Options& options, Arguments& arguments) { options.flag("--json", arguments.json, "Prints JSON"); }
+void add_doctor(Options& options, Arguments& arguments) {
+  options.flag("--json", arguments.json, "Prints JSON");
+  options.flag("--calibrate", arguments.calibrate,
+               "Measures anew what a frame takes at each preset, which --preset auto goes by");
+}
 
 struct CommandRow {
   Command command;
@@ -315,7 +322,9 @@ constexpr CommandRow commands[] = {
      "  seascape --scene baked --set baked.loop=loops/storm",
      add_bake},
     {Command::plan, "Say what a scene would build and run, why, its memory and its cost.",
-     "  seascape plan --scene storm --preset high\n  seascape plan --json", add_plan},
+     "  seascape plan --scene storm --preset high\n  seascape plan --json\n"
+     "  seascape plan --scene storm --presets out/presets.csv",
+     add_plan},
     {Command::query, "The surface at points of a CSV file, without a GPU.",
      "  seascape query --scene swell --time 12.5 --points points.csv --out surface.csv\n"
      "  seascape query --scene rain_pool --times 0:10:0.1 --columns all --points points.csv --out surface.csv\n"

@@ -51,6 +51,8 @@ struct Arguments {
   PictureFormat format = PictureFormat::png;
   bool json = false;                // plan, doctor: machine-readable
   std::string matrix;               // plan: a folder for the plans of every preset; empty: none
+  std::string presets;              // plan: the file of what presets cost; empty: none
+  bool calibrate = false;           // doctor
   std::string curve = "all";        // lab: of lab_curve_names
   bool quick = false;               // lab
   bool recommend = false;           // lab: names settings for budget_ms

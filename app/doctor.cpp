@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/calibrate.h"
 #include "app/commands.h"
 #include "app/program.h"
 #include "app/quality.h"
@@ -84,6 +85,13 @@ int run_doctor(const Arguments& arguments) {
                         f.max_anisotropy > 1 ? fmt::format("up to {:.0f}", f.max_anisotropy) : "none", "", false});
     findings.push_back({"32-bit tiles",
                         f.float32_linear ? "can be filtered" : "cannot be filtered; 16-bit tiles are used", "", false});
+    const DisplayGoal window{1280, 720, 1, 60.0};
+    const Calibration known = arguments.calibrate ? calibrated_anew(device, shaders, window)
+                                                  : remembered(DiskCache::of_user(), calibrated_device(f));
+    findings.push_back({"quality",
+                        "auto takes " + std::string(resolve_preset("auto", device_class(f))) +
+                            ", and before a window or a headset what fits its rate: " + calibration_text(known),
+                        arguments.calibrate ? "" : "seascape doctor --calibrate measures all presets anew", false});
     json["device"] = {{"name", f.name},
                       {"kind", f.kind},
                       {"driver", f.driver},
@@ -93,7 +101,8 @@ int run_doctor(const Arguments& arguments) {
                       {"max_samples", f.max_samples},
                       {"max_anisotropy", f.max_anisotropy},
                       {"float32_linear", f.float32_linear},
-                      {"timestamps", f.timestamps}};
+                      {"timestamps", f.timestamps},
+                      {"calibration", calibration_text(known)}};
   } catch (const Error& error) {
     findings.push_back({"device", error.fault(), error.remedy(), true});
     json["device"] = nullptr;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/calibrate.h"
 #include "app/commands.h"
 #include "app/explorer.h"
 #include "app/frame.h"
@@ -35,6 +36,25 @@ DisplayKind resolve_display(DisplayKind wanted) {
   return has_desktop() ? DisplayKind::window : DisplayKind::headless;
 }
 
+// What `auto` is before a display that has a rate to hold.
+void suit_preset(const Arguments& arguments, Program& program, const DisplayGoal& goal) {
+  if (arguments.preset != "auto") return;
+  program.preset = calibrated_preset(*program.device, program.shaders, goal);
+  program.scene = scene_from(arguments, program.preset, device_class(program.device->facts()));
+}
+
+// Pictures a second that a headset will show: as asked, or of those it offers the nearest to what most have.
+double headset_rate_hz(const HeadsetSystem& system, const Device& device, const Settings& settings) {
+  if (settings.adaptive.target_hz > 0.0) return settings.adaptive.target_hz;
+  if (settings.headset.rate_hz > 0.0) return settings.headset.rate_hz;
+  constexpr double usual_hz = 90.0;
+  const std::vector<float> offered = headset_rates(system, device);
+  const auto nearest = std::min_element(offered.begin(), offered.end(), [](float a, float b) {
+    return std::abs(double(a) - usual_hz) < std::abs(double(b) - usual_hz);
+  });
+  return nearest == offered.end() ? usual_hz : double(*nearest);
+}
+
 // From where somebody was before, or from the scene's beginning.
 void explore_in_window(const Arguments& arguments, const std::optional<LeftOff>& before = std::nullopt) {
   WindowSystem system;
@@ -53,6 +73,11 @@ void explore_in_window(const Arguments& arguments, const std::optional<LeftOff>&
     if (arguments.width) window_options.width = std::uint32_t(arguments.width);
     if (arguments.height) window_options.height = std::uint32_t(arguments.height);
     Window window(system, *program.device, window_options);
+    const double target_hz = program.scene.settings.adaptive.target_hz;
+    if (!before)
+      suit_preset(arguments, program,
+                  {window.most_size().x, window.most_size().y, arguments.views,
+                   target_hz > 0.0 ? target_hz : 1.0 / window.period_s()});
     Explorer explorer(arguments, program, window);
     if (before) explorer.go_on_from(*before);
     explorer.run();
@@ -96,6 +121,14 @@ std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& argu
     headset.width = std::uint32_t(arguments.width);
     headset.height = std::uint32_t(arguments.height);
     Headset display(system, *program.device, headset);
+    if (in_real_time) {
+      const auto pixels = [&](std::uint32_t asked, std::uint32_t recommended) {
+        return asked > 0 ? asked : scaled_pixels(recommended, headset.scale);
+      };
+      suit_preset(arguments, program,
+                  {pixels(headset.width, system.facts().width), pixels(headset.height, system.facts().height), 2,
+                   headset_rate_hz(system, *program.device, settings)});
+    }
     Explorer explorer(arguments, program, display, desktop.get());
     try {
       explorer.run();

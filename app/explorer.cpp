@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/calibrate.h"
 #include "app/explorer.h"
 #include "app/frame.h"
 #include "app/quality.h"
@@ -44,7 +45,10 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Display& displa
       loader_(*program.device, program.shaders),
       overlay_(display.make_overlay()),
       camera_(program.scene.start),
-      scenes_(scene_names()) {
+      scenes_(scene_names()),
+      costs_(shipped_preset_costs()),
+      calibration_(remembered(DiskCache::of_user(), calibrated_device(program.device->facts()))),
+      finest_preset_(arguments.preset == "auto" ? preset_names().back() : program.preset) {
   if (display_.views() == 2)
     (void)multiview_known_to_work(*program.device, program.shaders);  // or it would wait while it draws
   panel_.alone = display_.tracks_head();
@@ -199,6 +203,7 @@ PanelFacts Explorer::facts(const DisplayFrame& shown) const {
   facts.preset = program_.preset;
   facts.device = program_.device->facts().name;
   facts.device_class = device_class(program_.device->facts());
+  facts.costs = costs_of(costs_, scene.name);
   facts.scenes = scenes_;
   facts.effects = scene.effects;
   facts.width = shown.width;
@@ -236,10 +241,10 @@ void Explorer::obey(const PanelWish& wish) {
     Settings changed = asked();
     apply_preset(changed, *wish.preset);
     suit_device(changed, *wish.preset, device_class(program_.device->facts()));
-    program_.preset = *wish.preset;
+    program_.preset = finest_preset_ = *wish.preset;
     ask(changed);
     tell("quality: " + *wish.preset);
-    if (loader_.busy()) change_scene(loading_, *wish.preset);
+    if (loader_.busy()) load_scene_with(loading_, {preset_index(*wish.preset), 0});
   }
   if (wish.effects) wanted_effects_ = *wish.effects;
   if (wish.travel) set_travel(*wish.travel);
@@ -250,7 +255,7 @@ void Explorer::obey(const PanelWish& wish) {
   if (wish.moor) wished_.push_back(Action::moor);
   if (wish.anchor) wished_.push_back(Action::anchor);
   if (wish.respawn) wished_.push_back(Action::respawn);
-  if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene, program_.preset);
+  if (wish.scene && *wish.scene != experience_->scene().name) change_scene(*wish.scene);
 }
 
 // Before the display begins a frame, for that gives the picture its size. A screenshot is of a whole picture.

@@ -8,6 +8,7 @@
 
 #include "app/adaptive/rate_keeper.h"
 #include "app/boats/crew.h"
+#include "app/calibration.h"
 #include "app/comfort.h"
 #include "app/explore_camera.h"
 #include "app/eye_crossings.h"
@@ -65,7 +66,8 @@ class Explorer {
   void look(const Input& input);
   void suit_wearer();  // whom the display is set for
   void keep_rate();    // of another experience
-  void hold_rate();    // what the next frame is drawn with
+  std::vector<Lever> loading_levers_here() const;
+  void hold_rate();  // what the next frame is drawn with
   void move(const Input& input, double dt_s);
   // Has the camera moved gently, where it is worn on a head.
   void soften(const Input& input, double dt_s, double water_m, CameraWish& wish);
@@ -101,7 +103,8 @@ class Explorer {
   void ask(const Settings& settings) { wanted_ = settings; }
   void apply(const Settings& settings);
   void apply_effects(const std::vector<std::string>& effects);
-  void change_scene(const std::string& name, const std::string& preset);  // once it is loaded
+  void change_scene(const std::string& name);  // once it is loaded, with what holds the rate in it
+  void load_scene_with(const std::string& name, const LoadedWith& with);  // samples 0: as the preset has them
   void load(const std::string& name, std::function<Scene()> read);
   std::unique_ptr<Experience> loaded_scene();
   void take(std::unique_ptr<Experience> loaded);
@@ -162,6 +165,9 @@ class Explorer {
   Input input_;                   // of this frame: the display's, and what was done at the desk
   std::vector<Action> wished_;    // in the panel: pressed in the next frame, so that a recording has them
   std::vector<std::string> scenes_;
+  std::vector<PresetCosts> costs_;  // of shipped scenes' presets
+  Calibration calibration_;         // of the device
+  std::string finest_preset_;       // that a scene may be loaded with
   std::optional<Settings> wanted_;
   std::optional<std::vector<std::string>> wanted_effects_;
   bool at_sea_ = false;  // in the calm that stands for the first scene until it is loaded

@@ -3,6 +3,7 @@
 
 #include "app/calm_sea.h"
 #include "app/explorer.h"
+#include "app/loading_range.h"
 #include "app/measured_display.h"
 #include "app/quality.h"
 #include "engine/error.h"
@@ -53,11 +54,27 @@ void Explorer::take_experience() {
   if (mirror_) mirror_->set_title(title);
 }
 
+// What this scene and the next may be loaded with; nothing where the user holds what it would move.
+std::vector<Lever> Explorer::loading_levers_here() const {
+  const ExperienceOptions& now = experience_->options();
+  const std::size_t finest = preset_index(finest_preset_);
+  Settings of_preset;
+  apply_preset(of_preset, finest_preset_);
+  suit_device(of_preset, finest_preset_, device_class(program_.device->facts()));
+  const bool own_samples = experience_->scene().settings.render.msaa > of_preset.render.msaa;
+  const auto range =
+      loading_range(costs_, experience_->scene().name, calibration_, 1e-6 * now.width * now.height * now.views, finest,
+                    own_samples ? 1 : of_preset.render.msaa);
+  return range ? loading_levers(*range) : std::vector<Lever>{};
+}
+
 // Levels go on as they were: another scene on the same machine is more like them than like the finest.
 void Explorer::keep_rate() {
   std::vector<Lever> levers =
       live_levers({.models = experience_->solids() != nullptr, .spray = experience_->spray() != nullptr});
-  const LeverLevels levels = nearest_levels(levers, quality_);
+  for (Lever& one : loading_levers_here()) levers.push_back(std::move(one));
+  LeverLevels levels = nearest_levels(levers, quality_);
+  set_loaded(levers, {preset_index(program_.preset), experience_->scene().settings.render.msaa}, levels);
   keeper_ = std::make_unique<RateKeeper>(std::move(levers), levels);
 }
 
@@ -103,11 +120,22 @@ void Explorer::apply_effects(const std::vector<std::string>& effects) {
   }
 }
 
-void Explorer::change_scene(const std::string& name, const std::string& preset) {
+void Explorer::change_scene(const std::string& name) {
+  const double ratio = scene_ratio(costs_, experience_->scene().name, name, preset_index(program_.preset));
+  const LoadedWith now{preset_index(program_.preset), 0};
+  load_scene_with(name, keeper_->for_scene(ratio, 1.0).value_or(now));
+}
+
+void Explorer::load_scene_with(const std::string& name, const LoadedWith& with) {
+  const std::string preset(preset_names()[with.preset]);
+  if (preset != program_.preset) tell("quality: " + preset + ", chosen to hold the frame rate");
+  program_.preset = preset;
   Arguments asked = arguments_;  // what the command line sets stays set
   asked.scene = name;
-  load(name, [asked, preset, device = device_class(program_.device->facts()), pressed = display_.tracks_head()] {
+  load(name, [asked, preset, samples = with.samples, device = device_class(program_.device->facts()),
+              pressed = display_.tracks_head()] {
     Scene scene = scene_from(asked, preset, device);
+    if (samples > 0) lower_samples(scene.settings, preset, device, samples);
     scene.actors_press = pressed;
     return scene;
   });

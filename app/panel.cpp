@@ -256,6 +256,32 @@ void Panel::draw_times(const PanelFacts& facts) {
                      std::string(facts.device).c_str());
 }
 
+void Panel::draw_presets(const PanelFacts& facts) {
+  if (!ImGui::CollapsingHeader("Presets")) return;
+  const auto table = [](const char* title, const std::vector<PresetLine>& lines) {
+    if (!ImGui::BeginTable(title, 5, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("");
+    for (const std::string_view name : preset_names()) ImGui::TableSetupColumn(std::string(name).c_str());
+    ImGui::TableHeadersRow();
+    for (const PresetLine& line : lines) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(line.what.c_str());
+      for (const std::string& value : line.of) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(value.c_str());
+      }
+    }
+    ImGui::EndTable();
+  };
+  table("preset settings", setting_lines());
+  if (facts.costs == nullptr) {
+    ImGui::TextWrapped("no costs are known of this scene: seascape plan --presets measures them");
+    return;
+  }
+  ImGui::TextWrapped("%s", measured_how(*facts.costs).c_str());
+  table("preset costs", cost_lines(*facts.costs));
+}
+
 // Returns whether the edited settings are to be taken now.
 bool Panel::draw_rows(const Settings& initial) {
   bool take = false;
@@ -311,6 +337,7 @@ PanelWish Panel::draw(const Settings& settings, const Settings& initial, const P
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar);
   draw_head(settings, facts, wish);
   draw_times(facts);
+  draw_presets(facts);
   if (draw_rows(initial)) wish.settings = edited_;
   if (ImGui::CollapsingHeader("Keys") && ImGui::BeginTable("keys", 2)) {
     for (const auto& [key, what] : keys) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/explore_camera.h"
+#include "app/preset_costs.h"
 #include "app/quality.h"
 #include "app/settings.h"
 #include "engine/frame.h"
@@ -17,6 +18,7 @@ namespace seascape {
 struct PanelFacts {
   std::string_view title, scene, preset, device, message;
   DeviceClass device_class = DeviceClass::discrete;
+  const PresetCosts* costs = nullptr;            // of the scene's presets; null: not known
   std::span<const std::string> scenes, effects;  // effects: the scene's as they are now
   std::uint32_t width = 0, height = 0;
   int views = 1;
@@ -64,6 +66,7 @@ class Panel {
  private:
   void draw_head(const Settings& settings, const PanelFacts& facts, PanelWish& wish);
   void draw_times(const PanelFacts& facts);
+  static void draw_presets(const PanelFacts& facts);
   bool draw_rows(const Settings& initial);
   Settings edited_;  // in force, but for a row that is being dragged
   bool dragging_ = false;

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/boats/path_on_body.h"
 #include "app/commands.h"
 #include "app/effect_costs.h"
 #include "app/frame.h"
+#include "app/measured_presets.h"
+#include "app/preset_costs.h"
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/quality.h"
@@ -177,6 +180,39 @@ void write_costs(const Arguments& arguments) {
   write_atomically(std::filesystem::path(arguments.matrix) / (name + ".svg"), matrix_svg(matrix));
 }
 
+// Puts the scene's rows into the file.
+void write_preset_costs(const Arguments& arguments) {
+  const std::filesystem::path file = arguments.presets;
+  std::vector<PresetCosts> known;
+  if (std::filesystem::exists(file)) known = parse_preset_costs(read_text(file), file.string());
+  write_atomically(file, preset_costs_csv(known));  // what cannot be written is told before the long work
+  std::array<Scene, 4> scenes;
+  Program program = make_program(arguments, std::string(preset_names().front()), device_options());
+  const DeviceClass device = device_class(program.device->facts());
+  for (std::size_t p = 0; p < scenes.size(); ++p) scenes[p] = scene_from(arguments, preset_names()[p], device);
+  const HeadlessOptions options = headless_options(arguments, program.scene.settings.render);
+  const bool per_eye =
+      draw_per_eye(*program.device, program.shaders, program.scene.settings.render.stereo, options.views);
+  std::optional<CameraPath> path;
+  try {
+    path = path_from(arguments, program.scene);
+  } catch (const Error&) {
+    if (!arguments.path.empty()) throw;  // a scene need not have one
+  }
+  if (path) validate_rider(*path, program.scene);
+  std::optional<Progress> progress;
+  PresetCosts costs = measure_presets(
+      *program.device, program.shaders, scenes, {options.width, options.height, options.views, per_eye, false},
+      path ? &*path : nullptr, arguments.frames > 0 ? arguments.frames : 24, [&](std::size_t done, std::size_t all) {
+        if (!progress) progress.emplace("plan: presets", all);
+        progress->step(done);
+      });
+  expect_no_validation_messages(*program.device);
+  costs.date = machine_of(program.device->facts(), 0).date.substr(0, std::string_view("2026-11-28").size());
+  put(known, std::move(costs));
+  write_atomically(file, preset_costs_csv(known));
+}
+
 }  // namespace
 
 Plan make_plan(Device& device, ShaderLibrary& shaders, Experience& experience, const std::string& preset) {
@@ -228,8 +264,16 @@ int run_plan(const Arguments& arguments) {
     }
     write_costs(arguments);
   }
+  if (!arguments.presets.empty()) write_preset_costs(arguments);
+  const std::vector<PresetCosts> costs = arguments.presets.empty()
+                                             ? shipped_preset_costs()
+                                             : parse_preset_costs(read_text(arguments.presets), arguments.presets);
   const Plan plan = plan_of(arguments, arguments.preset);
-  fmt::print("{}", arguments.json ? plan_json(plan) : plan_text(plan));
+  const PresetCosts* of_scene = costs_of(costs, plan.scene);
+  if (arguments.json)
+    fmt::print("{}", plan_json(plan, of_scene));
+  else
+    fmt::print("{}\n{}", plan_text(plan), preset_table(of_scene, plan.scene));
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/csv.h"
+#include "app/quality.h"
 
 namespace seascape {
 
@@ -111,6 +112,22 @@ ordered_json effect_json(const PlanEffect& effect) {
           {"bytes", effect.bytes}};
 }
 
+// The settings of each preset, and its costs where the scene was measured.
+ordered_json presets_json(const PresetCosts* costs) {
+  ordered_json presets = ordered_json::object();
+  const std::span<const std::string_view> names = preset_names();
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    ordered_json settings = ordered_json::object(), figures = ordered_json::array();
+    for (const PresetLine& line : setting_lines()) settings[line.what] = line.of[p];
+    if (costs != nullptr)
+      for (const PresetCost& row : costs->rows)
+        figures.push_back({{"what", row.what}, {"unit", row.unit}, {"value", row.of[p]}});
+    presets[std::string(names[p])] = {{"settings", std::move(settings)}, {"costs", std::move(figures)}};
+  }
+  if (costs != nullptr) presets["measured"] = measured_how(*costs);
+  return presets;
+}
+
 void add(PlanMoved& sum, const PlanMoved& moved) {
   sum.loaded += moved.loaded;
   sum.stored += moved.stored;
@@ -176,20 +193,21 @@ std::string plan_text(const Plan& plan) {
                             mebibytes(all.moved.loaded), mebibytes(all.moved.stored), mebibytes(all.moved.copied));
 }
 
-std::string plan_json(const Plan& plan) {
+std::string plan_json(const Plan& plan, const PresetCosts* costs) {
   ordered_json effects = ordered_json::array();
   for (const PlanEffect& effect : plan.effects) effects.push_back(effect_json(effect));
-  const ordered_json json = {{"version", 1},
-                             {"scene", plan.scene},
-                             {"preset", plan.preset},
-                             {"device", plan.device},
-                             {"width", plan.width},
-                             {"height", plan.height},
-                             {"views", plan.views},
-                             {"msaa", plan.msaa},
-                             {"warnings", plan.remarks},
-                             {"effects", std::move(effects)},
-                             {"totals", totals_json(totals_of(plan))}};
+  ordered_json json = {{"version", 1},
+                       {"scene", plan.scene},
+                       {"preset", plan.preset},
+                       {"device", plan.device},
+                       {"width", plan.width},
+                       {"height", plan.height},
+                       {"views", plan.views},
+                       {"msaa", plan.msaa},
+                       {"warnings", plan.remarks},
+                       {"effects", std::move(effects)},
+                       {"totals", totals_json(totals_of(plan))},
+                       {"presets", presets_json(costs)}};
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/preset_costs.h"
+
 namespace seascape {
 
 // What commands move through the device's memory (BytesMoved of engine/frame.h).
@@ -65,7 +67,8 @@ PlanTotals totals_of(const Plan& plan);
 
 // Aligned tables for a person.
 std::string plan_text(const Plan& plan);
-std::string plan_json(const Plan& plan);
+// `costs`: of its scene's presets; null: not known.
+std::string plan_json(const Plan& plan, const PresetCosts* costs = nullptr);
 // One row an effect:
 // "scene,preset,effect,because,passes,draws,triangles,dispatches,pipelines,modules,words,resources,bytes".
 std::string plan_csv(const Plan& plan);

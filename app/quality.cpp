@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "engine/error.h"
 #include "engine/text.h"
@@ -14,7 +15,8 @@ namespace {
 // for PC VR. Resolution adds oversampling and whole short bands; it never changes a wave that is kept. All have the
 // five cascades: without the last, water near the eye is a blur. Low's mesh may miss 8 pixels and asks for 5: of more
 // it gains little time (seascape lab --curve frame; docs/accuracy.md). Ultra's may miss 1 and asks for 0.9: of the
-// largest of 200 poses one in sixteen passed its pixel, by a tenth.
+// largest of 200 poses one in sixteen passed its pixel, by a tenth. Low has shadows, if coarse ones: without them the
+// sun shines into a diving bell through its roof.
 constexpr PresetRow rows[] = {
     // key                   low      medium   high       ultra
     {"waves.resolution", "256", "256", "256", "512"},
@@ -31,8 +33,8 @@ constexpr PresetRow rows[] = {
     {"lod.threshold", "2.0", "1.5", "1.2", "1.0"},
     {"lod.cull_scale", "1.2", "1.5", "1.8", "2.0"},
     {"water.anisotropy", "2", "4", "8", "16"},
-    {"models.shadow_texels", "0", "2048", "2048", "4096"},
-    {"models.shadow_reach_m", "35", "35", "60", "80"},
+    {"models.shadow_texels", "1024", "2048", "2048", "4096"},
+    {"models.shadow_reach_m", "25", "25", "60", "80"},
     {"frame.shape", "tile", "tile", "auto", "auto"},
     {"msaa", "4", "4", "4", "4"},
 };
@@ -62,6 +64,19 @@ void suit_device(Settings& settings, std::string_view preset, DeviceClass device
   Settings of_preset;
   apply_preset(of_preset, preset);
   if (device == DeviceClass::software && settings.render.msaa == of_preset.render.msaa) settings.render.msaa = 1;
+}
+
+void lower_samples(Settings& settings, std::string_view preset, DeviceClass device, int samples) {
+  Settings of_preset;
+  apply_preset(of_preset, preset);
+  suit_device(of_preset, preset, device);
+  if (settings.render.msaa == of_preset.render.msaa) settings.render.msaa = std::min(samples, settings.render.msaa);
+}
+
+std::size_t preset_index(std::string_view preset) {
+  const auto found = std::find(names.begin(), names.end(), preset);
+  if (found == names.end()) throw std::invalid_argument("no preset: " + std::string(preset));
+  return std::size_t(found - names.begin());
 }
 
 std::string presets_with(std::initializer_list<std::pair<std::string_view, std::string_view>> values) {

@@ -29,6 +29,12 @@ std::string_view resolve_preset(std::string_view preset, DeviceClass device);
 // preset's keeps it.
 void suit_device(Settings& settings, std::string_view preset, DeviceClass device);
 
+// Fewer samples a pixel than the preset has on such a device; but a scene that asks for another number keeps it.
+void lower_samples(Settings& settings, std::string_view preset, DeviceClass device, int samples);
+
+// 0 low to 3 ultra. Throws std::invalid_argument for another name.
+std::size_t preset_index(std::string_view preset);
+
 // The presets, with spaces between their names, that have all of these values (as --set takes them).
 std::string presets_with(std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 

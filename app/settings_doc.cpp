@@ -44,18 +44,18 @@ std::string settings_document() {
                                                      : value_text(defaults, setting)) +
             " | " + range_text(setting) + " | " + std::string(setting.sentence) + " |\n";
   }
-  text += "\n## Presets\n\n| Key | low | medium | high | ultra |\n|---|---|---|---|---|\n";
-  for (const PresetRow& row : preset_rows())
-    text += "| " + code(row.key) + " | " + std::string(row.low) + " | " + std::string(row.medium) + " | " +
-            std::string(row.high) + " | " + std::string(row.ultra) + " |\n";
-  text += "\nLow and medium suit a standalone headset, high and ultra PC VR. `auto` takes " +
-          code(resolve_preset("auto", DeviceClass::software)) + " on a software driver, " +
-          code(resolve_preset("auto", DeviceClass::integrated)) + " on an integrated GPU, " +
-          code(resolve_preset("auto", DeviceClass::discrete)) +
-          " on a discrete one, and `high` where there is no device (query). On a software driver every preset takes "
-          "`msaa` 1, "
-          "unless the scene or `--set` asks for another number than the preset's.\n"
-          "\n## Effects\n\nA scene names them in `\"effects\"`; without that key it has `[\"waves\"]`.\n\n";
+  text +=
+      "\n## Presets\n\n[presets.md](presets.md) has what each sets and what it costs. Low and medium suit a standalone "
+      "headset, high and ultra PC VR. `auto` takes " +
+      code(resolve_preset("auto", DeviceClass::software)) + " on a software driver, " +
+      code(resolve_preset("auto", DeviceClass::integrated)) + " on an integrated GPU, " +
+      code(resolve_preset("auto", DeviceClass::discrete)) +
+      " on a discrete one, and `high` where there is no device (query). Before a window or a headset, which have a "
+      "rate "
+      "to hold, explore measures the device once, in two seconds of frames at most, and remembers it by device and "
+      "driver; `auto` is then the finest preset that fits ([adaptive.md](adaptive.md)). On a software driver every "
+      "preset takes `msaa` 1, unless the scene or `--set` asks for another number than the preset's.\n"
+      "\n## Effects\n\nA scene names them in `\"effects\"`; without that key it has `[\"waves\"]`.\n\n";
   std::string built, planned;
   for (const std::string_view name : effect_names())
     (effect_is_built(name) ? built : planned) +=

@@ -93,7 +93,7 @@ Device::Device(const DeviceOptions& options) {
     create_instance(options);
     choose_physical(options);
     create_device(options);
-    memory_ = std::make_unique<Memory>(*this);
+    memory_ = std::make_unique<Memory>(*this, options.memory_holds);
   } catch (...) {
     give_back();
     throw;

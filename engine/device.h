@@ -24,6 +24,9 @@ struct DeviceOptions {
   bool show_depth = false;  // depths are shown too, where several samples can be resolved
   std::vector<std::string> instance_extensions;  // what a window needs
   DiskCache cache;                               // where the driver's pipelines are kept for later starts
+  // What new memory holds, where the host sees it: a device's may hold anything, and software drivers' mostly holds
+  // zeros, by which a test would pass that reads what nobody wrote.
+  std::optional<std::uint8_t> memory_holds;
 
   // A headset's runtime has its own way of making the instance and the device, and says which GPU it shows pictures
   // from. Without them Vulkan's own are called.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "engine/device.h"
@@ -32,7 +33,7 @@ Allocation::~Allocation() {
   if (memory_) device_->retire_memory(memory_, offset_);
 }
 
-Memory::Memory(Device& device) : device_(device) {
+Memory::Memory(Device& device, std::optional<std::uint8_t> holds) : device_(device), holds_(holds) {
   vkGetPhysicalDeviceMemoryProperties(device.physical(), &properties_);
 }
 
@@ -116,6 +117,7 @@ Allocation Memory::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyF
   allocation.memory_ = chosen->memory;
   allocation.offset_ = offset;
   allocation.mapped_ = chosen->mapped ? chosen->mapped + offset : nullptr;
+  if (holds_ && allocation.mapped_ != nullptr) std::memset(allocation.mapped_, *holds_, needs.size);
   return allocation;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "engine/vulkan.h"
@@ -34,7 +35,8 @@ class Allocation {
 // Any thread.
 class Memory {
  public:
-  explicit Memory(Device& device);
+  // `holds`: what new memory is filled with, where the host sees it (DeviceOptions::memory_holds).
+  Memory(Device& device, std::optional<std::uint8_t> holds);
   ~Memory();
 
   // `wanted` flags are required, `preferred` taken where a type has them too. Throws Error when memory has run out.
@@ -60,6 +62,7 @@ class Memory {
   };
   Block& new_block(std::uint32_t type, bool image, VkDeviceSize least);
   Device& device_;
+  std::optional<std::uint8_t> holds_;
   VkPhysicalDeviceMemoryProperties properties_{};
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Block>> blocks_;

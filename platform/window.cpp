@@ -94,6 +94,7 @@ Window::Window(WindowSystem&, Device& device, const WindowOptions& options)
     glfwSetScrollCallback(window_, WindowEvents::wheel);
     glfwSetWindowFocusCallback(window_, WindowEvents::focus);
     glfwSetFramebufferSizeCallback(window_, WindowEvents::resized);
+    glfwGetFramebufferSize(window_, &width_, &height_);
     const EffectScope scope(device_, "window");
     make_surface();
     make_overlay_pass();

@@ -81,6 +81,7 @@ class Window final : public Display {
   // After ready(): has the frame that was begun fill the window with these parts (none: black) and what is drawn over
   // them, and submits it. ready() brings it to the screen.
   void show(Frame& frame, std::span<const WindowPart> parts);
+  double period_s() const;                                                       // of the screen that it stands on
   glm::ivec2 size() const { return {int(extent_.width), int(extent_.height)}; }  // of its images, pixels
   void set_visible(bool visible);                                                // and no longer closed
   bool shows() const;                                                            // something of it can be seen
@@ -133,7 +134,6 @@ class Window final : public Display {
   DrawOver drawn_over_;
   std::function<void()> before_events_;
 
-  double period_s() const;
   void gather();                                 // keys and gamepads
   static constexpr std::size_t key_codes = 512;  // GLFW's
   InputGatherer gatherer_;

@@ -205,17 +205,17 @@ const Decision& AdaptiveQuality::hold(const FrameInput& input, DecisionReason re
   return decision_;
 }
 
-void AdaptiveQuality::load(const FrameInput& input, double gpu_budget_ms, double cpu_budget_ms) {
-  if (!gpu_.cost.known()) return;
+LeverLevels AdaptiveQuality::best_at_loading(std::uint64_t frame, double gpu_budget_ms, double cpu_budget_ms) {
+  if (!gpu_.cost.known()) return at_loading_;
   // Each combination of the levers that rebuild, with the best rung that it leaves.
   LeverLevels best = at_loading_, tried{};
   double best_value = -1e300;
   for (;;) {
-    evaluate(gpu_, input.frame, gpu_budget_ms, coarser_of(tried, demanded(cpu_)));
+    evaluate(gpu_, frame, gpu_budget_ms, coarser_of(tried, demanded(cpu_)));
     double value = *std::max_element(gpu_.value.begin() + std::ptrdiff_t(finest(gpu_)),
                                      gpu_.value.begin() + std::ptrdiff_t(coarsest(gpu_)) + 1);
     if (cpu_.cost.known()) {
-      evaluate(cpu_, input.frame, cpu_budget_ms, tried);
+      evaluate(cpu_, frame, cpu_budget_ms, tried);
       value -= tuning_.miss_price * *std::min_element(cpu_.miss.begin(), cpu_.miss.end());
     }
     // Rebuilding for less than this is not worth its wait.
@@ -231,7 +231,12 @@ void AdaptiveQuality::load(const FrameInput& input, double gpu_budget_ms, double
     }
     if (i == levers_.size()) break;
   }
-  at_loading_ = best;
+  return best;
+}
+
+LeverLevels AdaptiveQuality::best_for_scene(double gpu_ratio, double cpu_ratio) {
+  if (!(gpu_budget_ms_ > 0.0)) return at_loading_;
+  return best_at_loading(decision_.frame + 1, gpu_budget_ms_ / gpu_ratio, cpu_budget_ms_ / cpu_ratio);
 }
 
 const Decision& AdaptiveQuality::decide(const FrameInput& input) {
@@ -252,7 +257,7 @@ const Decision& AdaptiveQuality::decide(const FrameInput& input) {
   const double gpu_budget = rate * (input.deadline_ms > 0.0 ? input.deadline_ms : input.period_ms);
   const double cpu_budget = rate * input.period_ms;
   const LeverLevels before = decision_.levels, loaded = at_loading_;
-  if (input.loading) load(input, gpu_budget, cpu_budget);
+  if (input.loading) at_loading_ = best_at_loading(input.frame, gpu_budget, cpu_budget);
   const bool blind = without_timings(input);
   Choice cpu = choose(cpu_, input, cpu_budget, at_loading_);
   take(cpu_, cpu.rung);
@@ -278,6 +283,7 @@ const Decision& AdaptiveQuality::decide(const FrameInput& input) {
   decision_.reason = loaded != at_loading_ ? DecisionReason::at_loading : cpu_decides ? cpu.reason : gpu.reason;
   describe(input, gpu_budget, cpu_budget);
   period_ms_ = input.period_ms;
+  gpu_budget_ms_ = gpu_budget, cpu_budget_ms_ = cpu_budget;
   return decision_;
 }
 

@@ -90,8 +90,14 @@ class AdaptiveQuality {
   // Call once a frame, before it is drawn; both eyes take the same levels.
   const Decision& decide(const FrameInput& input);
 
+  // The levels that levers which rebuild should have in another scene, whose frames take so many times as long at the
+  // same levels; as they are while nothing is known. Moves nothing.
+  LeverLevels best_for_scene(double gpu_ratio, double cpu_ratio);
+
   void set(const AdaptiveSettings& settings) { settings_ = settings; }
   const Decision& last() const { return decision_; }
+  // Of levers that rebuild, as they stand; 0 for the others.
+  const LeverLevels& loaded() const { return at_loading_; }
   std::span<const Lever> levers() const { return levers_; }
   const CostEstimator& gpu() const { return gpu_.cost; }
   const CostEstimator& cpu() const { return cpu_.cost; }
@@ -125,7 +131,7 @@ class AdaptiveQuality {
   std::size_t finest(const Channel& channel) const;
   LeverLevels demanded(const Channel& channel) const;
   bool without_timings(const FrameInput& input);
-  void load(const FrameInput& input, double gpu_budget_ms, double cpu_budget_ms);
+  LeverLevels best_at_loading(std::uint64_t frame, double gpu_budget_ms, double cpu_budget_ms);
   void describe(const FrameInput& input, double gpu_budget_ms, double cpu_budget_ms);
   const Decision& hold(const FrameInput& input, DecisionReason reason);
 
@@ -138,6 +144,7 @@ class AdaptiveQuality {
   std::vector<FrameTiming> timings_;  // of this call, oldest first
   Decision decision_;
   double period_ms_ = 0.0;
+  double gpu_budget_ms_ = 0.0, cpu_budget_ms_ = 0.0;  // of the last decision
   bool focused_ = true;
   std::optional<std::uint64_t> first_frame_, last_gpu_timing_;
   std::uint64_t foreseen_until_ = 0;

@@ -52,7 +52,7 @@ void RateKeeper::take(const Drawn& timed, double gpu_ms) {
 }
 
 void RateKeeper::drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole) {
-  const LeverLevels levels = on_ && !whole ? controller_.last().levels : LeverLevels{};
+  const LeverLevels levels = on_ && !whole ? controller_.last().levels : controller_.loaded();
   drawn_[number % drawn_.size()] = {number, frame_, levels, cpu_ms, end_ms};
   if (frame_ > first_frames) timings_.push_back({frame_, 0.0, cpu_ms, levels, 1.0});
   cross(under_water);
@@ -74,6 +74,11 @@ void RateKeeper::cross(bool under_water) {
       foreseen_.push_back({under_water ? ForeseenKind::going_under : ForeseenKind::surfacing, frame_, gpu, cpu});
   }
   under_water_ = under_water;
+}
+
+std::optional<LoadedWith> RateKeeper::for_scene(double gpu_ratio, double cpu_ratio) {
+  if (!on_) return std::nullopt;
+  return loaded_with(controller_.levers(), controller_.best_for_scene(gpu_ratio, cpu_ratio));
 }
 
 std::string RateKeeper::text() const {

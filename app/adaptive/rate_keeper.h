@@ -9,6 +9,7 @@
 
 #include "app/adaptive/adaptive.h"
 #include "app/adaptive/live_levers.h"
+#include "app/adaptive/loading_levers.h"
 
 namespace seascape {
 
@@ -31,6 +32,10 @@ class RateKeeper {
   // After a frame was handed over: its number, what the processor's work on it took, how long the display then had it,
   // whether an eye was under water, and with `whole` that it was drawn at the finest levels whatever was decided.
   void drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole = false);
+
+  // What another scene should be loaded with, whose frames take so many times as long as this one's; nothing where the
+  // rate is not held or there are no such levers.
+  std::optional<LoadedWith> for_scene(double gpu_ratio, double cpu_ratio);
 
   // Frames that a scene begins with tell nothing: a driver may still be at work on its pipelines.
   static constexpr std::uint64_t first_frames = 4;

@@ -18,10 +18,10 @@ namespace {
 // A part of a headset's picture of a scene, of pixels as large as a headset's.
 class Levered {
  public:
-  Levered(Device& device, ShaderLibrary& shaders, const std::string& name, int side)
+  Levered(Device& device, ShaderLibrary& shaders, const std::string& name, int side, int samples)
       : device_(device),
         side_(side),
-        subject_(device, shaders, scene_of(name, side), {unsigned(side), unsigned(side), 2}) {
+        subject_(device, shaders, scene_of(name, side, samples), {unsigned(side), unsigned(side), 2}) {
     const Pose& start = subject_.experience().scene().start;
     for (const double turn_deg : {0.0, 130.0})
       from_.push_back(
@@ -39,11 +39,12 @@ class Levered {
     const double pixels = pixels_per_radian();
     subject_.draw_ms(from_[0], start_s + frames_++ / 72.0, pixels);
   }
-  FlipError error() {
+  // Against the finest step, which `finest` draws.
+  FlipError error(Levered& finest) {
     const DrawnQuality quality = quality_;
     FlipError error;
     for (const Pose& from : from_) {
-      const Image8 whole = drawn(from, {}), now = drawn(from, quality);
+      const Image8 whole = finest.drawn(from, {}), now = drawn(from, quality);
       const FlipError one = flip_error(stretched(now, side_, side_), whole, pixels_per_radian(1.0) * glm::radians(1.0));
       error.mean += one.mean / double(from_.size());
       error.worst = std::max(error.worst, one.worst);
@@ -53,9 +54,9 @@ class Levered {
 
  private:
   static constexpr double start_s = 12.0;
-  static Scene scene_of(const std::string& name, int side) {
+  static Scene scene_of(const std::string& name, int side, int samples) {
     Scene scene = load_scene(name, "medium");
-    scene.settings.render.msaa = 1;
+    scene.settings.render.msaa = samples;
     scene.settings.render.vertical_fov_deg =
         glm::degrees(2.0 * std::atan(side / headset_height_px * std::tan(0.5 * glm::radians(headset_fov_deg))));
     return scene;
@@ -80,7 +81,7 @@ class Levered {
 
 struct Tried {
   const char* knob;
-  double DrawnQuality::*part;
+  double DrawnQuality::*part;  // null: samples a pixel, which a scene is built with
   std::vector<double> values, quick;
   std::vector<std::string> scenes;
 };
@@ -97,31 +98,38 @@ std::vector<Tried> all_levers() {
            {1.0, 1.2, 1.41},
            {"open_sea", "storm", "harbour"}},
           {"detail of models", &DrawnQuality::detail, {1.0, 0.85, 0.7, 0.6, 0.5}, {1.0, 0.7, 0.5}, {"harbour"}},
-          {"spray drawn", &DrawnQuality::spray, {1.0, 0.85, 0.7, 0.5, 0.3}, {1.0, 0.7, 0.3}, {"storm"}}};
+          {"spray drawn", &DrawnQuality::spray, {1.0, 0.85, 0.7, 0.5, 0.3}, {1.0, 0.7, 0.3}, {"storm"}},
+          {"samples", nullptr, {4.0, 2.0, 1.0}, {4.0, 1.0}, {"open_sea", "storm", "harbour"}}};
 }
 
 std::vector<LabTask> lever_tasks(Device& device, ShaderLibrary& shaders, const LabOptions& options) {
   const int side = !options.timed ? 128 : options.quick ? 256 : 512;
-  std::map<std::string, std::shared_ptr<Levered>> scenes;
+  std::map<std::pair<std::string, int>, std::shared_ptr<Levered>> made;
+  const auto scenes_of = [&](const Tried& tried, int samples) {
+    std::vector<std::shared_ptr<Levered>> scenes;
+    for (const std::string& name : tried.scenes) {
+      std::shared_ptr<Levered>& scene = made[{name, samples}];
+      if (scene == nullptr) scene = std::make_shared<Levered>(device, shaders, name, side, samples);
+      scenes.push_back(scene);
+    }
+    return scenes;
+  };
   std::vector<LabTask> tasks;
   for (const Tried& tried : all_levers()) {
-    std::vector<std::shared_ptr<Levered>> drawn;
-    for (const std::string& name : tried.scenes) {
-      std::shared_ptr<Levered>& scene = scenes[name];
-      if (scene == nullptr) scene = std::make_shared<Levered>(device, shaders, name, side);
-      drawn.push_back(scene);
-    }
-    for (const double value : options.quick ? tried.quick : tried.values) {
+    const std::vector<double>& values = options.quick ? tried.quick : tried.values;
+    const auto finest = scenes_of(tried, tried.part == nullptr ? int(values.front()) : 1);
+    for (const double value : values) {
       DrawnQuality quality;
-      quality.*tried.part = value;
+      if (tried.part != nullptr) quality.*tried.part = value;
+      const auto drawn = tried.part != nullptr ? finest : scenes_of(tried, int(value));
       const auto run = [=] {
         for (const auto& scene : drawn) scene->set(quality), scene->run();
       };
       const auto errors = [=]() -> std::vector<LabError> {
         FlipError all;
-        for (const auto& scene : drawn) {
-          scene->set(quality);
-          const FlipError one = scene->error();
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+          drawn[i]->set(quality);
+          const FlipError one = drawn[i]->error(*finest[i]);
           all.mean += one.mean / double(drawn.size());
           all.worst = std::max(all.worst, one.worst);
         }

@@ -275,8 +275,8 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
 gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
                                    const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
                                    SolidSelection& selection) {
-  gpu::SolidsInWater water{{glm::vec4(9, 9, -9, -9), glm::vec4(9, 9, -9, -9)},
-                           {float(highest_m), float(highest_m), 0, 0}};
+  const glm::vec4 nowhere(9, 9, -9, -9);
+  gpu::SolidsInWater water{{nowhere, nowhere}, {float(highest_m), float(highest_m), 0, 0}};
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   // From a degree and a half above it water mirrors nearly all.
   const double farthest_m = std::min(600.0, 40.0 * (std::max(viewer.y - highest_m, 0.0) + 0.5));
@@ -295,6 +295,8 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
   // Water bends and dims what is seen in it: coarse levels of detail are enough.
   select(models, things, viewpoint, time_s, selection, detail / 16.0, seen,
          [&](const PartBounds& part) { return part.flat.y - part.radius < highest_m; });
+  // A thing's bounds may reach into the water where none of its parts does: then nothing is drawn to be seen there.
+  if (selection.draws.empty()) water.seen[0] = water.seen[1] = nowhere;
   return water;
 }
 

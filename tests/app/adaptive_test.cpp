@@ -357,6 +357,22 @@ TEST(AdaptiveQuality, RebuildingLeversMoveAtLoading) {
   EXPECT_EQ(rig.levels()[1], 0);
 }
 
+// For another scene the same is asked without moving: one that takes longer wants them lowered, a lighter one gives
+// them back. Control seen: the ratio left out of the budget.
+TEST(AdaptiveQuality, AnotherScenesLeversAreToldAhead) {
+  Lever samples{"msaa", {{4, 1.0, 0.0}, {2, 0.6, 0.1}, {1, 0.4, 0.25}}, 0.5, 0.0, LeverMoves::at_loading};
+  Rig rig({scale_lever(), samples});
+  rig.gpu_ms = 9.0;
+  EXPECT_EQ(rig.quality.best_for_scene(3.0, 1.0)[1], 0) << "nothing is known";
+  rig.frames(100);
+  const LeverLevels before = rig.levels();
+  EXPECT_EQ(rig.quality.best_for_scene(1.0, 1.0)[1], 0);
+  EXPECT_GT(rig.quality.best_for_scene(3.0, 1.0)[1], 0);
+  EXPECT_EQ(rig.quality.best_for_scene(0.2, 1.0)[1], 0);
+  rig.frames(20);
+  EXPECT_EQ(rig.levels(), before) << "nothing has moved";
+}
+
 // A clock that is told makes work of time: a slow clock is not a heavy load. The same frame at half the clock, and the
 // forecast for the clock that is there. Control seen: the clock left out.
 TEST(AdaptiveQuality, ClocksAreTold) {

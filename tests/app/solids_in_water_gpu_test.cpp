@@ -212,5 +212,27 @@ TEST_F(SolidsInWater, OnlyWhatMayBeUnderWaterHasAPass) {
   }
 }
 
+// Two boxes above the water, in a model whose bounds reach into it: nothing is drawn to be seen in the water, so
+// nothing is looked for there, in a picture that nobody has drawn. Control seen: select_in_water() that gives the
+// bounds all the same.
+TEST_F(SolidsInWater, BoundsInTheWaterShowNothingThere) {
+  for (const test::FrameLook& look : test::sampled_looks()) {
+    const auto picture = [&](const char* seen_in_water) {
+      SceneObjects objects;
+      test::stand(objects,
+                  test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), "{}",
+                                    R"({"children":[1,2]},{"mesh":0,"translation":[-3,-3,0]},)"
+                                    R"({"mesh":0,"translation":[3,3,0]})"),
+                  Pose{{0.0, 2.0, -12.0}, glm::angleAxis(glm::radians(-45.0), glm::dvec3(0.0, 0.0, 1.0))});
+      test::Set set = flat;
+      set.push_back({"models.seen_in_water", seen_in_water});
+      SeaShot shot = shot_of(look, objects, set);
+      return shot.picture(pose({0.0, 2.0, 0.0}, 0.0, -15.0), 1.0);
+    };
+    const Image8 with = picture("true"), without = picture("false");
+    EXPECT_LT(test::difference(with, without).p99, 0.005) << look.name << test::leave(with, "seen in water");
+  }
+}
+
 }  // namespace
 }  // namespace seascape

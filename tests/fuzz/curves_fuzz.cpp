@@ -1,9 +1,10 @@
-// Any bytes as curves.csv: read or refused; what is read is finite, survives being written, and can be plotted and told
-// of.
+// Any bytes as curves.csv, and as presets.csv: read or refused; what is read is finite, survives being written, and can
+// be plotted and told of.
 #include "app/lab/lab_report.h"
 
 #include <cmath>
 
+#include "app/preset_costs.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace seascape;
@@ -31,6 +32,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                     "plots are finite");
     }
     (void)recommended(rows.points, 1e3, "U10");
+  });
+  fuzz::reads([&] {
+    const std::vector<PresetCosts> costs = parse_preset_costs(fuzz::text_of(data, size), "presets.csv");
+    const std::string text = preset_costs_csv(costs);
+    std::vector<PresetCosts> again;
+    fuzz::require(fuzz::reads([&] { again = parse_preset_costs(text, "written.csv"); }), "what is written is read");
+    fuzz::require(preset_costs_csv(again) == text, "written costs read back the same");
+    (void)presets_document(costs);
+    if (!costs.empty()) (void)preset_table(&costs.front(), costs.front().scene);
   });
   return 0;
 }

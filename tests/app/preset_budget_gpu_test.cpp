@@ -1,0 +1,69 @@
+// The profiles of a standalone headset keep to its draws and triangles in every shipped scene.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "app/boats/path_on_body.h"
+#include "app/effect_costs.h"
+#include "app/lab/screen_error.h"
+#include "app/sea_time.h"
+#include "tests/support/gpu/gpu_test.h"
+#include "tests/support/sampled.h"
+
+namespace seascape {
+namespace {
+
+constexpr std::uint64_t most_draws = 100, most_triangles = 750'000;  // of a frame, both eyes together
+
+struct Most {
+  std::uint64_t draws = 0, triangles = 0;
+};
+
+// What frames record along the scene's path, with the mesh of a headset's picture: small pictures draw the same.
+Most most_along(const std::string& name, const std::string& preset, int frames) {
+  Scene scene = load_scene(name, preset);
+  scene.settings.render.msaa = 1;
+  scene.settings.render.vertical_fov_deg = headset_fov_deg;
+  CostSubject subject(test::device(), test::shaders(), scene, {32, 34, 2});
+  const CameraPath path = load_camera_path(name);
+  const double pixels = 0.5 * headset_height_px / std::tan(0.5 * glm::radians(headset_fov_deg));
+  glm::dvec3 viewer_m = path.at(0.0).pose.position_m;
+  Most most;
+  for (int n = 0; n < frames; ++n) {
+    const PathSample sample = path.at(path.duration_s() * n / std::max(frames - 1, 1));
+    const double time_s = sea_time_s(scene.settings, sample.scene_time_s);
+    const Pose pose = pose_in_world(subject.experience(), path, sample, time_s, viewer_m);
+    viewer_m = pose.position_m;
+    subject.draw_ms(pose, time_s, pixels);
+    const Frame& frame = subject.experience().frame();
+    most.draws = std::max(most.draws, frame.counts().draws);
+    std::uint64_t triangles = 0;  // of the sun's map once, of all else for each eye
+    for (const PipelineWork& work : frame.work())
+      triangles += (std::string_view(work.pass) == "sun map" ? 1 : 2) * work.triangles;
+    most.triangles = std::max(most.triangles, triangles);
+  }
+  return most;
+}
+
+class PresetBudget : public test::GpuTest {};
+
+// Every scene at low and medium, 40 poses of each path (without SEASCAPE_LONG: two scenes, 3 poses). Control:
+// lod.pixel_error of 0.5 at medium.
+TEST_F(PresetBudget, LowAndMediumKeepToTheirDrawsAndTriangles) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "scenes"))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  if (!test::long_run()) names = {"harbour", "regatta"};
+  ASSERT_FALSE(names.empty());
+  for (const std::string& name : names)
+    for (const char* preset : {"low", "medium"}) {
+      const Most most = most_along(name, preset, test::long_run() ? 40 : 3);
+      EXPECT_LE(most.draws, most_draws) << name << " at " << preset;
+      EXPECT_LE(most.triangles, most_triangles) << name << " at " << preset;
+      std::printf("%s at %s: %llu draws, %llu triangles\n", name.c_str(), preset,
+                  static_cast<unsigned long long>(most.draws), static_cast<unsigned long long>(most.triangles));
+    }
+}
+
+}  // namespace
+}  // namespace seascape
