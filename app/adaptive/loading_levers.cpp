@@ -32,7 +32,7 @@ std::vector<Lever> loading_levers(const LoadingRange& range) {
     of_samples.moves = LeverMoves::at_loading;
     of_samples.gpu_share = 0.98;
     for (int count = range.samples; count >= 1; count /= 2) {
-      constexpr double one_sample_error = 0.03;
+      constexpr double one_sample_error = 0.026;
       const double lost = std::log2(double(range.samples) / count) / std::log2(double(range.samples));
       of_samples.steps.push_back({double(count), double(count) / range.samples, one_sample_error * lost});
     }
