@@ -37,8 +37,9 @@ DisplayKind resolve_display(DisplayKind wanted) {
 }
 
 // What `auto` is before a display that has a rate to hold.
-void suit_preset(const Arguments& arguments, Program& program, const DisplayGoal& goal) {
+void suit_preset(const Arguments& arguments, Program& program, DisplayGoal goal) {
   if (arguments.preset != "auto") return;
+  goal.scene = program.scene.name;
   program.preset = calibrated_preset(*program.device, program.shaders, goal);
   program.scene = scene_from(arguments, program.preset, device_class(program.device->facts()));
 }

@@ -243,7 +243,7 @@ TEST_F(Standalone, MoreThanItsLimitsChangesNothingButWhereWaterIsCut) {
   }
 }
 
-// All effects at once read 31 images in the fragment stage: a device of 16 says so. Control, seen: without
+// All effects at once read 32 images in the fragment stage: a device of 16 says so. Control, seen: without
 // expect_images_fit() the validation layer has its say instead.
 TEST_F(Standalone, ASceneOfTooManyEffectsIsRefused) {
   DeviceOptions options;
@@ -256,7 +256,7 @@ TEST_F(Standalone, ASceneOfTooManyEffectsIsRefused) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(),
                 testing::HasSubstr(
-                    "surface.frag reads 31 images for the scene's effects, and the device allows 16 in a stage"));
+                    "surface.frag reads 32 images for the scene's effects, and the device allows 16 in a stage"));
     EXPECT_THAT(error.what(), testing::HasSubstr("leave out some of the scene's effects"));
   }
   floor.wait_idle();
