@@ -258,28 +258,30 @@ void Panel::draw_times(const PanelFacts& facts) {
 
 void Panel::draw_presets(const PanelFacts& facts) {
   if (!ImGui::CollapsingHeader("Presets")) return;
-  const auto table = [](const char* title, const std::vector<PresetLine>& lines) {
-    if (!ImGui::BeginTable(title, 5, ImGuiTableFlags_SizingFixedFit)) return;
-    ImGui::TableSetupColumn("");
-    for (const std::string_view name : preset_names()) ImGui::TableSetupColumn(std::string(name).c_str());
-    ImGui::TableHeadersRow();
-    for (const PresetLine& line : lines) {
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(line.what.c_str());
-      for (const std::string& value : line.of) {
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(value.c_str());
-      }
+  // What is told above its values: beside them a panel has no room for it.
+  const auto row = [](const auto& values) {
+    const float wide = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+    for (std::size_t p = 0; p < preset_names().size(); ++p) {
+      if (p > 0) ImGui::SameLine(left + wide * float(p) / float(preset_names().size()));
+      ImGui::TextUnformatted(values[p].data(), values[p].data() + values[p].size());
     }
-    ImGui::EndTable();
   };
-  table("preset settings", setting_lines());
+  const auto tell = [&](const std::vector<PresetLine>& lines) {
+    for (const PresetLine& line : lines) {
+      ImGui::TextDisabled("%s", line.what.c_str());
+      row(line.of);
+    }
+  };
+  row(preset_names());
+  ImGui::Separator();
+  tell(setting_lines());
+  ImGui::Separator();
   if (facts.costs == nullptr) {
     ImGui::TextWrapped("no costs are known of this scene: seascape plan --presets measures them");
     return;
   }
   ImGui::TextWrapped("%s", measured_how(*facts.costs).c_str());
-  table("preset costs", cost_lines(*facts.costs));
+  tell(cost_lines(*facts.costs));
 }
 
 // Returns whether the edited settings are to be taken now.

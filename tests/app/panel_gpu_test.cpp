@@ -19,7 +19,7 @@ class PanelUnderTheMouse : public testing::Test {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.DisplaySize = {1280.0f, 7200.0f};  // tall enough for all rows
+    io.DisplaySize = {1280.0f, 7600.0f};  // tall enough for all rows
     io.DeltaTime = 1.0f / 60.0f;
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -96,7 +96,7 @@ TEST_F(PanelUnderTheMouse, ChangesEverySettingWithinItsRangeAndWaitsForTheMouseT
       EXPECT_FALSE(down && !row.rebuild.empty()) << row.key;
     }
   };
-  constexpr float lowest = 6700.0f, step = 17.0f;  // a row is 19 pixels high
+  constexpr float lowest = 7000.0f, step = 17.0f;  // a row is 19 pixels high
   try_column(290.0f, 40.0f, lowest, told, step);   // sliders
   try_column(200.0f, 0.0f, lowest, told, step);    // boxes and lists
   try_column(373.0f, 0.0f, lowest, told, step);    // the steps beside a number that is typed
