@@ -54,7 +54,8 @@ void Explorer::take_experience() {
   if (mirror_) mirror_->set_title(title);
 }
 
-// What this scene and the next may be loaded with; nothing where the user holds what it would move.
+// What this scene and the next may be loaded with; none where the presets' costs are not known. A scene that asks for
+// more samples than its preset keeps them.
 std::vector<Lever> Explorer::loading_levers_here() const {
   const ExperienceOptions& now = experience_->options();
   const std::size_t finest = preset_index(finest_preset_);
@@ -107,6 +108,7 @@ void Explorer::make_changes() {
   const std::uint64_t builds = experience_->builds();
   if (wanted_) apply(*std::exchange(wanted_, std::nullopt));
   if (wanted_effects_) apply_effects(*std::exchange(wanted_effects_, std::nullopt));
+  if (experience_->builds() != builds) keep_rate();  // what is built anew takes another time
   if (look_at_shaders) reload_shaders();
   if (held && experience_->builds() != builds) draw_unseen(*experience_, head(), sea_time_s());
 }
@@ -114,7 +116,6 @@ void Explorer::make_changes() {
 void Explorer::apply_effects(const std::vector<std::string>& effects) {
   try {
     experience_->apply_effects(effects);
-    keep_rate();
   } catch (const Error& fault) {
     tell_fault(fault.what());
   }

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view header = "scene,device,date,width,height,views,frames,what,unit,low,medium,high,ultra";
 constexpr std::size_t columns = 13, first_figure = 9;
 
-// Three figures that count, and whole numbers as they are.
+// Three significant figures, and whole numbers as they are.
 std::string figure_text(double value) {
   if (value >= 1000.0 || value == std::floor(value)) return fmt::format("{:.0f}", value);
   return fmt::format("{:.3g}", value);
@@ -143,7 +143,15 @@ std::string presets_document(std::span<const PresetCosts> all) {
       "Written from the table in `app/quality.cpp` and from `content/presets.csv` by\n"
       "`SEASCAPE_WRITE_DOCS=1 ctest --preset release -R PresetCosts`; a test compares them. `seascape plan` and the "
       "panel\n"
-      "print the same table. `seascape plan --scene S --presets content/presets.csv` measures the rows of a scene.\n";
+      "print the same table. `seascape plan --scene S --presets content/presets.csv` measures the rows of a scene.\n\n"
+      "The presets take turns, frame by frame, along the scene's path at 30 frames a second. On a software driver they "
+      "have one\n"
+      "sample a pixel. GPU rows are passes, CPU rows are stages of the processor. The error is the mean FLIP "
+      "(Andersson "
+      "et al.\n"
+      "2020) of two views against ultra with 2 x 2 pixels for one and four samples in each. Moved are the bytes that "
+      "attachments\n"
+      "load and store and that copies move.\n";
   const auto begin = [&](const std::string& title) {
     text += fmt::format("\n## {}\n\n", title) + "| | low | medium | high | ultra |\n|---|---|---|---|---|\n";
   };
@@ -156,13 +164,7 @@ std::string presets_document(std::span<const PresetCosts> all) {
     begin(measured_how(scene));
     for (const PresetLine& line : cost_lines(scene)) add(line.what, line);
   }
-  return text +
-         "\nThe presets' frames are drawn in turn, as they are on that device, along the scene's path at 30 a second. "
-         "On a software "
-         "driver\nthat is with one sample a pixel. GPU rows are passes, CPU rows are stages of the processor. The "
-         "error "
-         "is the mean FLIP\n(Andersson et al. 2020) of two views against ultra with 2 x 2 pixels for one and four "
-         "samples in each. Moved are bytes that\nattachments load and store and that copies move.\n";
+  return text;
 }
 
 std::string preset_table(const PresetCosts* costs, std::string_view scene) {

@@ -116,6 +116,7 @@ TEST(Calibration, DamagedFilesAreAsNone) {
   EXPECT_FALSE(remembered(cache, {"a", "b"}).presets[3]);
 }
 
+// Control: presets that are not measured told too.
 TEST(Calibration, TellsWhatIsKnown) {
   Calibration known;
   EXPECT_EQ(calibration_text(known), "not measured");
