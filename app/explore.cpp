@@ -38,7 +38,6 @@ DisplayKind resolve_display(DisplayKind wanted) {
 
 // What `auto` is before a display that has a rate to hold.
 void suit_preset(const Arguments& arguments, Program& program, DisplayGoal goal) {
-  if (arguments.preset != "auto") return;
   goal.scene = program.scene.name;
   program.preset = calibrated_preset(*program.device, program.shaders, goal);
   program.scene = scene_from(arguments, program.preset, device_class(program.device->facts()));
@@ -75,7 +74,7 @@ void explore_in_window(const Arguments& arguments, const std::optional<LeftOff>&
     if (arguments.height) window_options.height = std::uint32_t(arguments.height);
     Window window(system, *program.device, window_options);
     const double target_hz = program.scene.settings.adaptive.target_hz;
-    if (!before)
+    if (!before && arguments.preset == "auto")
       suit_preset(arguments, program,
                   {window.most_size().x, window.most_size().y, arguments.views,
                    target_hz > 0.0 ? target_hz : 1.0 / window.period_s()});
@@ -100,6 +99,30 @@ std::unique_ptr<WindowSystem> desktop_beside(DeviceOptions& options) {
   }
 }
 
+DisplayGoal headset_goal(const Arguments& arguments, const HeadsetSystem& system, const Program& program) {
+  const Settings& settings = program.scene.settings;
+  const auto pixels = [&](int asked, std::uint32_t recommended) {
+    return asked > 0 ? std::uint32_t(asked) : scaled_pixels(recommended, settings.headset.scale);
+  };
+  return {pixels(arguments.width, system.facts().width), pixels(arguments.height, system.facts().height), 2,
+          headset_rate_hz(system, *program.device, settings)};
+}
+
+HeadsetOptions headset_options(const Arguments& arguments, const Settings& settings, bool in_real_time) {
+  HeadsetOptions headset;
+  headset.near_m = settings.render.near_m;
+  headset.in_real_time = in_real_time;
+  headset.symmetric = settings.headset.symmetric;
+  headset.scale = settings.headset.scale;
+  headset.rate_hz = settings.headset.rate_hz;
+  headset.left_handed = settings.headset.left_handed;
+  headset.seated = settings.headset.seated;
+  headset.eye_height_m = settings.headset.eye_height_m;
+  headset.width = std::uint32_t(arguments.width);
+  headset.height = std::uint32_t(arguments.height);
+  return headset;
+}
+
 // `system` outlives what is made for it. Where its runtime dies and a desktop is there to go on at: where the user was.
 std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& arguments, bool mirrored,
                                     bool in_real_time) {
@@ -109,27 +132,9 @@ std::optional<LeftOff> explore_with(HeadsetSystem& system, const Arguments& argu
   Program program = make_program(arguments, options);
   std::optional<LeftOff> left_off;
   {
-    HeadsetOptions headset;
-    const Settings& settings = program.scene.settings;
-    headset.near_m = settings.render.near_m;
-    headset.in_real_time = in_real_time;
-    headset.symmetric = settings.headset.symmetric;
-    headset.scale = settings.headset.scale;
-    headset.rate_hz = settings.headset.rate_hz;
-    headset.left_handed = settings.headset.left_handed;
-    headset.seated = settings.headset.seated;
-    headset.eye_height_m = settings.headset.eye_height_m;
-    headset.width = std::uint32_t(arguments.width);
-    headset.height = std::uint32_t(arguments.height);
-    Headset display(system, *program.device, headset);
-    if (in_real_time) {
-      const auto pixels = [&](std::uint32_t asked, std::uint32_t recommended) {
-        return asked > 0 ? asked : scaled_pixels(recommended, headset.scale);
-      };
-      suit_preset(arguments, program,
-                  {pixels(headset.width, system.facts().width), pixels(headset.height, system.facts().height), 2,
-                   headset_rate_hz(system, *program.device, settings)});
-    }
+    if (in_real_time && arguments.preset == "auto")  // before the display: a runtime has one session at a time
+      suit_preset(arguments, program, headset_goal(arguments, system, program));
+    Headset display(system, *program.device, headset_options(arguments, program.scene.settings, in_real_time));
     Explorer explorer(arguments, program, display, desktop.get());
     try {
       explorer.run();

@@ -80,7 +80,7 @@ void HeadsetOverlay::make_board() {
   HeadsetSwapchainSpec spec{
       width_, height_, 1, headset_.colour(),
       XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_SRC_BIT};
-  swapchain_ = HeadsetSwapchain(headset_.system(), headset_.session(), spec);
+  swapchain_ = HeadsetSwapchain(headset_.system(), device_, headset_.session(), spec);
   const LentImages lent{width_, height_, swapchain_.images(), {}};
   board_ = RenderTarget(device_, "panel", board_spec(width_, height_, headset_.colour()), &lent);
 }

@@ -119,11 +119,11 @@ void Headset::make_pictures() {
   HeadsetSwapchainSpec spec{
       room_.x, room_.y, 2, colour_,
       XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_SRC_BIT};
-  colours_ = HeadsetSwapchain(system_, session_, spec);
+  colours_ = HeadsetSwapchain(system_, device_, session_, spec);
   if (depth_format_ != VK_FORMAT_UNDEFINED) {
     spec.format = depth_format_;
     spec.usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
-    depths_ = HeadsetSwapchain(system_, session_, spec);
+    depths_ = HeadsetSwapchain(system_, device_, session_, spec);
   }
   auto lent = std::make_shared<LentImages>();
   lent->width = room_.x;

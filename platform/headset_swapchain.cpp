@@ -5,8 +5,9 @@
 
 namespace seascape {
 
-HeadsetSwapchain::HeadsetSwapchain(const HeadsetSystem& system, XrSession session, const HeadsetSwapchainSpec& spec)
-    : api_(&system.api()), spec_(spec) {
+HeadsetSwapchain::HeadsetSwapchain(const HeadsetSystem& system, Device& device, XrSession session,
+                                   const HeadsetSwapchainSpec& spec)
+    : api_(&system.api()), device_(&device), spec_(spec) {
   XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
   info.usageFlags = spec.usage;
   info.format = spec.format;
@@ -16,7 +17,10 @@ HeadsetSwapchain::HeadsetSwapchain(const HeadsetSystem& system, XrSession sessio
   info.faceCount = 1;
   info.arraySize = spec.layers;
   info.mipCount = 1;
-  check_xr(api_->CreateSwapchain(session, &info, &swapchain_), "xrCreateSwapchain");
+  {
+    const std::lock_guard lock(device.queue_mutex());
+    check_xr(api_->CreateSwapchain(session, &info, &swapchain_), "xrCreateSwapchain");
+  }
   try {
     std::uint32_t count = 0;
     check_xr(api_->EnumerateSwapchainImages(swapchain_, 0, &count, nullptr), "xrEnumerateSwapchainImages");
@@ -41,6 +45,7 @@ HeadsetSwapchain::HeadsetSwapchain(const HeadsetSystem& system, XrSession sessio
 
 void HeadsetSwapchain::swap(HeadsetSwapchain& other) noexcept {
   std::swap(api_, other.api_);
+  std::swap(device_, other.device_);
   std::swap(swapchain_, other.swapchain_);
   std::swap(spec_, other.spec_);
   std::swap(images_, other.images_);
@@ -48,7 +53,10 @@ void HeadsetSwapchain::swap(HeadsetSwapchain& other) noexcept {
 }
 
 void HeadsetSwapchain::reset() {
-  if (swapchain_) api_->DestroySwapchain(swapchain_);
+  if (swapchain_) {
+    const std::lock_guard lock(device_->queue_mutex());
+    api_->DestroySwapchain(swapchain_);
+  }
   swapchain_ = XR_NULL_HANDLE;
 }
 

@@ -14,7 +14,8 @@ struct HeadsetSwapchainSpec {
 class HeadsetSwapchain {
  public:
   HeadsetSwapchain() = default;
-  HeadsetSwapchain(const HeadsetSystem& system, XrSession session, const HeadsetSwapchainSpec& spec);
+  // Made and destroyed while the device's queue is still: runtimes use it then too.
+  HeadsetSwapchain(const HeadsetSystem& system, Device& device, XrSession session, const HeadsetSwapchainSpec& spec);
   ~HeadsetSwapchain() { reset(); }
   HeadsetSwapchain(HeadsetSwapchain&& other) noexcept { swap(other); }
   HeadsetSwapchain& operator=(HeadsetSwapchain&& other) noexcept {
@@ -36,6 +37,7 @@ class HeadsetSwapchain {
   void swap(HeadsetSwapchain& other) noexcept;
   void reset();
   const XrApi* api_ = nullptr;
+  Device* device_ = nullptr;
   XrSwapchain swapchain_ = XR_NULL_HANDLE;
   HeadsetSwapchainSpec spec_;
   std::vector<VkImage> images_;

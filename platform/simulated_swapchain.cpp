@@ -119,6 +119,7 @@ XRAPI_ATTR XrResult XRAPI_CALL release(XrSwapchain swapchain, const XrSwapchainI
 }  // namespace
 
 void destroy_swapchain(State& of, Swapchain& gone) {
+  vkQueueWaitIdle(of.vulkan.queue);  // as Monado does
   for (VkImage image : gone.images) vkDestroyImage(of.vulkan.device, image, nullptr);
   for (VkDeviceMemory memory : gone.memories) vkFreeMemory(of.vulkan.device, memory, nullptr);
   std::erase_if(of.swapchains, [&](const auto& one) { return one.get() == &gone; });

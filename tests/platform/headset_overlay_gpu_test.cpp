@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <thread>
+
 #include "tests/support/gpu/headset_rig.h"
 
 namespace seascape {
@@ -85,6 +87,21 @@ TEST_F(HeadsetOverlayTest, OutlivesASession) {
     rig.step();
   }
   EXPECT_GT(rig.runtime.frames_shown(), 10u);
+}
+
+// Runtimes use the queue also where swapchains come and go: another thread may submit all the while, as the mirror
+// does. Controls seen: a swapchain that is made, or destroyed, without the lock.
+TEST_F(HeadsetOverlayTest, AnotherThreadMaySubmitAllTheWhile) {
+  HeadsetRig rig(simulated());
+  const std::jthread other([&](const std::stop_token& ends) {
+    while (!ends.stop_requested()) test::device().run_now([](VkCommandBuffer) {});
+  });
+  for (int board = 0; board < 10; ++board) {
+    const std::unique_ptr<Overlay> overlay = rig.headset.make_overlay();
+    button(*overlay);
+    rig.step();
+  }
+  EXPECT_GE(rig.runtime.frames_shown(), 8u);
 }
 
 // A session may be lost in any call, those of the board too. Control: without the question in Headset::end.
