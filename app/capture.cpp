@@ -87,7 +87,7 @@ class Keeping {
         display_(display),
         scale_(display.tracks_head() ? settings.headset.scale : 1.0) {
     settings_.on = settings.adaptive_use == AdaptiveUse::on;
-    keeper_.emplace(live_levers({experience.solids() != nullptr, experience.spray() != nullptr}));
+    keeper_.emplace(live_levers(experience.lowered()));
     if (settings_.on && settings_.target_hz == 0.0 && std::string_view(display.name()) == "headless")
       throw Error("adaptive.use", "a display without a screen has no rate to hold",
                   "add --set adaptive.target_hz=72, or take --display window or simulated");

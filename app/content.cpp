@@ -28,6 +28,15 @@ std::filesystem::path content_directory() {
   throw Error(beside.string(), "no content folder with scenes and paths", "set SEASCAPE_CONTENT to it");
 }
 
+std::vector<std::string> content_names(std::string_view kind) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / kind, ignored))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::filesystem::path content_file(const std::string& name_or_file, std::string_view kind) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -36,10 +45,7 @@ std::filesystem::path content_file(const std::string& name_or_file, std::string_
   const fs::path directory = content_directory() / kind;
   const fs::path file = directory / (name_or_file + ".json");
   if (fs::is_regular_file(file, ignored)) return file;
-  std::vector<std::string> stems;
-  for (const auto& entry : fs::directory_iterator(directory, ignored))
-    if (entry.path().extension() == ".json") stems.push_back(entry.path().stem().string());
-  std::sort(stems.begin(), stems.end());
+  const std::vector<std::string> stems = content_names(kind);
   const std::vector<std::string_view> names(stems.begin(), stems.end());
   const std::string what = kind == "scenes" ? "scene" : kind == "paths" ? "path" : "input script";
   const std::string stem(kind.substr(0, kind.size() - 1));

@@ -265,11 +265,10 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
     loaded_models_ = std::make_unique<LoadedModels>(device_, scene_.objects.models, blocks);
   }
   solid_surroundings_ = std::make_unique<SolidSurroundings>(device_, shaders_, light);
-  solids_ = std::make_unique<DrawnSolids>(
-      device_, shaders_, drawn, light, solid_sources(),
-      SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                look.below ? &surface_->below() : nullptr, look.anisotropy, look.underwater, look.shapes,
-                sun_map_ ? &sun_map_->target() : nullptr});
+  solids_ = std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, solid_sources(),
+                                          SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr,
+                                                    surface_->depths(), look.below ? &surface_->below() : nullptr,
+                                                    look.anisotropy, look.underwater, look.shapes, sun_map_.get()});
 }
 
 void Experience::bind_tone() {
@@ -318,6 +317,15 @@ const Image* Experience::kept_depth() const {
 }
 
 // Everything is drawn into the upper left part of what there is room for.
+Lowered Experience::lowered() const {
+  const double anisotropy = std::min(scene_.settings.water.anisotropy, double(device_.facts().max_anisotropy));
+  return {.models = solids_ != nullptr,
+          .spray = spray_ != nullptr,
+          .shadows = sun_map_ != nullptr,
+          .foam = ocean_->foam() != nullptr,
+          .anisotropic = anisotropy > 1.0};
+}
+
 void Experience::set_area() {
   picture_.set_area(options_.width, options_.height);
   if (!in_tile()) lit_.set_area(options_.width, options_.height);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/adaptive/live_levers.h"
 #include "app/boats/boat_shape.h"
 #include "app/boats/scene_bodies.h"
 #include "app/comfort_overlay.h"
@@ -52,6 +53,7 @@ class Experience {
   void resize(std::uint32_t width, std::uint32_t height, const glm::uvec2& room = {0, 0});
   // How the frames from now on are drawn, the picture's scale apart. Makes nothing, and outlives a rebuild.
   void draw_at(const DrawnQuality& quality) { quality_ = quality; }
+  Lowered lowered() const;  // what of it there is that draw_at() may lower
   // From now on the picture is drawn into these images, of options().colour and of the room's size or larger; null: its
   // own. They outlive it, or the next call. Makes nothing where it has them already.
   void draw_into(std::shared_ptr<const LentImages> lent);

@@ -25,15 +25,6 @@ constexpr double message_s = 4.0;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "scenes", ignored))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 }  // namespace
 
 Explorer::Explorer(const Arguments& arguments, Program& program, Display& display, WindowSystem* desktop)
@@ -45,7 +36,7 @@ Explorer::Explorer(const Arguments& arguments, Program& program, Display& displa
       loader_(*program.device, program.shaders),
       overlay_(display.make_overlay()),
       camera_(program.scene.start),
-      scenes_(scene_names()),
+      scenes_(content_names("scenes")),
       costs_(shipped_preset_costs()),
       calibration_(remembered(DiskCache::of_user(), calibrated_device(program.device->facts()))),
       finest_preset_(arguments.preset == "auto" ? preset_names().back() : program.preset) {

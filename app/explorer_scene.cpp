@@ -71,8 +71,7 @@ std::vector<Lever> Explorer::loading_levers_here() const {
 
 // Levels go on as they were: another scene on the same machine is more like them than like the finest.
 void Explorer::keep_rate() {
-  std::vector<Lever> levers =
-      live_levers({.models = experience_->solids() != nullptr, .spray = experience_->spray() != nullptr});
+  std::vector<Lever> levers = live_levers(experience_->lowered());
   for (Lever& one : loading_levers_here()) levers.push_back(std::move(one));
   LeverLevels levels = nearest_levels(levers, quality_);
   set_loaded(levers, {preset_index(program_.preset), experience_->scene().settings.render.msaa}, levels);

@@ -45,7 +45,7 @@ gpu::FrameData frame_data(const Settings& settings, const Viewpoint& viewpoint, 
     data.view[i] = view_data(viewpoint.eyes[i], viewpoint.viewer, settings.render.near_m, height);
   data.sun = glm::vec4(glm::vec3(sun_direction(settings.sky)), float(std::cos(glm::radians(0.267))));
   data.air = glm::vec4(float(extinction(settings.sky.visibility_m)), float(settings.sky.exposure_ev),
-                       float(settings.render.near_m), 0.0f);
+                       float(settings.render.near_m), float(settings.water.anisotropy));
   data.shown.x = int(settings.render.debug);
   return data;
 }
@@ -71,6 +71,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   // 1. What the sea does: its change, those who act on it, dynamic waves around the viewer. Then what of it the GPU
   // needs: transforms or tiles, windows of places, foam. Each only if the scene asked for it.
   stages.time("sea", [&] { e.sea_->advance(time_s, viewer_m); });
+  e.ocean_->step_foam_by(int(std::lround(1.0 / e.quality_.foam)));
   e.ocean_->update(frame, time_s, viewer_m);
 
   // 2. The light: only when sun or haze have changed.
@@ -81,6 +82,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const SurfaceSelection* selection = nullptr;
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint, e.quality_.mesh); });
   gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
+  data.air.w = std::max(1.0f, data.air.w * float(e.quality_.anisotropy));
   e.ocean_->describe(data, viewpoint);
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   Ocean::EyesSide side;
@@ -90,6 +92,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
       e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
+      if (e.sun_map_) e.sun_map_->draw_share(e.quality_.shadows);
       e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);

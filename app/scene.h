@@ -47,7 +47,10 @@ void set_over_file(Scene& scene, const std::string& option, std::string_view key
 // content/ of this checkout or installation; SEASCAPE_CONTENT names another.
 std::filesystem::path content_directory();
 
-// The file of a name in content/KIND ("scenes", "paths", "inputs"); whatever has a slash or ends in .json is a file
+// The names of what is in content/KIND ("scenes", "paths", "inputs"), sorted; none where the folder cannot be read.
+std::vector<std::string> content_names(std::string_view kind);
+
+// The file of a name in content/KIND; whatever has a slash or ends in .json is a file
 // already.
 std::filesystem::path content_file(const std::string& name_or_file, std::string_view kind);
 

@@ -51,6 +51,10 @@ class Ocean {
   // What a frame takes of the sea, which has been advanced to this time, in order: each only if the scene asked for it.
   // What belongs to a place follows the viewer.
   void update(Frame& frame, double time_s, const glm::dvec3& viewer_m);
+  // Foam that is only seen may take several steps as one: so many, from 1.
+  void step_foam_by(int steps) {
+    if (foam_) foam_->sea().step_by(steps);
+  }
   // Of a frame that nobody draws what later ones depend on: foam that is kept, and spray. Stages are timed as in a
   // frame.
   void live_through(Stages& stages, double time_s, const glm::dvec3& viewer_m);

@@ -10,7 +10,8 @@ namespace seascape {
 
 // What a scene has that a lever can lower.
 struct Lowered {
-  bool models = false, spray = false;
+  bool models = false, spray = false, shadows = false, foam = false;
+  bool anisotropic = false;  // water.anisotropy is above 1
 };
 
 // The levers of a scene. Errors are mean FLIP (app/lab/flip.h) against the finest step, as `seascape lab --curve

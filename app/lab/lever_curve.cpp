@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "app/drawn_quality.h"
 #include "app/effect_costs.h"
@@ -39,12 +40,19 @@ class Levered {
     const double pixels = pixels_per_radian();
     subject_.draw_ms(from_[0], start_s + frames_++ / 72.0, pixels);
   }
-  // Against the finest step, which `finest` draws.
-  FlipError error(Levered& finest) {
+  // Against the finest step, which `finest` draws; after `run_s` of both seas, at 24 frames a second.
+  FlipError error(Levered& finest, double run_s) {
     const DrawnQuality quality = quality_;
+    for (int i = 1; i < int(24.0 * run_s); ++i) {
+      finest.draw(from_[0], {}, i / 24.0);
+      draw(from_[0], quality, i / 24.0);
+    }
     FlipError error;
     for (const Pose& from : from_) {
-      const Image8 whole = finest.drawn(from, {}), now = drawn(from, quality);
+      finest.draw(from, {}, run_s);
+      const Image8 whole = picture_of(finest.device_, finest.subject_.experience(), 0);
+      draw(from, quality, run_s);
+      const Image8 now = picture_of(device_, subject_.experience(), 0);
       const FlipError one = flip_error(stretched(now, side_, side_), whole, pixels_per_radian(1.0) * glm::radians(1.0));
       error.mean += one.mean / double(from_.size());
       error.worst = std::max(error.worst, one.worst);
@@ -65,10 +73,9 @@ class Levered {
     return scale * 0.5 * headset_height_px / std::tan(0.5 * glm::radians(headset_fov_deg));
   }
   double pixels_per_radian() const { return pixels_per_radian(quality_.scale); }
-  Image8 drawn(const Pose& from, const DrawnQuality& quality) {
+  void draw(const Pose& from, const DrawnQuality& quality, double after_s) {
     set(quality);
-    subject_.draw_ms(from, start_s, pixels_per_radian());
-    return picture_of(device_, subject_.experience(), 0);
+    subject_.draw_ms(from, start_s + after_s, pixels_per_radian());
   }
 
   Device& device_;
@@ -84,6 +91,7 @@ struct Tried {
   double DrawnQuality::*part;  // null: samples a pixel, which a scene is built with
   std::vector<double> values, quick;
   std::vector<std::string> scenes;
+  double run_s = 0.0;  // of the sea before its error is seen
 };
 
 std::vector<Tried> all_levers() {
@@ -99,16 +107,23 @@ std::vector<Tried> all_levers() {
            {"open_sea", "storm", "harbour"}},
           {"detail of models", &DrawnQuality::detail, {1.0, 0.85, 0.7, 0.6, 0.5}, {1.0, 0.7, 0.5}, {"harbour"}},
           {"spray drawn", &DrawnQuality::spray, {1.0, 0.85, 0.7, 0.5, 0.3}, {1.0, 0.7, 0.3}, {"storm"}},
+          {"shadow texels", &DrawnQuality::shadows, {1.0, 0.9, 0.8, 0.65, 0.5}, {1.0, 0.7, 0.5}, {"harbour"}},
+          {"anisotropy",
+           &DrawnQuality::anisotropy,
+           {1.0, 0.84, 0.7, 0.5, 0.35, 0.25},
+           {1.0, 0.5, 0.25},
+           {"open_sea", "storm", "harbour"}},
+          {"foam's rate", &DrawnQuality::foam, {1.0, 0.5}, {1.0, 0.5}, {"storm"}, 3.0},
           {"samples", nullptr, {4.0, 2.0, 1.0}, {4.0, 1.0}, {"open_sea", "storm", "harbour"}}};
 }
 
 std::vector<LabTask> lever_tasks(Device& device, ShaderLibrary& shaders, const LabOptions& options) {
   const int side = !options.timed ? 128 : options.quick ? 256 : 512;
-  std::map<std::pair<std::string, int>, std::shared_ptr<Levered>> made;
-  const auto scenes_of = [&](const Tried& tried, int samples) {
+  std::map<std::tuple<std::string, int, bool>, std::shared_ptr<Levered>> made;
+  const auto scenes_of = [&](const Tried& tried, int samples, bool another = false) {
     std::vector<std::shared_ptr<Levered>> scenes;
     for (const std::string& name : tried.scenes) {
-      std::shared_ptr<Levered>& scene = made[{name, samples}];
+      std::shared_ptr<Levered>& scene = made[{name, samples, another}];
       if (scene == nullptr) scene = std::make_shared<Levered>(device, shaders, name, side, samples);
       scenes.push_back(scene);
     }
@@ -118,10 +133,12 @@ std::vector<LabTask> lever_tasks(Device& device, ShaderLibrary& shaders, const L
   for (const Tried& tried : all_levers()) {
     const std::vector<double>& values = options.quick ? tried.quick : tried.values;
     const auto finest = scenes_of(tried, tried.part == nullptr ? int(values.front()) : 1);
+    const auto lowered = tried.run_s > 0.0 ? scenes_of(tried, 1, true) : finest;
+    const double run_s = tried.run_s;
     for (const double value : values) {
       DrawnQuality quality;
       if (tried.part != nullptr) quality.*tried.part = value;
-      const auto drawn = tried.part != nullptr ? finest : scenes_of(tried, int(value));
+      const auto drawn = tried.part != nullptr ? lowered : scenes_of(tried, int(value));
       const auto run = [=] {
         for (const auto& scene : drawn) scene->set(quality), scene->run();
       };
@@ -129,7 +146,7 @@ std::vector<LabTask> lever_tasks(Device& device, ShaderLibrary& shaders, const L
         FlipError all;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
           drawn[i]->set(quality);
-          const FlipError one = drawn[i]->error(*finest[i]);
+          const FlipError one = drawn[i]->error(*finest[i], run_s);
           all.mean += one.mean / double(drawn.size());
           all.worst = std::max(all.worst, one.worst);
         }

@@ -97,7 +97,7 @@ void DrawnSolids::make_caster_pipeline() {
                   {1, sizeof(gpu::SolidInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
   for (const std::uint32_t i : {0u, 2u, 3u}) spec.attributes.push_back({i, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
   for (std::uint32_t i = 0; i < 3; ++i) spec.attributes.push_back({4 + i, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * i});
-  caster_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.sun_map, spec);
+  caster_pipeline_ = make_graphics_pipeline(device_, shaders_, look_.sun_map->target(), spec);
 }
 
 VkSampler DrawnSolids::sampler(const SolidTexture& texture) {
@@ -184,8 +184,9 @@ void DrawnSolids::describe(gpu::FrameData& data) const {
 void DrawnSolids::cast(gpu::FrameData& data, const Viewpoint& viewpoint, const ModelSettings& settings, double time_s) {
   if (look_.sun_map == nullptr) return;
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
-  sun_ =
-      sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->spec().width), settings.shadow_reach_m);
+  sun_ = sun_view(glm::normalize(glm::dvec3(data.sun)), viewer, int(look_.sun_map->target().spec().width),
+                  settings.shadow_reach_m);
+  sun_.share = look_.sun_map->share();
   select_casters(from_.models, things(), viewpoint, sun_, time_s, settings.detail, casters_);
   if (casters_.instances.empty()) return;
   describe_sun(data, viewer);
@@ -198,7 +199,7 @@ void DrawnSolids::describe_sun(gpu::FrameData& data, const glm::dvec3& viewer_m)
 
 void DrawnSolids::draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const {
   if (casters_.instances.empty()) return;
-  frame.draw_pass("sun map", *look_.sun_map, {}, [&](Commands& c) {
+  frame.draw_pass("sun map", look_.sun_map->target(), {}, [&](Commands& c) {
     for (const SolidDraw& draw : casters_.draws) {
       const LoadedModels::Loaded& loaded = (*from_.loaded)[draw.model];
       const SolidPart& part = from_.models[draw.model].parts()[draw.part];
@@ -218,7 +219,7 @@ void DrawnSolids::draw_sun_map(Frame& frame, std::uint32_t frame_uniform) const 
 }
 
 void DrawnSolids::add_uses(Uses& uses) const {
-  if (look_.sun_map != nullptr) uses.add(use(*look_.sun_map->depth(), Access::fragment_sample));
+  if (look_.sun_map != nullptr) uses.add(use(*look_.sun_map->target().depth(), Access::fragment_sample));
   from_.around->add_uses(uses);
 }
 

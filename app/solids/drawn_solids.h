@@ -8,6 +8,7 @@
 #include "app/solids/model_settings.h"
 #include "app/solids/solid_instances.h"
 #include "app/solids/solid_surroundings.h"
+#include "app/solids/sun_map.h"
 #include "engine/frame.h"
 #include "engine/pipeline.h"
 #include "ocean/surface/surface.h"
@@ -15,14 +16,14 @@
 namespace seascape {
 
 struct SolidLook {
-  bool tile_shape = false;                // tone mapping in the fragment shader
-  const RenderTarget* points = nullptr;   // where the sea is lit later: what its points are drawn into; null: nowhere
-  const Image* depths = nullptr;          // of these points
-  const RenderTarget* below = nullptr;    // what is under water is drawn into (Surface::below()); null: nothing is
-  float anisotropy = 1.0f;                // of the points (SurfaceLook) and of textures
-  bool underwater = false;                // eyes may be in the water (SurfaceLook)
-  ShapesInWater shapes = {};              // likewise
-  const RenderTarget* sun_map = nullptr;  // what things hide from the sun is drawn into it; null: by someone else
+  bool tile_shape = false;               // tone mapping in the fragment shader
+  const RenderTarget* points = nullptr;  // where the sea is lit later: what its points are drawn into; null: nowhere
+  const Image* depths = nullptr;         // of these points
+  const RenderTarget* below = nullptr;   // what is under water is drawn into (Surface::below()); null: nothing is
+  float anisotropy = 1.0f;               // of the points (SurfaceLook) and of textures
+  bool underwater = false;               // eyes may be in the water (SurfaceLook)
+  ShapesInWater shapes = {};             // likewise
+  const SunMap* sun_map = nullptr;       // what things hide from the sun is drawn into it; null: by someone else
 };
 
 // What is drawn: all of it outlives who draws it.

@@ -2,7 +2,7 @@
 
 namespace seascape {
 
-SunMap::SunMap(Device& device, int texels) {
+SunMap::SunMap(Device& device, int texels) : texels_(texels) {
   const EffectScope scope(device, "models");
   TargetSpec spec;
   spec.width = spec.height = std::uint32_t(texels);

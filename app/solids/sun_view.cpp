@@ -46,7 +46,7 @@ void SunView::describe(gpu::FrameData& data, const glm::dvec3& viewer_m) const {
   data.sun_map_column = told(column, 2.0 * reach_m, 0.5);
   data.sun_map_row = told(row, 2.0 * reach_m, 0.5);
   data.sun_map_near = told(near, deep, behind / (ahead + behind));
-  data.sun_map = {float(texel_m), float(reach_m), float(deep), 1.0f};
+  data.sun_map = {float(texel_m), float(reach_m), float(deep), float(share)};
 }
 
 }  // namespace seascape

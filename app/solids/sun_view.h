@@ -11,6 +11,7 @@ struct SunView {
   glm::dvec3 column{1.0, 0.0, 0.0}, row{0.0, 0.0, 1.0}, near{0.0, 1.0, 0.0};  // the map's axes; to the sun
   glm::dvec3 middle{0.0};  // of the map: a whole number of texels off the world's middle, along its axes
   double reach_m = 0.0, texel_m = 0.0;
+  double share = 1.0;  // of the side of the image that it is drawn into
 
   // Whether a ball may throw a shadow into the map.
   bool may_shade(const glm::dvec3& at, double radius) const;

@@ -270,8 +270,11 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   if (!(std::abs(time_s * s.rate_hz) < 0x1p52) || !(std::abs(viewer.x) + std::abs(viewer.z) < 1e12) ||
       !std::isfinite(viewer.y))
     return;
-  const std::int64_t now = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
-  const double since = std::max(time_s * s.rate_hz - double(now), 0.0) + 1e-6;  // in steps
+  const auto ticks = std::int64_t(std::floor(time_s * s.rate_hz + 1e-6));
+  // The last whole stride, but not before a step that was taken by shorter ones.
+  const std::int64_t strides = ticks - (ticks % stride_ + stride_) % stride_;
+  const std::int64_t now = tick_ <= ticks ? std::max(strides, begun_ ? tick_ : strides) : strides;
+  const double since = std::max(time_s * s.rate_hz - double(now), 0.0) / double(stride_) + 1e-6;  // in steps
   // Less a little, for what is added to `since`.
   slices_due_ = std::min(int(std::ceil(since / step_share * slices() - 1e-3)), slices());
   const bool jumps = !begun_ || now < tick_ || double(now - tick_) > longest_s * s.rate_hz,
@@ -285,7 +288,7 @@ void FoamSea::begin(double time_s, const glm::dvec3& viewer) {
   if (jumps && !anew) go_on(now);
   due_ = now;
   settling_ = anew;
-  steps_left_ = std::min<std::int64_t>(now - tick_, most_steps);
+  steps_left_ = std::min<std::int64_t>((now - tick_ + stride_ - 1) / stride_, most_steps);
   if (!anew) return;
   begun_ = first_ = true;
   trail_.reset();
@@ -396,7 +399,9 @@ void FoamSea::step() {
 
 void FoamSea::prepare(double time_s) {
   const double rate = spec_.settings.rate_hz;
-  if (begun_ && gains_) breaking_.prepare(ticks_from_seconds(double(tick_ + 1) / rate), time_s * rate - double(tick_));
+  if (begun_ && gains_)
+    breaking_.prepare(ticks_from_seconds(double(tick_ + stride_) / rate),
+                      (time_s * rate - double(tick_)) / double(stride_));
 }
 
 }  // namespace seascape

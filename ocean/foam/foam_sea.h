@@ -1,6 +1,7 @@
 // The foam of a scene: fed by breaking waves, wakes, shores, inputs and actors, carried by currents, driven by the
 // sea's time and its viewer.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -78,6 +79,9 @@ class FoamSea {
   // Takes other settings of the same windows; the foam that there is stays. After another rate the steps fall on its
   // multiples. Throws as validate() does.
   void apply(const FoamSettings& settings);
+  // So many steps are taken as one from now on, at times that are whole multiples of theirs: 1 to 4. Foam is then not
+  // the same to the bit as that of single steps.
+  void step_by(int steps) { stride_ = std::clamp(steps, 1, 4); }
   // Takes what Sea::apply has changed; the foam that there is stays.
   void take_sea();
   // Lets go of the sea's views, which are made anew when the next step asks for them.
@@ -127,6 +131,7 @@ class FoamSea {
   float fresh_ = 0.0f;
   double shift_m() const { return 2.0 * sea_.statistics().largest_shift_m; }
   std::int64_t next_ticks() const;
+  std::int64_t stride_ = 1;             // of ticks, in a step
   std::int64_t tick_ = 0, due_ = 0;     // of the last step that has begun, and of the last that is due
   int stepped_ = 0, slices_due_ = 0;    // slices of the one, all of them once it is over, and of the other
   double step_s_ = 0.0;                 // how long the step is

@@ -176,10 +176,13 @@ float carried(CascadeData c, float footprint, float blur) {
   return clamp(0.5 * c.origin.w / footprint - 2.0, 0.0, 1.0) * clamp(2.0 - blur / c.origin.z, 0.0, 1.0);
 }
 
+// Times that what a pixel asks of the waves may be longer than wide: what its pipeline was made for, or less.
+float longest_to_widest() { return min(anisotropy, frame.air.w); }
+
 // What a pixel averages at least where `to_eye` leads to the eye, on a level sea; `pixel`: radians a pixel.
 float level_blur(vec3 to_eye, float pixel) {
   const float across = length(to_eye) * pixel;
-  return across * max(1.0, length(to_eye) / (anisotropy * max(abs(to_eye.y), 1e-3)));
+  return across * max(1.0, length(to_eye) / (longest_to_widest() * max(abs(to_eye.y), 1e-3)));
 }
 
 // Of a cascade's derivatives (dh/dx, dh/dz, dDx/dx, dDz/dz), those of its pattern as a bed and the warp have it.
@@ -254,7 +257,13 @@ SeaFootprint sea_footprint(vec2 along, vec2 across) {
   along = mix(vec2(0.0), along, lessThan(abs(along), vec2(1e5)));
   across = mix(vec2(0.0), across, lessThan(abs(across), vec2(1e5)));
   const float l0 = length(along), l1 = length(across);
-  return SeaFootprint(along, across, max(min(l0, l1), max(l0, l1) / anisotropy));
+  const float blur = max(min(l0, l1), max(l0, l1) / longest_to_widest());
+  // The sampler keeps to the pipeline's own; where less is asked for, the shorter axis is made longer.
+  if (frame.air.w < anisotropy) {
+    along *= max(1.0, blur / max(l0, 1e-6));
+    across *= max(1.0, blur / max(l1, 1e-6));
+  }
+  return SeaFootprint(along, across, blur);
 }
 
 // `left`: the share that the vertices have not carried.

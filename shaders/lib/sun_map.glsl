@@ -30,7 +30,8 @@ float sun_reaches(vec3 at, vec3 n) {
   float lit = 0.0;
   for (int i = 0; i < 4; ++i) {
     const vec2 tap = vec2((i & 1) != 0 ? 0.5 : -0.5, (i & 2) != 0 ? 0.5 : -0.5);
-    lit += 0.25 * texture(sun_map, vec4(in_map.xy + tap * texel, 0.0, in_map.z + dot(nearer, tap) + ahead));
+    lit += 0.25 * texture(sun_map,
+                          vec4(frame.sun_map.w * (in_map.xy + tap * texel), 0.0, in_map.z + dot(nearer, tap) + ahead));
   }
   return mix(1.0, lit, shown);
 }

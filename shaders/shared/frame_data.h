@@ -22,7 +22,8 @@ struct FrameData {
   vec4 viewer;  // xy: the viewer's x, z relative to the grid origin; z: its height above the still sea; w: the
                 // Earth's curvature, 1/m (0: flat)
   vec4 sun;     // xyz: towards the sun; w: cosine of its angular radius
-  vec4 air;     // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: unused
+  vec4 air;  // x: extinction of haze a metre; y: exposure, stops; z: distance of the near plane in metres; w: at most
+             // so many times longer than wide is what a pixel asks of the waves (water.anisotropy)
   vec4 water_absorption;   // rgb: 1/m; w: strength of light through crests
   vec4 water_backscatter;  // rgb: 1/m; w: strength of glitter
   vec4 water_reflectance;  // rgb: radiance from below over irradiance that enters, 1/sr; w: share of the sun's that
@@ -33,7 +34,8 @@ struct FrameData {
   // Where a place (x, z: metres from the viewer along the still sea; y: above it) is in the map of the sun: rows of its
   // column and row from 0 to 1, and of how near the sun, 1 nearest.
   vec4 sun_map_column, sun_map_row, sun_map_near;
-  vec4 sun_map;  // x: a texel, m; y: its reach from the viewer, m; z: from nearest to farthest, m; w: 1 it is there
+  vec4 sun_map;  // x: a texel, m; y: its reach from the viewer, m; z: from nearest to farthest, m; w: share of its side
+                 // that is drawn, 0: it is not there
   ivec4 shown;   // x: a debug view; y: where the eyes are; z, w: unused
   MeshData mesh;
   SeaData sea;

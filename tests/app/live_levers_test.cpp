@@ -8,21 +8,27 @@
 namespace seascape {
 namespace {
 
+constexpr Lowered everything{.models = true, .spray = true, .shadows = true, .foam = true, .anisotropic = true};
+
 // Each lever begins with what the settings say, and each step saves time and costs the eye more; no step of the
-// picture's saves more than 5.1 % of its area. Controls seen: errors that fall; steps of a tenth of the sides.
+// picture's saves more than 5.1 % of its area. Foam's rate is halved at once, for no move of it is seen in the frame
+// that moves it. Controls seen: errors that fall; steps of a tenth of the sides.
 TEST(LiveLevers, StepsAreSmallAndInOrder) {
   for (const bool all : {false, true}) {
-    const std::vector<Lever> levers = live_levers({all, all});
-    EXPECT_EQ(levers.size(), all ? 4u : 2u);
+    const std::vector<Lever> levers = live_levers(all ? everything : Lowered{});
+    EXPECT_EQ(levers.size(), all ? 7u : 2u);
     for (const Lever& lever : levers) {
       ASSERT_LE(lever.steps.size(), 255u);
-      ASSERT_GE(lever.steps.size(), 5u) << lever.name;
+      const bool seen = lever.name != "foam's rate";
+      ASSERT_GE(lever.steps.size(), seen ? 5u : 2u) << lever.name;
       EXPECT_EQ(lever.steps[0].value, 1.0);
       EXPECT_EQ(lever.steps[0].error, 0.0);
       for (std::size_t i = 1; i < lever.steps.size(); ++i) {
         EXPECT_LT(lever.steps[i].work, lever.steps[i - 1].work) << lever.name;
         EXPECT_GT(lever.steps[i].error, lever.steps[i - 1].error) << lever.name;
-        EXPECT_LT(std::abs(std::log(lever.steps[i].value / lever.steps[i - 1].value)), 0.19) << lever.name;
+        if (seen) {
+          EXPECT_LT(std::abs(std::log(lever.steps[i].value / lever.steps[i - 1].value)), 0.19) << lever.name;
+        }
       }
     }
     for (std::size_t i = 1; i < levers[0].steps.size(); ++i)
@@ -34,7 +40,7 @@ TEST(LiveLevers, StepsAreSmallAndInOrder) {
 // What is drawn says at which levels, and levels say what is drawn; what a scene lacks stays as it is. Control seen:
 // two levers that move one part.
 TEST(LiveLevers, LevelsAndWhatIsDrawnAreOne) {
-  const std::vector<Lever> levers = live_levers({.models = true, .spray = true});
+  const std::vector<Lever> levers = live_levers(everything);
   for (std::size_t i = 0; i < levers.size(); ++i)
     for (std::uint8_t step = 0; step < levers[i].steps.size(); ++step) {
       LeverLevels levels{};
@@ -43,7 +49,9 @@ TEST(LiveLevers, LevelsAndWhatIsDrawnAreOne) {
       EXPECT_EQ(nearest_levels(levers, quality), levels) << levers[i].name << " " << int(step);
       const DrawnQuality whole;
       const int moved = int(quality.scale != whole.scale) + int(quality.mesh != whole.mesh) +
-                        int(quality.detail != whole.detail) + int(quality.spray != whole.spray);
+                        int(quality.detail != whole.detail) + int(quality.spray != whole.spray) +
+                        int(quality.shadows != whole.shadows) + int(quality.anisotropy != whole.anisotropy) +
+                        int(quality.foam != whole.foam);
       EXPECT_EQ(moved, step == 0 ? 0 : 1);
     }
   const std::vector<Lever> few = live_levers({});
@@ -52,6 +60,9 @@ TEST(LiveLevers, LevelsAndWhatIsDrawnAreOne) {
   const DrawnQuality quality = drawn_quality(few, levels);
   EXPECT_EQ(quality.detail, 1.0);
   EXPECT_EQ(quality.spray, 1.0);
+  EXPECT_EQ(quality.shadows, 1.0);
+  EXPECT_EQ(quality.anisotropy, 1.0);
+  EXPECT_EQ(quality.foam, 1.0);
   EXPECT_LT(quality.scale, 1.0);
 }
 

@@ -1,8 +1,6 @@
 // The profiles of a standalone headset keep to its draws and triangles in every shipped scene.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "app/boats/path_on_body.h"
 #include "app/effect_costs.h"
 #include "app/lab/screen_error.h"
@@ -50,10 +48,8 @@ class PresetBudget : public test::GpuTest {};
 // Every scene at low and medium, 40 poses of each path (without SEASCAPE_LONG: two scenes, 3 poses). Control:
 // lod.pixel_error of 0.5 at medium.
 TEST_F(PresetBudget, LowAndMediumKeepToTheirDrawsAndTriangles) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "scenes"))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  if (!test::long_run()) names = {"harbour", "regatta"};
+  const std::vector<std::string> names =
+      test::long_run() ? content_names("scenes") : std::vector<std::string>{"harbour", "regatta"};
   ASSERT_FALSE(names.empty());
   for (const std::string& name : names)
     for (const char* preset : {"low", "medium"}) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "app/scene.h"
@@ -23,14 +22,6 @@ using test::SeaShot;
 class ScenesUnderWater : public test::GpuTest {};
 
 constexpr std::uint32_t width = 72, height = 54;
-
-std::vector<std::string> scenes() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(content_directory() / "scenes"))
-    if (file.path().extension() == ".json") names.push_back(file.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 // The deepest water within 60 m of where the scene's camera is, away from what stands there.
 glm::dvec2 over_water(const SeaView& sea, const Scene& scene) {
@@ -84,7 +75,7 @@ double line_near_horizon(const Image8& picture, const View& eye) {
 TEST_F(ScenesUnderWater, NoAirBelowAndNoWaterAbove) {
   std::size_t number = 0;
   bool planted = false;
-  for (const std::string& name : scenes()) {
+  for (const std::string& name : content_names("scenes")) {
     if (!test::sampled(number++, 10)) continue;
     SCOPED_TRACE(name);
     SeaShot shot({.scene = name,

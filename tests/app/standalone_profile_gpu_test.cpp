@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/camera_path.h"
 #include "app/scene.h"
@@ -29,14 +28,6 @@ using test::ShotOptions;
 using test::StandaloneProfile;
 
 class Standalone : public test::GpuTest {};
-
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(content_directory() / "scenes"))
-    if (file.path().extension() == ".json") names.push_back(file.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 // As a headset's driver draws them: waves by the GPU, both eyes in one pass.
 ShotOptions options_of(const std::string& scene, const std::string& preset) {
@@ -161,7 +152,7 @@ void expect_within_profile(const std::string& preset) {
   Device floor(options);
   Asked all;
   std::size_t number = preset == "low" ? 0 : 1;
-  for (const std::string& scene : scene_names()) {
+  for (const std::string& scene : content_names("scenes")) {
     if (!test::sampled(number++, 3)) continue;
     SeaShot shot(floor, options_of(scene, preset));
     ASSERT_TRUE(shot.experience().in_tile());

@@ -36,6 +36,26 @@ int light_of(const Image8& picture, std::uint32_t x, std::uint32_t y) {
   return p[0] + p[1] + p[2];
 }
 
+// A map that is drawn into a share of its image is, to the bit, one of so many texels, though the rest of the image
+// holds a finer one. Control seen: readers that ask in the whole image.
+TEST_F(SunMapDrawn, AShareOfItIsASmallerOne) {
+  SceneObjects objects;
+  const char* const rough = R"({"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9}})";
+  test::stand(objects, test::solid_model(test::solid_box(glm::vec3(0.5f)), rough), Pose{{0.0, 1.4, -4.0}});
+  test::stand(objects, test::solid_model(test::solid_plate(20.0f), rough), Pose{{0.0, 0.5, -4.0}});
+  const test::FrameLook look = test::sampled_looks().front();
+  SeaShot whole = shot_of(look, objects, 40.0, "1024"), small = shot_of(look, objects, 40.0, "512");
+  const Pose head = pose({-1.0, 8.0, -2.0}, 0.0, -75.0);
+  const Image8 finest = whole.picture(head, 0.0);
+  DrawnQuality half;
+  half.shadows = 0.5;
+  whole.experience().draw_at(half);
+  const Image8 lowered = whole.picture(head, 0.0);
+  const Image8 want = small.picture(head, 0.0);
+  EXPECT_EQ(lowered.pixels, want.pixels) << test::leave(lowered, "sun_map_share");
+  EXPECT_NE(lowered.pixels, finest.pixels);
+}
+
 // A box above, or a thin wall that stands on it, over a plate or over the water: what lies two texels within their
 // shadow is dark, what lies two texels outside is as without shadows, to a step of colour: so no plate shades itself
 // and no shadow comes loose from its foot. Controls: sun_map_row turned round; asked four texels beside; no `from` and

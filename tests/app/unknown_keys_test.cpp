@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <set>
@@ -73,8 +72,8 @@ std::string every_object() {
 TEST(UnknownKeys, AreRefusedInEveryObjectOfAScene) {
   const Parse scene = [](const std::string& text) { (void)parse_scene(text, "s.json", "low"); };
   EXPECT_GT(expect_refused(every_object(), "every object", scene), 25u);
-  for (const auto& entry : std::filesystem::directory_iterator(content_directory() / "scenes")) {
-    const std::string file = entry.path().string();
+  for (const std::string& name : content_names("scenes")) {
+    const std::string file = content_file(name, "scenes").string();
     expect_refused(read_text(file, 1 << 20), file,
                    [&](const std::string& text) { (void)parse_scene(text, file, "low"); });
   }

@@ -80,6 +80,30 @@ TEST(FoamSea, CoversAsMuchAsPhotographsHave) {
   }
 }
 
+// Two steps taken as one are half as many, cover as much, and go on where single steps left off, and single steps where
+// they did, without beginning anew. Controls seen: steps of a stride that take the time of one; a stride's end before
+// the step that is there, which is a time that runs backwards.
+TEST(FoamSea, StridesAreHalfAsManyStepsAndCoverAsMuch) {
+  SeaState sea;
+  sea.wind_speed_mps = 15.0;
+  test::OwnFoam each(small_spec(), sea, coarse()), strides(small_spec(), sea, coarse());
+  const auto steps_of = [](FoamSea& foam, double from_s, double to_s) {
+    const std::uint64_t before = foam.slices_stepped();
+    for (int i = 1; from_s + i / 48.0 <= to_s; ++i) foam.update(from_s + i / 48.0, head);
+    return foam.slices_stepped() - before;
+  };
+  for (FoamSea* foam : {static_cast<FoamSea*>(&each), static_cast<FoamSea*>(&strides)}) foam->update(39.95, head);
+  strides.step_by(2);
+  const auto all = double(steps_of(each, 39.95, 47.95)), half = double(steps_of(strides, 39.95, 47.95));
+  EXPECT_NEAR(half / all, 0.5, 0.03);
+  const double want = mean(texels(each)), got = mean(texels(strides));
+  ASSERT_GT(want, 1e-3);
+  EXPECT_NEAR(got / want, 1.0, 0.05);
+  strides.step_by(1);
+  EXPECT_NEAR(double(steps_of(strides, 47.95, 51.95)) / double(steps_of(each, 47.95, 51.95)), 1.0, 0.05);
+  EXPECT_NEAR(mean(texels(strides)) / mean(texels(each)), 1.0, 0.02);
+}
+
 // To the bit, whatever the display's rate. Control seen: frames' time instead of whole steps.
 TEST(FoamSea, IsTheSameAtEveryFrameRate) {
   SeaState sea;
