@@ -10,11 +10,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include "app/adaptive/rate_keeper.h"
 #include "app/against.h"
 #include "app/boats/path_on_body.h"
 #include "app/commands.h"
 #include "app/frame.h"
+#include "app/frame_times.h"
 #include "app/lab/lab_report.h"
 #include "app/measured_display.h"
 #include "app/program.h"
@@ -95,20 +95,13 @@ class Keeping {
   bool on() const { return settings_.on; }
   // Before display_.begin().
   void choose() {
-    const Frame& frame = experience_.frame();
-    KnownOfFrames known;
-    known.period_ms = period_ms_;
-    known.timed_frame = frame.timed_frame();
-    known.gpu_ms = frame.gpu_ms();
-    const Decision& decision = keeper_->decide(known, settings_);
+    const Decision& decision = keeper_->decide(known_of(experience_.frame(), period_ms_), settings_);
     if (decision.moved()) spdlog::debug("{}", decision_text(decision, keeper_->controller().levers()));
     display_.set_scale(scale_ * keeper_->quality().scale);
     experience_.draw_at(keeper_->quality());
   }
   void begun(const DisplayFrame& shown) { period_ms_ = 1000.0 * shown.period_s; }
-  void drawn(double cpu_ms, double end_ms) {
-    keeper_->drawn(experience_.frame().number(), cpu_ms, end_ms, experience_.under_water());
-  }
+  void drawn(double cpu_ms, double end_ms) { keeper_->drawn(handed_over(experience_, cpu_ms, end_ms)); }
   // What a frame may take, ms.
   double period_ms() const { return settings_.target_hz > 0.0 ? 1000.0 / settings_.target_hz : period_ms_; }
   void keep(CaptureFrame& now) const {

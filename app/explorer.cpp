@@ -9,6 +9,7 @@
 #include "app/calibrate.h"
 #include "app/explorer.h"
 #include "app/frame.h"
+#include "app/frame_times.h"
 #include "app/quality.h"
 #include "app/sea_time.h"
 #include "engine/error.h"
@@ -254,13 +255,9 @@ void Explorer::hold_rate() {
   AdaptiveSettings wished = settings().adaptive;
   const AdaptiveUse use = settings().adaptive_use;
   wished.on = use == AdaptiveUse::on || (use == AdaptiveUse::automatic && display_.in_real_time());
-  const Frame& frame = experience_->frame();
-  KnownOfFrames known;
-  known.period_ms = 1000.0 * period_s_;
+  KnownOfFrames known = known_of(experience_->frame(), 1000.0 * period_s_);
   known.interval_ms = was_shown_ ? frame_ms_ : 0.0;
   known.focused = focused_ && was_shown_;
-  known.timed_frame = frame.timed_frame();
-  known.gpu_ms = frame.gpu_ms();
   const Decision& decision = keeper_->decide(known, wished);
   if (decision.moved()) spdlog::debug("{}", decision_text(decision, keeper_->controller().levers()));
   whole_ = screenshot_wanted_;
@@ -305,7 +302,7 @@ void Explorer::draw(const DisplayFrame& shown, double dt_s) {
   const double ended_s = seconds();
   cpu_ms_ = 1000.0 * (ended_s - ready_s + waited_s - began_s);
   const double end_ms = 1000.0 * (ended_s - recorded_s);
-  keeper_->drawn(frame.number(), cpu_ms_ - end_ms, end_ms, experience_->under_water(), whole_);
+  keeper_->drawn(handed_over(*experience_, cpu_ms_ - end_ms, end_ms, whole_));
   if (keeps) take_screenshot();
   if (mirror_) show_desk(shown, dt_s);
 }

@@ -51,7 +51,7 @@ std::vector<Lever> live_levers(const Lowered& scene) {
                             lever(mesh, std::pow(2.0, 0.0625), std::sqrt(2.0), -0.7, 0.063, 0.3, 0.3)};
   if (scene.models) levers.push_back(lever(detail, std::pow(0.5, 0.25), 0.5, 0.5, 0.01, 0.2, 0.1));
   if (scene.spray) levers.push_back(lever(spray, 0.9, 0.3, 1.0, 0.015, 0.1, 0.0));
-  if (scene.shadows) levers.push_back(lever(shadows, std::sqrt(0.8), 0.5, 2.0, 0.004, 0.15, 0.0));
+  if (scene.shadows) levers.push_back(lever(shadows, std::sqrt(0.8), 0.5, 2.0, 0.004, 0.2, 0.0));
   if (scene.anisotropic) levers.push_back(lever(anisotropy, std::pow(0.5, 0.25), 0.25, 0.5, 0.03, 0.1, 0.0));
   if (scene.foam) levers.push_back(lever(foam, 0.5, 0.5, 1.0, 0.01, 0.0, 0.15));
   return levers;

@@ -51,11 +51,11 @@ void RateKeeper::take(const Drawn& timed, double gpu_ms) {
   serial_ms_ += gain * (serial_ms - serial_ms_);
 }
 
-void RateKeeper::drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole) {
-  const LeverLevels levels = on_ && !whole ? controller_.last().levels : controller_.loaded();
-  drawn_[number % drawn_.size()] = {number, frame_, levels, cpu_ms, end_ms};
-  if (frame_ > first_frames) timings_.push_back({frame_, 0.0, cpu_ms, levels, 1.0});
-  cross(under_water);
+void RateKeeper::drawn(const HandedOver& frame) {
+  const LeverLevels levels = on_ && !frame.whole ? controller_.last().levels : controller_.loaded();
+  drawn_[frame.number % drawn_.size()] = {frame.number, frame_, levels, frame.cpu_ms, frame.end_ms};
+  if (frame_ > first_frames) timings_.push_back({frame_, 0.0, frame.cpu_ms, levels, 1.0});
+  cross(frame.under_water);
 }
 
 // Going under and coming up change the load in one frame; by how much is known from the time before.

@@ -22,6 +22,14 @@ struct KnownOfFrames {
   double gpu_ms = 0.0;            // of it
 };
 
+// A frame that was handed over.
+struct HandedOver {
+  std::uint64_t number = 0;
+  double cpu_ms = 0.0, end_ms = 0.0;  // the processor's work on it, and how long the display then had it
+  bool under_water = false;           // an eye was
+  bool whole = false;                 // drawn at the finest levels, whatever was decided
+};
+
 class RateKeeper {
  public:
   // Starts at the finest levels, or at `start`.
@@ -29,9 +37,8 @@ class RateKeeper {
 
   // Before each frame. Does nothing, and leaves the finest levels, where settings.on is false.
   const Decision& decide(const KnownOfFrames& known, const AdaptiveSettings& settings);
-  // After a frame was handed over: its number, what the processor's work on it took, how long the display then had it,
-  // whether an eye was under water, and with `whole` that it was drawn at the finest levels whatever was decided.
-  void drawn(std::uint64_t number, double cpu_ms, double end_ms, bool under_water, bool whole = false);
+  // After each frame.
+  void drawn(const HandedOver& frame);
 
   // What another scene should be loaded with, whose frames take so many times as long as this one's; nothing where the
   // rate is not held or there are no such levers.

@@ -63,7 +63,7 @@ LoadedWith loaded_after(double frame_ms, double ratio, std::size_t at_preset, bo
     const DrawnQuality q = whole ? DrawnQuality{} : keeper.quality();
     const double ms = frame_ms * (0.5 + 0.5 * q.scale * q.scale);
     keeper.decide({.period_ms = 11.1, .timed_frame = n - 1, .gpu_ms = ms}, settings);
-    keeper.drawn(n, 1.0, 0.1, false, whole);
+    keeper.drawn({.number = n, .cpu_ms = 1.0, .end_ms = 0.1, .whole = whole});
   }
   return keeper.for_scene(ratio, 1.0).value();
 }

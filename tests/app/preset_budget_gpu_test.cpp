@@ -44,6 +44,7 @@ Most most_along(const std::string& name, const std::string& preset, int frames) 
 }
 
 class PresetBudget : public test::GpuTest {};
+const test::DrawsMuch draws_much("PresetBudget");
 
 // Every scene at low and medium, 40 poses of each path (without SEASCAPE_LONG: two scenes, 3 poses). Control:
 // lod.pixel_error of 0.5 at medium.

@@ -42,7 +42,7 @@ struct Loop {
     if (deaf > 0) --deaf, pixels_ms /= q.scale * q.scale;
     gpu_ms = (1.5 + pixels_ms * q.scale * q.scale) * std::lognormal_distribution<>(0.0, 0.01)(random);
     const double cpu_ms = 2.0 + patches_ms * std::pow(q.mesh, -0.7);
-    keeper.drawn(number, cpu_ms, waits ? gpu_ms + 1.5 : 0.1, under_water, whole);
+    keeper.drawn({number, cpu_ms, waits ? gpu_ms + 1.5 : 0.1, under_water, whole});
     on_gpu.push_back({number, gpu_ms});
     if (int(on_gpu.size()) > late) {
       told = on_gpu.front();
@@ -92,7 +92,7 @@ TEST(RateKeeper, LeavesFramesAloneWhereItIsOff) {
   RateKeeper keeper(live_levers({}));
   for (std::uint64_t i = 1; i < 40; ++i) {
     keeper.decide({.timed_frame = i - 1, .gpu_ms = 50.0}, {});
-    keeper.drawn(i, 50.0, 0.1, false);
+    keeper.drawn({.number = i, .cpu_ms = 50.0, .end_ms = 0.1});
   }
   EXPECT_EQ(keeper.quality(), DrawnQuality{}) << "no period, no target";
   double gpu_ms = 50.0;
@@ -101,7 +101,7 @@ TEST(RateKeeper, LeavesFramesAloneWhereItIsOff) {
     asked.target_hz = 60.0;
     keeper.decide({.timed_frame = i - 1, .gpu_ms = gpu_ms}, asked);
     gpu_ms = 5.0 + 45.0 * keeper.quality().scale * keeper.quality().scale;
-    keeper.drawn(i, 1.0, 0.1, false);
+    keeper.drawn({.number = i, .cpu_ms = 1.0, .end_ms = 0.1});
   }
   EXPECT_LT(keeper.quality().scale, 0.8) << "a target is a rate";
 }

@@ -18,6 +18,7 @@ using test::pose;
 using test::SeaShot;
 
 class SolidSparkle : public test::GpuTest {};
+const test::DrawsMuch draws_much("SolidSparkle");
 
 constexpr std::uint32_t width = 160, height = 120;
 

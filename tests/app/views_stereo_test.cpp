@@ -17,6 +17,7 @@ using test::SeaShot;
 using test::ShotOptions;
 
 class Stereo : public test::GpuTest {};
+const test::DrawsMuch draws_much("Stereo");
 
 // Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave
 // particles.

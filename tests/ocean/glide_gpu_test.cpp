@@ -25,6 +25,7 @@ class Glide : public test::GpuTest {
     if (!test::device().facts().vertex_stores) GTEST_SKIP() << "this device's vertex shaders cannot write buffers";
   }
 };
+const test::DrawsMuch draws_much("Glide");
 
 constexpr int width = 96, height = 72;
 constexpr double time_s = 21.0;
@@ -254,6 +255,7 @@ class GlideAt : public Glide, public ::testing::WithParamInterface<Kind> {
     }
   }
 };
+const test::DrawsMuch draws_much_too("GlideAt");
 INSTANTIATE_TEST_SUITE_P(Seas, GlideAt, ::testing::ValuesIn(kinds()), [](const auto& p) {
   return std::string(p.param.preset) + "_" + p.param.scene + "_" + p.param.size;
 });

@@ -15,6 +15,7 @@ using test::pose;
 using test::SeaShot;
 
 class Holes : public test::GpuTest {};
+const test::DrawsMuch draws_much("Holes");
 
 // Places and directions of sight: from 0.2 m (over the water there) to 20 km up, level, grazing, straight down, rolled,
 // and far from the origin.

@@ -42,6 +42,7 @@ class TowingTank : public test::GpuTest {
     EXPECT_NEAR(wave, 1.0, 0.03) << run.preset << " " << run.froude << " " << run.course_deg;
   }
 };
+const test::DrawsMuch draws_much("TowingTank");
 
 // Issue 11's second bar at Froude 0.25 and 0.4: the envelope 19.47 +- 1.5 degrees and transverse waves 2 pi U^2 / g
 // +- 3 %. A part of presets and courses; all with SEASCAPE_LONG.

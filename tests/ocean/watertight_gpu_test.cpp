@@ -31,6 +31,7 @@ struct Sea {
 void PrintTo(const Sea& sea, std::ostream* out) { *out << sea.preset << " " << sea.scene; }
 
 class Watertight : public test::GpuTest, public ::testing::WithParamInterface<Sea> {};
+const test::DrawsMuch draws_much("Watertight");
 INSTANTIATE_TEST_SUITE_P(Seas, Watertight,
                          ::testing::Values(Sea{"low", "calm"}, Sea{"low", "storm"}, Sea{"medium", "calm"},
                                            Sea{"medium", "storm"}, Sea{"high", "calm"}, Sea{"high", "storm"},

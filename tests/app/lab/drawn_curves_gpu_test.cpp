@@ -14,6 +14,7 @@ namespace seascape {
 namespace {
 
 class DrawnCurves : public test::GpuTest {};
+const test::DrawsMuch draws_much("DrawnCurves");
 
 std::vector<LabPoint> errors_of(const std::string& name, double wind_mps) {
   LabOptions options;

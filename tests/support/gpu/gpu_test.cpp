@@ -3,6 +3,7 @@
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
@@ -42,10 +43,27 @@ Shared& shared() {
   return all;
 }
 
+std::vector<std::string>& draw_much() {
+  static std::vector<std::string> suites;
+  return suites;
+}
+
+// Before there is a driver: any suite that runs and draws much takes its compiler's hurry away.
+void choose_compiler() {
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *all.GetTestSuite(i);
+    std::string_view name = suite.name();
+    name.remove_prefix(name.rfind('/') + 1);  // of an instance with parameters; npos + 1 is 0
+    if (suite.should_run() && std::ranges::find(draw_much(), name) != draw_much().end()) unsetenv("GALLIVM_PERF");
+  }
+}
+
 // The device goes at the end of the program, and its end must be clean too: nothing alive, no message.
 class DeviceEnd final : public ::testing::Environment {
  public:
   void SetUp() override {
+    choose_compiler();
     // Hazards between submissions too, from frame to frame; an option of the layer that has no flag in Vulkan's own
     // structs.
     setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT", 0);
@@ -67,6 +85,8 @@ class DeviceEnd final : public ::testing::Environment {
 [[maybe_unused]] const auto* const environment = ::testing::AddGlobalTestEnvironment(new DeviceEnd);
 
 }  // namespace
+
+DrawsMuch::DrawsMuch(const char* suite) { draw_much().emplace_back(suite); }
 
 DiskCache kept_shaders() {
   return DiskCache(std::filesystem::path(SEASCAPE_BUILD_DIR) / "kept_shaders", std::uintmax_t{1} << 30);

@@ -17,6 +17,12 @@ Device& device();
 ShaderLibrary& shaders();
 DiskCache kept_shaders();  // where they are kept from one process to the next: by their words and what specialises them
 
+// A suite whose tests draw more than they compile: a software driver makes their shaders as fast as it can, where
+// tests/CMakeLists.txt asks for the opposite. Stands beside its tests at the level of the namespace.
+struct DrawsMuch {
+  explicit DrawsMuch(const char* suite);
+};
+
 // Messages of the validation layer that any device of this process has given since the last call, oldest first. They
 // are taken from the log, so that those of a second device, and of a device's end, count as well.
 std::vector<std::string> take_validation_messages();
