@@ -31,6 +31,17 @@ const SurfaceSelection& in_sight(const Experience& e, const SurfaceSelection& ch
   return eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty() ? none : chosen;
 }
 
+// What a frame of this quality has less of than the settings say, but for what is told where it is drawn.
+void lower(Ocean& ocean, SunMap* sun_map, const DrawnQuality& quality) {
+  ocean.step_foam_by(int(std::lround(1.0 / quality.foam)));
+  if (sun_map) sun_map->draw_share(quality.shadows);
+}
+
+gpu::FrameData lowered(gpu::FrameData data, const DrawnQuality& quality) {
+  data.air.w = std::max(1.0f, data.air.w * float(quality.anisotropy));
+  return data;
+}
+
 ModelSettings drawn_models(const Scene& scene, const DrawnQuality& quality) {
   ModelSettings models = scene.settings.models;
   models.detail *= quality.detail;
@@ -70,8 +81,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
 
   // 1. What the sea does: its change, those who act on it, dynamic waves around the viewer. Then what of it the GPU
   // needs: transforms or tiles, windows of places, foam. Each only if the scene asked for it.
+  lower(*e.ocean_, e.sun_map_.get(), e.quality_);
   stages.time("sea", [&] { e.sea_->advance(time_s, viewer_m); });
-  e.ocean_->step_foam_by(int(std::lround(1.0 / e.quality_.foam)));
   e.ocean_->update(frame, time_s, viewer_m);
 
   // 2. The light: only when sun or haze have changed.
@@ -81,8 +92,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   // 3. The patches for all eyes together, chosen by the viewer's head; what the shaders are told.
   const SurfaceSelection* selection = nullptr;
   stages.time("traversal", [&] { selection = &e.ocean_->select(viewpoint, e.quality_.mesh); });
-  gpu::FrameData data = frame_data(settings, viewpoint, e.options_.height);
-  data.air.w = std::max(1.0f, data.air.w * float(e.quality_.anisotropy));
+  gpu::FrameData data = lowered(frame_data(settings, viewpoint, e.options_.height), e.quality_);
   e.ocean_->describe(data, viewpoint);
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   Ocean::EyesSide side;
@@ -92,7 +102,6 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
       e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
-      if (e.sun_map_) e.sun_map_->draw_share(e.quality_.shadows);
       e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });
   const std::uint32_t uniform = frame.upload_uniform(data);
@@ -111,9 +120,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.spray_)
     stages.time("spray", [&] { e.spray_->update(frame, *e.ocean_->spray(), time_s, viewer_m, e.quality_.spray); });
 
-  // 5. Things under water as they would be seen without it, for the surface to refract. Sea and things, then the sky
-  // where none of them is, hands, spray, and water on the lenses: in the tile up to the finished picture, or into the
-  // desktop frame's lit picture. Deferred: what the sea is in each pixel first, then the light of all pixels.
+  // 5. Things in the water, for the surface to refract. Sea and things, the sky where none of them is, what lies over
+  // them: in the tile the finished picture, else the lit one. Deferred: what the sea is in each pixel, then its light.
   const bool tile = e.in_tile(), deferred = e.deferred();
   const RenderTarget& drawn = tile ? e.picture_ : e.lit_;
   const Use probe =

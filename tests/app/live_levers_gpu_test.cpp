@@ -106,7 +106,7 @@ TEST(LiveLeversHeap, MovesAllocateNothing) {
   device.wait_idle();
 }
 
-// How pictures differ when the head turns by 0.2 degrees: to the left, to the right, up and down.
+// How pictures differ when the head turns by some angle: to the left, to the right, up and down.
 struct Turns {
   double least_mean = 1e9, worst = 0.0;  // of pixels: the least of the four means, the worst pixel of all
 };
@@ -114,10 +114,12 @@ struct Turns {
 // Pictures of a headset's pixels, before and after a move, with the four samples that every preset has on a GPU. They
 // differ less than when the head turns by 0.2 degrees: in the mean of their pixels less than for the turn that shows
 // least, in the worst pixel less than the worst of such turns. Moves of one step, at both ends of each lever in three
-// scenes at medium, or all of them in all scenes at all presets with --long; and no more than twice as much where all
-// levers go through their whole range in one frame. Control seen: turns of 0.002 degrees.
+// scenes at medium, or all of them in all scenes at all presets with --long. Where a jump of the load moves all levers
+// through their whole range in one frame, they differ at most a quarter more than where a frame is late: by 1.1
+// degrees, at 100 degrees a second. Control seen: turns of 0.002 degrees.
 TEST_F(LiveLeversDrawn, AMoveIsSeenLessThanATurnOfTheHead) {
   constexpr std::uint32_t side = 192;
+  constexpr double unseen = 0.001;  // mean FLIP where a few pixels differ by one of 255 levels: flat, empty water
   const double pixels_a_degree =
       glm::radians(1.0) * 0.5 * headset_height_px / std::tan(0.5 * glm::radians(headset_fov_deg));
   const double fov_deg =
@@ -138,16 +140,20 @@ TEST_F(LiveLeversDrawn, AMoveIsSeenLessThanATurnOfTheHead) {
       return stretched(shot.picture(from, 14.0), side, side);
     };
     const Image8 finest = picture(head, {});
-    Turns turns;
-    for (const auto& axis : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)})
-      for (const double deg : {-0.2, 0.2}) {
-        const glm::dquat turn = glm::angleAxis(glm::radians(deg), axis);
-        const bool level = axis.y > 0.0;  // about the world's axis, or about the head's own
-        const Pose turned{head.position_m, level ? turn * head.orientation : head.orientation * turn};
-        const FlipError one = flip_error(picture(turned, {}), finest, pixels_a_degree);
-        turns.least_mean = std::min(turns.least_mean, one.mean);
-        turns.worst = std::max(turns.worst, one.worst);
-      }
+    const auto turns_by = [&](double deg) {
+      Turns turns;
+      for (const auto& axis : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)})
+        for (const double way : {-1.0, 1.0}) {
+          const glm::dquat turn = glm::angleAxis(way * glm::radians(deg), axis);
+          const bool level = axis.y > 0.0;  // about the world's axis, or about the head's own
+          const Pose turned{head.position_m, level ? turn * head.orientation : head.orientation * turn};
+          const FlipError one = flip_error(picture(turned, {}), finest, pixels_a_degree);
+          turns.least_mean = std::min(turns.least_mean, one.mean);
+          turns.worst = std::max(turns.worst, one.worst);
+        }
+      return turns;
+    };
+    const Turns turns = turns_by(0.2), late = turns_by(1.1);
     LeverLevels last{};
     for (std::size_t i = 0; i < levers.size(); ++i) {
       last[i] = std::uint8_t(levers[i].steps.size() - 1);
@@ -162,16 +168,15 @@ TEST_F(LiveLeversDrawn, AMoveIsSeenLessThanATurnOfTheHead) {
         before = after;
         if (skipped) continue;
         const std::string what = fmt::format("{}, {} {}", name, levers[i].name, to);
-        EXPECT_LE(move.mean, turns.least_mean) << what;
+        EXPECT_LE(move.mean, std::max(turns.least_mean, unseen)) << what;
         EXPECT_LE(move.worst, turns.worst) << what;
         std::printf("%s: mean %.4f, worst %.3f; turns of 0.2 degrees: %.4f, %.3f\n", what.c_str(), move.mean,
                     move.worst, turns.least_mean, turns.worst);
       }
     }
-    // A jump of the load moves all of them at once, for a late frame is worse: 1.1 degrees at 100 degrees a second.
     const FlipError jump = flip_error(picture(head, last), finest, pixels_a_degree);
-    EXPECT_LE(jump.mean, 2.0 * turns.least_mean) << name;
-    std::printf("%s, all levers: mean %.4f\n", name.c_str(), jump.mean);
+    EXPECT_LE(jump.mean, 1.25 * late.least_mean) << name;
+    std::printf("%s, all levers: mean %.4f; turns of 1.1 degrees: %.4f\n", name.c_str(), jump.mean, late.least_mean);
   };
   if (!test::long_run()) {
     for (const char* scene : {"open_sea", "storm", "harbour"}) expect_in(scene, "medium");
