@@ -147,8 +147,8 @@ TEST(ExploreBoats, SailsAtTheKeys) {
 }
 
 // Made fast to a pier she stays under full throttle, and cast off she goes; anchored and weighed; put back where she
-// began; and the recorded path has it all. Control not yet
-// planted: the key of `moor` without its action.
+// began; and the recorded path has it all. Control
+// seen: the key of `moor` without its action.
 TEST(ExploreBoats, MoorsAnchorsAndComesBackAtTheKeys) {
   Voyage voyage(moorings);
   ASSERT_TRUE(voyage.program().running()) << voyage.program().err();

@@ -96,8 +96,8 @@ TEST(CrewLines, MakeFastToWhatIsNear) {
   EXPECT_EQ(alone.press(Action::moor), "nothing to make fast to within 8 m");
 }
 
-// One boat tows another: both go, no farther apart than the line, and a boat is cast off by either. Controls not yet
-// planted: the line's other end in the world.
+// One boat tows another: both go, no farther apart than the line, and a boat is cast off by either. Control
+// seen: the line's other end in the world.
 TEST(CrewLines, OneBoatTowsAnother) {
   Afloat afloat(std::string(rib) + R"(, {"model": "rowing_boat", "name": "D", "at_m": [0, 0, 8], "float": {}})");
   ASSERT_EQ(afloat.press(Action::board, {0.0, 1.5, 1.0}), "aboard: R");
