@@ -19,8 +19,8 @@ using test::ShotOptions;
 class Stereo : public test::GpuTest {};
 const test::DrawsMuch draws_much("Stereo");
 
-// Every scene with SEASCAPE_LONG=1, else three that differ most: the storm has foam, and is hazy; the pool has wave
-// particles.
+// Five seas with SEASCAPE_LONG=1, else the three that differ most: the storm has foam, and is hazy; the pool has wave
+// particles. Scenes with solid things and shores have tests of their own.
 std::vector<std::string> scenes() {
   if (test::long_run()) return {"open_sea", "calm", "storm", "swell", "rain_pool"};
   return {"open_sea", "storm", "rain_pool"};
