@@ -48,7 +48,7 @@ std::vector<std::string>& draw_much() {
   return suites;
 }
 
-// Before there is a driver: any suite that runs and draws much takes its compiler's hurry away.
+// Before the driver is loaded: it optimises shaders where any suite that runs draws much.
 void choose_compiler() {
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int i = 0; i < all.total_test_suite_count(); ++i) {

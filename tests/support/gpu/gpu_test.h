@@ -17,8 +17,8 @@ Device& device();
 ShaderLibrary& shaders();
 DiskCache kept_shaders();  // where they are kept from one process to the next: by their words and what specialises them
 
-// A suite whose tests draw more than they compile: a software driver makes their shaders as fast as it can, where
-// tests/CMakeLists.txt asks for the opposite. Stands beside its tests at the level of the namespace.
+// Marks a suite whose tests draw more than they compile: a software driver optimises their shaders, which it does not
+// for others (tests/CMakeLists.txt). Stands beside the tests, at the level of the namespace.
 struct DrawsMuch {
   explicit DrawsMuch(const char* suite);
 };
