@@ -95,11 +95,14 @@ TEST(Capture, TellsHowAFrameRateWasHeld) {
     std::string line;
     std::getline(text, line);
     EXPECT_THAT(line, HasSubstr(",picture_scale,quality,decision"));
-    std::string last;
-    while (std::getline(text, line)) last = line;
-    EXPECT_THAT(last, HasSubstr(",0.5003,")) << display;
-    EXPECT_THAT(last, AnyOf(HasSubstr("late at every level"), HasSubstr("over budget"), HasSubstr("steady")))
-        << display;
+    // A machine that stalls may put a frame aside as far off, so that no single line has to say it.
+    int lowest = 0, late = 0;
+    while (std::getline(text, line)) {
+      lowest += line.find(",0.5003,") != std::string::npos;
+      late += line.ends_with(",late at every level");
+    }
+    EXPECT_GT(lowest, 0) << display;
+    EXPECT_GT(late, 0) << display;
     EXPECT_THAT(text_of(fs::path(folder / display) / "trace.json"), HasSubstr("\"picture scale\"")) << display;
   }
   const ProgramResult plain = capture("headless", {});
