@@ -16,7 +16,7 @@ layout(binding = slot_sea_depths) uniform sampler2DArray sea_depths;
 layout(location = 0) out vec4 shown;
 
 void main() {
-  vec4 lit = solid_light(gl_FrontFacing);
+  vec4 lit = solid_light();
   if (depth_sampled && gl_FragCoord.z <= texelFetch(sea_depths, ivec3(gl_FragCoord.xy, eye_index()), 0).r) discard;
   if (tile_shape) lit.rgb = tone_map(lit.rgb);
   shown = vec4(min(lit.rgb, vec3(6e4)), blends ? lit.a : 1.0);

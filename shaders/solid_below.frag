@@ -11,7 +11,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 layout(location = 0) out vec4 sent;
 
 void main() {
-  const vec3 lit = solid_in_water(gl_FrontFacing);
+  const vec3 lit = solid_in_water();
   // What stands above all water would hide what is under water behind it.
   if (flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w).y > frame.solids.reach.y) discard;
   sent = vec4(min(lit, vec3(6e4)), 1.0);

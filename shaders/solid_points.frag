@@ -12,7 +12,7 @@ layout(location = 0) out uvec4 kept_point;  // half floats of its light, and kep
 layout(location = 1) out uvec2 footprint;
 
 void main() {
-  const vec3 lit = min(solid_light(gl_FrontFacing).rgb, vec3(6e4));
+  const vec3 lit = min(solid_light().rgb, vec3(6e4));
   kept_point = uvec4(packHalf2x16(lit.rg), packHalf2x16(vec2(lit.b, 0.0)), 0u, kept_solid);
   if (anisotropy > 1.0) footprint = uvec2(0u);
 }

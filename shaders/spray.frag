@@ -9,7 +9,7 @@ layout(constant_id = value_depth_sampled) const
 layout(binding = slot_sea_depths) uniform sampler2DArray sea_depths;
 
 layout(location = 0) in vec2 at;
-layout(location = 1) flat in vec3 colour;
+layout(location = 1) flat in vec4 colour;
 layout(location = 2) flat in vec4 shape;
 
 layout(location = 0) out vec4 shown;
@@ -31,7 +31,20 @@ float noise(vec2 p) {
              s.y);
 }
 
+// What a puff of coarse drops hides at a place in radii: from afar ragged clumps, near by a haze in which drops of some
+// millimetres are told apart where pixels are fine enough. `a_pixel`: of the place.
+float coarse_drops(vec2 place, float within, float a_pixel) {
+  const float clumps = noise(6.0 * place) + 0.25 * (within - 0.5), ragged = smoothstep(0.66, 0.8, clumps);
+  const float near_by = smoothstep(2.0, 5.0, 1.0 / (6.0 * a_pixel));
+  if (near_by <= 0.0) return ragged;
+  const float dense = smoothstep(0.35, 0.95, clumps), cells = max(colour.w / 0.008, 12.0),
+              told = smoothstep(1.2, 2.4, 1.0 / (cells * a_pixel));
+  const float drops = smoothstep(0.85 - 0.35 * dense, 1.0 - 0.35 * dense, noise(cells * place));
+  return mix(ragged, mix(0.3 * dense, 0.8 * drops, told), near_by);
+}
+
 void main() {
+  const float a_pixel = length(vec2(length(dFdx(at)), length(dFdy(at)))) * sqrt(0.5);
   if (depth_sampled && gl_FragCoord.z <= texelFetch(sea_depths, ivec3(gl_FragCoord.xy, eye_index()), 0).r) discard;
   const vec2 off = vec2(at.x - clamp(at.x, -shape.x, shape.x), at.y);  // from the way it is drawn out along
   const float within = 1.0 - dot(off, off);
@@ -39,6 +52,6 @@ void main() {
   const vec2 place = vec2(at.x / (1.0 + shape.x), at.y) + 300.0 * vec2(shape.z, fract(shape.z * 77.0));
   const float cloud = 0.6 * noise(2.7 * place) + 0.4 * noise(6.9 * place);
   const float mist = within * within * smoothstep(0.1, 1.0, within + 1.8 * (cloud - 0.55)),
-              drops = smoothstep(0.66, 0.8, noise(6.0 * place) + 0.25 * (within - 0.5)) * sqrt(within);
-  shown = vec4(colour, shape.y * mix(mist, drops, shape.w));
+              drops = coarse_drops(place, within, a_pixel) * sqrt(within);
+  shown = vec4(colour.rgb, shape.y * mix(mist, drops, shape.w));
 }

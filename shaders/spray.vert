@@ -17,9 +17,9 @@ layout(location = 0) in vec4 puff_place;  // SprayPuff
 layout(location = 1) in vec4 puff_streak;
 layout(location = 2) in vec2 puff_look;
 
-layout(location = 0) out vec2 at;  // across the quad, in radii
-layout(location = 1) flat out vec3 colour;
-layout(location = 2) flat out vec4 shape;  // half of its way in radii; how much it hides; SprayPuff::look
+layout(location = 0) out vec2 at;           // across the quad, in radii
+layout(location = 1) flat out vec4 colour;  // its radius, m, last
+layout(location = 2) flat out vec4 shape;   // half of its way in radii; how much it hides; SprayPuff::look
 
 void main() {
   vec3 relative = curved(puff_place.xz, puff_place.y, frame.viewer.w);
@@ -44,7 +44,7 @@ void main() {
   vec3 lit = 0.75 * light.sky_irradiance.rgb / pi + scattered * light.sun_irradiance.rgb;
   lit = through_air(lit, v, range) * light.exposure.x * exp2(frame.air.y);
   if (tile_shape) lit = tone_map(lit);
-  colour = min(lit, vec3(6e4));
+  colour = vec4(min(lit, vec3(6e4)), radius);
   shape = vec4(way / radius, puff_streak.w, puff_look);
   gl_Position = view.clip_from_relative * vec4(relative + radius * (at.x * along + at.y * cross(ahead, along)), 1.0);
 }

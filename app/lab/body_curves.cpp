@@ -69,8 +69,8 @@ constexpr double egg_m3 = 4.0 / 3.0 * pi * 0.7 * 0.5 * 2.0;
 // The pressure on the hull at sixteen moments and headings, heeled and trimmed, half in the water.
 struct Pressed {
   Pressed(double wind_mps, const LabOptions& options, int parts, int water_samples, bool of_columns)
-      : water(wind_mps, options.seed), mesh(egg(parts)), samples(water_samples), columns(of_columns) {
-    probes = columns_of(mesh, float_upright(mesh, 0.5 * rho * egg_m3, media));
+      : water(wind_mps, options.seed), samples(water_samples), columns(of_columns), clip(egg(parts)) {
+    probes = columns_of(clip.mesh(), float_upright(clip.mesh(), 0.5 * rho * egg_m3, media));
   }
   void run() {
     HullDrag none;
@@ -87,12 +87,11 @@ struct Pressed {
       pose.centre_m.y = here.height_m;
       patch.ask(water, n, {place, {pose.to_world[2].x, pose.to_world[2].z}, {2.6, 1.3}, 1.0}, samples);
       results.push_back(columns ? probe_forces(probes, pose, {}, patch, media, none).pressure
-                                : clip.forces(mesh, pose, {}, patch, media, none, 4.0).pressure);
+                                : clip.forces(pose, {}, patch, media, none, 4.0).pressure);
     }
   }
   static constexpr int moments = 16;
   LabWater water;
-  HullMesh mesh;
   int samples;
   bool columns;
   HullMedia media;

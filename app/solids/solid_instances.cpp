@@ -302,9 +302,8 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
 
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                     const SunView& sun, double time_s, double detail, SolidSelection& selection) {
-  // Nor are shadows seen as sharp as what throws them.
   select(
-      models, things, viewpoint, time_s, selection, 0.25 * detail,
+      models, things, viewpoint, time_s, selection, detail,
       [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius); },
       [&](const PartBounds& part) { return sun.may_shade(part.flat, part.radius); });
 }

@@ -97,7 +97,8 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
                                    const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
                                    SolidSelection& selection);
 
-// What may throw a shadow into the sun's view, a level of detail coarser than the viewer sees it.
+// What may throw a shadow into the sun's view, at the level of detail that the viewer sees: a coarser one would lie
+// before it here and there, and shade it.
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                     const SunView& sun, double time_s, double detail, SolidSelection& selection);
 

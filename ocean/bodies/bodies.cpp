@@ -90,15 +90,15 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
       for (const std::size_t i : {0u, 1u, 3u, 4u})  // its stations have them
         for (std::size_t j = 0; j < 6; ++j) body.spec.mass.added.rows[i][j] = body.spec.mass.added.rows[j][i] = 0.0;
     const BodySpec& spec = body.spec;
-    body.about_centre = *spec.hull;
+    HullMesh about_centre = *spec.hull;
     double area = 0.0, front = 1e300, back = -1e300;
-    for (glm::dvec3& v : body.about_centre.vertices) {
+    for (glm::dvec3& v : about_centre.vertices) {
       v -= spec.mass_centre_m;
       body.radius_m = std::max(body.radius_m, glm::length(v));
       front = std::min(front, v.z), back = std::max(back, v.z);
     }
-    for (const auto& t : body.about_centre.triangles) {
-      const auto& v = body.about_centre.vertices;
+    for (const auto& t : about_centre.triangles) {
+      const auto& v = about_centre.vertices;
       area += 0.25 * glm::length(glm::cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]));  // half: no view has more
     }
     body.length_m = back - front;
@@ -111,16 +111,17 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
           std::max(body.quickest_rad_s, quickest(stiff, rigid.rows[i][i], spec.mass.added.rows[i][i]));
     }
     body.inside = Inside(spec.inside, spec.mass_centre_m, spec.name.c_str());
-    const FloatingUpright upright = float_upright(body.about_centre, spec.mass.mass_kg, settings.media);
+    const FloatingUpright upright = float_upright(about_centre, spec.mass.mass_kg, settings.media);
     if (spec.planes && spec.level == BodyLevel::hull) {
-      body.bottom = PlaningBottom(body.about_centre);
+      body.bottom = PlaningBottom(about_centre);
       body.sideways = body.bottom.sideways(upright.waterline_m, settings.media.density_kg_m3);
       for (const std::size_t i : {1u, 3u})
         for (std::size_t j = 0; j < 6; ++j) body.spec.damping.rows[i][j] = body.spec.damping.rows[j][i] = 0.0;
       body.spec.damping = body.spec.damping + body.bottom.radiates(upright.waterline_m, weight * upright.waterplane_m2,
                                                                    spec.mass.mass_kg, settings.media);
     }
-    body.columns = columns_of(body.about_centre, upright);
+    body.columns = columns_of(about_centre, upright);
+    body.clip = HullClip(std::move(about_centre));
     body.wets_m2 = spec.level == BodyLevel::probes ? 4.0 * body.columns.area_m2 : upright.facing_down_m2;
     BodyState& state = states_[n];
     state.motion.orientation = glm::normalize(spec.orientation);
@@ -133,7 +134,7 @@ Bodies::Bodies(const BodySettings& settings, std::vector<BodySpec> specs,
   if (!contacts) return;
   std::vector<HullMesh> hulls;
   std::vector<glm::dvec3> centres;
-  for (const Body& body : bodies_) hulls.push_back(body.about_centre), centres.push_back(body.spec.mass_centre_m);
+  for (const Body& body : bodies_) hulls.push_back(body.clip.mesh()), centres.push_back(body.spec.mass_centre_m);
   contacts_.emplace(*contacts, hulls, centres);
 }
 
@@ -203,7 +204,7 @@ void Bodies::ask_water(Body& body, const BodyState& state, double end_s, double 
   along = glm::normalize(along);
   const glm::dvec2 across(-along.y, along.x);
   glm::dvec3 low(1e300), high(-1e300);
-  for (const glm::dvec3& v : body.about_centre.vertices) {
+  for (const glm::dvec3& v : body.clip.mesh().vertices) {
     const glm::dvec3 at = axes * v;
     const glm::dvec2 flat(at.x, at.z);
     const glm::dvec3 here(glm::dot(flat, along), at.y, glm::dot(flat, across));
@@ -305,8 +306,7 @@ void Bodies::substep(Body& body, BodyState& state, double dt) const {
   const BodyPose pose{motion.centre_m, glm::mat3_cast(motion.orientation)};
   const HullForces forces =
       spec.level == BodyLevel::hull
-          ? body.clip.forces(body.about_centre, pose, motion.velocity, body.water, settings_.media, spec.drag,
-                             body.length_m)
+          ? body.clip.forces(pose, motion.velocity, body.water, settings_.media, spec.drag, body.length_m)
           : probe_forces(body.columns, pose, motion.velocity, body.water, settings_.media, spec.drag);
   state.submerged_m3 = forces.submerged_m3;
 

@@ -97,13 +97,12 @@ class Bodies {
  private:
   struct Body {
     BodySpec spec;
-    HullMesh about_centre;
     double length_m = 0.0, radius_m = 0.0, quickest_rad_s = 0.0;
     Matrix6 stiffness;     // what restores can be no stiffer than, of the body's axes
     double wets_m2 = 0.0;  // seen from below at rest: with that in the water the added mass is whole
     ProbeColumns columns;
     WaterPatch water;
-    HullClip clip;
+    HullClip clip;  // of its mesh about the centre of mass
     PlaningBottom bottom;
     Vector6 pushed;
     Inside inside;

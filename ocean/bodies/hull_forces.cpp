@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ocean/bodies/rigid_body.h"
 
 namespace seascape {
 
@@ -11,25 +14,58 @@ double friction_coefficient(double reynolds) {
   return 0.075 / (log * log);
 }
 
+HullClip::HullClip(HullMesh mesh) : mesh_(std::move(mesh)), corners_(mesh_.vertices.size()) {
+  for (std::size_t n = 0; n < corners_.size(); ++n) corners_[n].at = mesh_.vertices[n];
+  faces_.reserve(mesh_.triangles.size());
+  for (const auto& t : mesh_.triangles) {
+    const glm::dvec3 &a = mesh_.vertices[t[0]], &b = mesh_.vertices[t[1]], &c = mesh_.vertices[t[2]];
+    Face& face = faces_.emplace_back();
+    face.area = 0.5 * glm::cross(b - a, c - a), face.middle = (a + b + c) / 3.0;
+    face.size_m2 = glm::length(face.area);
+    if (face.size_m2 > 0.0) face.normal = face.area / face.size_m2;
+  }
+}
+
 // Force -rho g A n mean(h), moment X x (-rho g n) with X = A / 12 (sum h sum x + sum h_i x_i): exact where the pressure
 // head h is linear over the triangle.
-void HullClip::press(const Corner& a, const Corner& b, const Corner& c, const HullMedia& media) {
-  const glm::dvec3 area = 0.5 * glm::cross(b.at - a.at, c.at - a.at);  // A n
-  const double heads = a.head + b.head + c.head, weight = media.gravity_mps2 * media.density_kg_m3;
-  const glm::dvec3 arm =
-      (heads * (a.at + b.at + c.at) + a.head * a.at + b.head * b.at + c.head * c.at) / 12.0;  // X / A
-  out_.pressure.linear -= weight * heads / 3.0 * area;
-  out_.pressure.angular -= weight * glm::cross(arm, area);
-  const double size = glm::length(area);
-  out_.wetted_m2 += size, head_m3_ += heads / 3.0 * size;
-  out_.facing_down_m2 += std::max(-area.y, 0.0);
+void HullClip::Pressed::add(const Corner& a, const Corner& b, const Corner& c, const glm::dvec3& area, double size,
+                            const glm::dvec3& up) {
+  const glm::dvec3 corners = a.at + b.at + c.at;
+  const double heads = a.head + b.head + c.head, mean = heads / 3.0;
+  const glm::dvec3 arm = (heads * corners + a.head * a.at + b.head * b.at + c.head * c.at) / 12.0;  // X / A
+  linear += mean * area, angular += glm::cross(arm, area);
+  wetted_m2 += size, head_m3 += mean * size;
+  const double down = -glm::dot(area, up);
+  facing_down_m2 += std::max(down, 0.0);
   // The volume between the triangle and the surface above it; upper faces count negatively.
-  const double depths = a.depth + b.depth + c.depth, volume = -area.y * depths / 3.0;
-  out_.submerged_m3 += volume;
+  const double depths = a.depth + b.depth + c.depth;
+  submerged_m3 += down * depths / 3.0;
   // Of each column the middle lies half its depth higher than its foot.
   const double squares = a.depth * a.depth + b.depth * b.depth + c.depth * c.depth;
-  const glm::dvec3 foot = (depths * (a.at + b.at + c.at) + a.depth * a.at + b.depth * b.at + c.depth * c.at) / 12.0;
-  moment_ += -area.y * (foot + glm::dvec3(0.0, (depths * depths + squares) / 24.0, 0.0));
+  const glm::dvec3 foot = (depths * corners + a.depth * a.at + b.depth * b.at + c.depth * c.at) / 12.0;
+  moment += down * (foot + (depths * depths + squares) / 24.0 * up);
+}
+
+// The wetted part of a triangle of which one or two corners are wet: one triangle, or two.
+void HullClip::clip(const Face& face, const std::array<const Corner*, 3>& t, int wet_corners, const glm::dvec3& up) {
+  const auto cut = [](const Corner& wet, const Corner& dry) {  // where the depth is 0
+    const double f = wet.depth / (wet.depth - dry.depth);
+    return Corner{wet.at + f * (dry.at - wet.at), 0.0, 0.0, {}};
+  };
+  const auto add = [&](const Corner& a, const Corner& b, const Corner& c) {
+    const glm::dvec3 area = 0.5 * glm::cross(b.at - a.at, c.at - a.at);
+    pressed_.add(a, b, c, area, glm::dot(area, face.normal), up);
+  };
+  std::size_t odd = 0;  // the corner that is wet or dry alone
+  while ((t[odd]->depth > 0.0) != (wet_corners == 1)) ++odd;
+  const Corner &a = *t[odd], &b = *t[(odd + 1) % 3], &c = *t[(odd + 2) % 3];
+  if (wet_corners == 1) {
+    add(a, cut(a, b), cut(a, c));
+  } else {
+    const Corner first = cut(b, a), last = cut(c, a);
+    add(first, b, c);
+    add(first, c, last);
+  }
 }
 
 void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal,
@@ -41,7 +77,14 @@ void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_par
   even_rr[3] += er.x * r.y, even_rr[4] += er.y * r.z, even_rr[5] += er.z * r.x;
   glm::dvec3 force = even * carrier;
   if (normal_part != 0.0) {
-    along.add_along(r, normal, normal_part);
+    // w w^T with w = J^T n.
+    const glm::dvec3 turn = glm::cross(r, normal);
+    const std::array<double, 6> w{normal.x, normal.y, normal.z, turn.x, turn.y, turn.z};
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double part = normal_part * w[i];
+      for (std::size_t j = i; j < 6; ++j) along[n++] += part * w[j];
+    }
     force += normal_part * glm::dot(normal, carrier) * normal;
   }
   carried.linear += force, carried.angular += glm::cross(r, force);
@@ -49,7 +92,10 @@ void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_par
 
 // J^T k J with J = (1, -[r]) and k = even 1 + normal_part n n^T, summed over the triangles.
 Matrix6 HullClip::DragSums::resists() const {
-  Matrix6 out = along;
+  Matrix6 out;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = i; j < 6; ++j) out.rows[i][j] = out.rows[j][i] = along[n++];
   const glm::dvec3& r = even_r;
   const double rr[3][3] = {{0.0, -r.z, r.y}, {r.z, 0.0, -r.x}, {-r.y, r.x, 0.0}};
   const double second[3][3] = {{even_rr[1] + even_rr[2], -even_rr[3], -even_rr[5]},
@@ -68,78 +114,67 @@ Matrix6 HullClip::DragSums::resists() const {
 // Drag of one triangle at its middle: of the wetted part against the water, of the rest against the air.
 // A face that is left behind is no emptier than the air lets it be: its suction ends where its water's own pressure
 // does, and a transom runs dry (at about U^2 = 5 g T, as those of ships do; Doctors 2006).
-void HullClip::resist(const std::array<Corner, 3>& t, const glm::dvec3& area, double wet, double head_m3,
-                      const BodyPose& pose) {
-  const double square = glm::dot(area, area);
-  if (!(square > 0.0)) return;
-  const double size = std::sqrt(square);
-  const glm::dvec3 middle = (t[0].at + t[1].at + t[2].at) * (1.0 / 3.0), normal = area * (1.0 / size);
-  const glm::dvec3 own = flow_.velocity.linear + glm::cross(flow_.velocity.angular, middle);
-  const HullMedia& media = *flow_.media;
+void HullClip::resist(const Face& face, const Flow& flow, const glm::dvec3& carrier, double wet, double head_m3) {
+  const glm::dvec3 own = flow.velocity.linear + glm::cross(flow.velocity.angular, face.middle);
+  const HullMedia& media = *flow.media;
   if (wet > 0.0) {
-    const glm::dvec3 world = pose.centre_m + middle;
-    const glm::dvec3 water = flow_.water->velocity({world.x, world.z}), slip = own - water;
-    const double ahead = glm::dot(slip, normal), speed = glm::length(slip),
-                 half = 0.5 * media.density_kg_m3 * size * wet;
-    const double skin =
-        flow_.drag->friction ? half * friction_coefficient(speed * flow_.length_m / media.viscosity_m2_s) * speed : 0.0;
+    const glm::dvec3 slip = own - carrier;
+    const double ahead = glm::dot(slip, face.normal), half = 0.5 * media.density_kg_m3 * face.size_m2 * wet;
+    double skin = 0.0;
+    if (flow.drag->friction) {
+      const double speed = glm::length(slip);
+      skin = half * friction_coefficient(speed * flow.length_m / media.viscosity_m2_s) * speed;
+    }
     const double form = ahead > 0.0
-                            ? half * flow_.drag->form * ahead
-                            : std::min(half * flow_.drag->suction * -ahead,
+                            ? half * flow.drag->form * ahead
+                            : std::min(half * flow.drag->suction * -ahead,
                                        media.density_kg_m3 * media.gravity_mps2 * head_m3 / std::max(-ahead, 1e-9));
-    drag_.add(middle, skin, form - skin, normal, water);
+    drag_.add(face.middle, skin, form - skin, face.normal, carrier);
   }
-  if (wet < 1.0 && flow_.drag->wind > 0.0) {
-    const double ahead = glm::dot(own - media.wind_mps, normal);
+  if (wet < 1.0 && flow.drag->wind > 0.0) {
+    const double ahead = glm::dot(own - flow.wind_mps, face.normal);
     if (!(ahead > 0.0)) return;  // in the lee
-    drag_.add(middle, 0.5 * media.air_kg_m3 * size * (1.0 - wet) * flow_.drag->wind * ahead, 0.0, normal,
-              media.wind_mps);
+    drag_.add(face.middle, 0.5 * media.air_kg_m3 * face.size_m2 * (1.0 - wet) * flow.drag->wind * ahead, 0.0,
+              face.normal, flow.wind_mps);
   }
 }
 
-const HullForces& HullClip::forces(const HullMesh& mesh, const BodyPose& pose, const Vector6& velocity,
-                                   const WaterPatch& water, const HullMedia& media, const HullDrag& drag,
-                                   double length_m) {
-  out_ = {};
-  moment_ = {};
+const HullForces& HullClip::forces(const BodyPose& pose, const Vector6& velocity, const WaterPatch& water,
+                                   const HullMedia& media, const HullDrag& drag, double length_m) {
+  pressed_ = {};
   drag_ = {};
-  head_m3_ = 0.0;
-  flow_ = {velocity, &water, &media, &drag, length_m};
-  corners_.resize(mesh.vertices.size());
-  for (std::size_t n = 0; n < corners_.size(); ++n) {
-    Corner& c = corners_[n];
-    c.at = pose.to_world * mesh.vertices[n];
-    const WaterPatch::Below below = water.below(pose.centre_m + c.at);
-    c.depth = below.depth_m, c.head = below.head_m;
+  const glm::dmat3 to_body = glm::transpose(pose.to_world);
+  const glm::dvec3 up = to_body[1];
+  const Flow flow{
+      {to_body * velocity.linear, to_body * velocity.angular}, to_body * media.wind_mps, &media, &drag, length_m};
+  for (Corner& c : corners_) {
+    const WaterPatch::Met met = water.meets(pose.centre_m + pose.to_world * c.at);
+    c.depth = met.depth_m, c.head = met.head_m, c.carrier = to_body * met.velocity_mps;
   }
-  for (const auto& indices : mesh.triangles) {
-    std::array<Corner, 3> t{corners_[indices[0]], corners_[indices[1]], corners_[indices[2]]};
-    const glm::dvec3 area = 0.5 * glm::cross(t[1].at - t[0].at, t[2].at - t[0].at);
-    const double before = out_.wetted_m2, head_before = head_m3_;
-    const int wet_corners = (t[0].depth > 0.0) + (t[1].depth > 0.0) + (t[2].depth > 0.0);
-    const auto cut = [](const Corner& wet, const Corner& dry) {  // where the depth is 0
-      const double f = wet.depth / (wet.depth - dry.depth);
-      return Corner{wet.at + f * (dry.at - wet.at), 0.0, 0.0};
-    };
-    const auto rotate_until = [&](bool first_is_wet) {
-      while ((t[0].depth > 0.0) != first_is_wet) std::rotate(t.begin(), t.begin() + 1, t.end());
-    };
+  for (std::size_t n = 0; n < faces_.size(); ++n) {
+    const Face& face = faces_[n];
+    if (!(face.size_m2 > 0.0)) continue;
+    const auto& indices = mesh_.triangles[n];
+    const Corner &a = corners_[indices[0]], &b = corners_[indices[1]], &c = corners_[indices[2]];
+    const int wet_corners = (a.depth > 0.0) + (b.depth > 0.0) + (c.depth > 0.0);
+    const double before = pressed_.wetted_m2, head_before = pressed_.head_m3;
+    double wet = wet_corners == 3 ? 1.0 : 0.0;
     if (wet_corners == 3) {
-      press(t[0], t[1], t[2], media);
-    } else if (wet_corners == 1) {
-      rotate_until(true);
-      press(t[0], cut(t[0], t[1]), cut(t[0], t[2]), media);
-    } else if (wet_corners == 2) {
-      rotate_until(false);
-      const Corner first = cut(t[1], t[0]), last = cut(t[2], t[0]);
-      press(first, t[1], t[2], media);
-      press(first, t[2], last, media);
+      pressed_.add(a, b, c, face.area, face.size_m2, up);
+    } else if (wet_corners > 0) {
+      clip(face, {&a, &b, &c}, wet_corners, up);
+      wet = std::clamp((pressed_.wetted_m2 - before) / face.size_m2, 0.0, 1.0);
     }
-    const double size = glm::length(area);
-    resist(t, area, size > 0.0 ? std::min((out_.wetted_m2 - before) / size, 1.0) : 0.0, head_m3_ - head_before, pose);
+    resist(face, flow, (a.carrier + b.carrier + c.carrier) / 3.0, wet, pressed_.head_m3 - head_before);
   }
-  out_.resists = drag_.resists(), out_.carried = drag_.carried;
-  if (out_.submerged_m3 > 0.0) out_.submerged_centre_m = moment_ / out_.submerged_m3;
+  const double weight = media.gravity_mps2 * media.density_kg_m3;
+  out_.pressure = {pose.to_world * (-weight * pressed_.linear), pose.to_world * (-weight * pressed_.angular)};
+  out_.resists = turned(drag_.resists(), pose.to_world);
+  out_.carried = {pose.to_world * drag_.carried.linear, pose.to_world * drag_.carried.angular};
+  out_.wetted_m2 = pressed_.wetted_m2, out_.submerged_m3 = pressed_.submerged_m3;
+  out_.facing_down_m2 = pressed_.facing_down_m2;
+  out_.submerged_centre_m =
+      out_.submerged_m3 > 0.0 ? pose.to_world * (pressed_.moment / out_.submerged_m3) : glm::dvec3(0.0);
   return out_;
 }
 

@@ -43,19 +43,36 @@ double friction_coefficient(double reynolds);
 
 class HullClip {
  public:
-  // `mesh` about the centre of mass, in the body's axes. Positions and velocities in the world.
-  const HullForces& forces(const HullMesh& mesh, const BodyPose& pose, const Vector6& velocity, const WaterPatch& water,
+  HullClip() = default;
+  // `mesh` about the centre of mass, in the body's axes.
+  explicit HullClip(HullMesh mesh);
+  const HullMesh& mesh() const { return mesh_; }
+
+  // The pose and the velocity are the world's.
+  const HullForces& forces(const BodyPose& pose, const Vector6& velocity, const WaterPatch& water,
                            const HullMedia& media, const HullDrag& drag, double length_m);
 
  private:
-  struct Corner {
-    glm::dvec3 at{0.0};  // from the centre of mass, world axes
-    double depth = 0.0;  // below the surface, m
-    double head = 0.0;   // pressure / (rho g), m
+  // All sums are of the body's own axes, where what a triangle is never changes.
+  struct Face {
+    glm::dvec3 area{0.0}, normal{0.0}, middle{0.0};  // area times normal, m2
+    double size_m2 = 0.0;
   };
-  void press(const Corner& a, const Corner& b, const Corner& c, const HullMedia& media);
-  void resist(const std::array<Corner, 3>& t, const glm::dvec3& normal2, double wet_part, double head_m3,
-              const BodyPose& pose);
+  struct Corner {
+    glm::dvec3 at{0.0};       // from the centre of mass
+    double depth = 0.0;       // below the surface, m
+    double head = 0.0;        // pressure / (rho g), m
+    glm::dvec3 carrier{0.0};  // the water's velocity at the surface there
+  };
+  struct Pressed {
+    glm::dvec3 linear{0.0}, angular{0.0};  // over -rho g
+    glm::dvec3 moment{0.0};                // of the submerged volume
+    double wetted_m2 = 0.0, submerged_m3 = 0.0, facing_down_m2 = 0.0;
+    double head_m3 = 0.0;  // pressure head over area
+    void add(const Corner& a, const Corner& b, const Corner& c, const glm::dvec3& area, double size,
+             const glm::dvec3& up);
+  };
+  void clip(const Face& face, const std::array<const Corner*, 3>& t, int wet_corners, const glm::dvec3& up);
   // The drag of many triangles: an even part of each and one along its normal n, at r from the centre of mass.
   struct DragSums {
     void add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal, const glm::dvec3& carrier);
@@ -63,20 +80,24 @@ class HullClip {
     double even_sum = 0.0;
     glm::dvec3 even_r{0.0};
     std::array<double, 6> even_rr{};  // xx, yy, zz, xy, yz, zx
-    Matrix6 along;
+    std::array<double, 21> along{};   // rows of the upper half
     Vector6 carried;
-  } drag_;
+  };
   struct Flow {
     Vector6 velocity;
-    const WaterPatch* water;
+    glm::dvec3 wind_mps;
     const HullMedia* media;
     const HullDrag* drag;
     double length_m;
-  } flow_{};
+  };
+  void resist(const Face& face, const Flow& flow, const glm::dvec3& carrier, double wet_part, double head_m3);
+
+  HullMesh mesh_;
+  std::vector<Face> faces_;
   std::vector<Corner> corners_;
+  Pressed pressed_;
+  DragSums drag_;
   HullForces out_;
-  glm::dvec3 moment_{0.0};  // of the submerged volume
-  double head_m3_ = 0.0;    // of the wetted triangles so far: pressure head over area
 };
 
 }  // namespace seascape

@@ -22,11 +22,11 @@ FloatingUpright float_upright(const HullMesh& mesh, double mass, const HullMedia
   for (const glm::dvec3& v : mesh.vertices) lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
   WaterPatch water;
   water.ask(StillWater{}, 0.0, {}, 2);
-  HullClip clip;
+  HullClip clip(mesh);
   HullDrag none;
   none.friction = false, none.form = none.suction = none.wind = 0.0;
   const auto at = [&](double waterline) {
-    return clip.forces(mesh, {{0.0, -waterline, 0.0}, glm::dmat3(1.0)}, {}, water, media, none, 1.0);
+    return clip.forces({{0.0, -waterline, 0.0}, glm::dmat3(1.0)}, {}, water, media, none, 1.0);
   };
   const double wanted = mass / media.density_kg_m3;
   FloatingUpright out;
@@ -50,7 +50,7 @@ FloatingUpright float_upright(const HullMesh& mesh, double mass, const HullMedia
     const glm::dmat3 to_world = pitch * roll;
     const glm::dvec3 pivot(out.flotation_m.x, out.waterline_m, out.flotation_m.y);
     return glm::transpose(to_world) *
-           clip.forces(mesh, {-(to_world * pivot), to_world}, {}, water, media, none, 1.0).submerged_centre_m;
+           clip.forces({-(to_world * pivot), to_world}, {}, water, media, none, 1.0).submerged_centre_m;
   };
   const HullForces lower = at(below);
   const double less = lower.submerged_m3;

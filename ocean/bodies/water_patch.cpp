@@ -241,20 +241,19 @@ double WaterPatch::head(const glm::dvec2& place, double depth) const {
   return depth > 0.0 ? faded(c, taps(c), depth) : mean_ + glm::dot(slope_, c.within) + smooth(heads_[0], taps(c));
 }
 
-WaterPatch::Below WaterPatch::below(const glm::dvec3& at) const {
-  const glm::dvec2 place(at.x, at.z);
-  if (flat_ && !any_dry_) return {mean_ - at.y, mean_ - at.y};
-  const Cell c = cell(place);
-  if (dry(c)) return {-1.0, -1.0};
-  if (flat_) return {mean_ - at.y, mean_ - at.y};
+WaterPatch::Met WaterPatch::meets(const glm::dvec3& at) const {
+  const Cell c = cell({at.x, at.z});
+  if (dry(c)) return {-1.0, -1.0, velocity(c)};
+  if (flat_) return {mean_ - at.y, mean_ - at.y, velocity(c)};
   const Taps t = taps(c);
   const double depth = mean_ + glm::dot(slope_, c.within) + smooth(heads_[0], t) - at.y;
   // At the surface the pressure is the air's: the head is the depth, less what waves have faded by.
-  return {depth, depth > 0.0 ? std::max(faded(c, t, depth) - at.y, 0.0) : depth};
+  return {depth, depth > 0.0 ? std::max(faded(c, t, depth) - at.y, 0.0) : depth, velocity(c)};
 }
 
-glm::dvec3 WaterPatch::velocity(const glm::dvec2& place) const {
-  const Cell c = cell(place);
+glm::dvec3 WaterPatch::velocity(const glm::dvec2& place) const { return velocity(cell(place)); }
+
+glm::dvec3 WaterPatch::velocity(const Cell& c) const {
   const auto at = [&](int i, int j) { return answers_[std::size_t((c.j + j) * columns_ + c.i + i)].velocity_mps; };
   return (1.0 - c.v) * ((1.0 - c.u) * at(0, 0) + c.u * at(1, 0)) + c.v * ((1.0 - c.u) * at(0, 1) + c.u * at(1, 1));
 }

@@ -30,11 +30,13 @@ class WaterPatch {
   double height(const glm::dvec2& place) const { return head(place, 0.0); }
   // The height of still water whose pressure at this depth below the surface would be the same.
   double head(const glm::dvec2& place, double depth_m) const;
-  // A place in the world below the surface, and its head over it (m); both -1 where it is dry.
-  struct Below {
+  // What a place in the world meets: how far it lies below the surface, and its head over it (m; both -1 where it is
+  // dry), and the velocity of the water at the surface.
+  struct Met {
     double depth_m, head_m;
+    glm::dvec3 velocity_mps;
   };
-  Below below(const glm::dvec3& at) const;
+  Met meets(const glm::dvec3& at) const;
   // Of the water at the surface.
   glm::dvec3 velocity(const glm::dvec2& place) const;
   // How fast the water rises, m/s2, averaged over the rectangle at a depth: -(1/rho) dp/dy - g.
@@ -66,6 +68,7 @@ class WaterPatch {
   double smooth(const std::vector<double>& grid, const Taps& taps) const;
   double faded(const Cell& c, const Taps& taps, double depth_m) const;
   bool dry(const Cell& c) const;
+  glm::dvec3 velocity(const Cell& c) const;
   void fade(double depth_over_bed_m, double wave_number);
   std::array<double, levels> left(double wave_number, double bed_m) const;
   double plane_fades(double depth_m) const;

@@ -69,15 +69,18 @@ struct SolidPoint {
 };
 
 // Discards what its material's mask takes away.
-SolidPoint solid_point(bool front) {
+SolidPoint solid_point() {
   SolidPoint p;
   p.base = material.base_colour * tint * texture(base_colour_texture, place_in(solid_base_colour));
   const vec3 surface_map = texture(metallic_roughness_texture, place_in(solid_metallic_roughness)).rgb;
   const float occlusion_map = texture(occlusion_texture, place_in(solid_occlusion)).r;
   p.emissive = material.emissive_cutoff.rgb * texture(emissive_texture, place_in(solid_emissive)).rgb;
+  // Towards the eye by the picture's own axes. Corners' order does not say which side is seen: a sail on its other tack
+  // is mirrored.
+  p.flat_normal = cross(dFdy(relative), dFdx(relative));
+  p.flat_normal /= max(length(p.flat_normal), 1e-12);
+  const bool front = dot(p.flat_normal, normal) >= 0.0;
   p.normal = p.smooth_normal = normalize(normal) * (front ? 1.0 : -1.0);
-  p.flat_normal = cross(dFdx(relative), dFdy(relative));
-  p.flat_normal *= sign(dot(p.flat_normal, p.normal)) / max(length(p.flat_normal), 1e-12);
   if (material.kind.y != 0) p.normal = mapped_normal(p.normal, place_in(solid_normal), front);
   if (p.base.a < material.emissive_cutoff.w) discard;
   p.metallic = material.surface.x * surface_map.b;
@@ -151,9 +154,9 @@ vec3 solid_of_lamp_in_water(SolidPoint p, ViewData view) {
 
 // Radiance towards the eye, what the air or the water before it makes of it included, exposed, and how much of what
 // lies behind it hides. Discards what its material's mask takes away.
-vec4 solid_light(bool front) {
+vec4 solid_light() {
   const ViewData view = frame.view[eye_index()];
-  const SolidPoint p = solid_point(front);
+  const SolidPoint p = solid_point();
   // In a scene with portals what is not seen in their water is lit as in the air.
   const vec3 sight = normalize(relative - view.eye.xyz);
   if (underwater && !hidden_by_portals(relative - 0.03 * sight, view.eye.xyz)) {
@@ -199,8 +202,8 @@ vec4 solid_light(bool front) {
 
 // Radiance beneath the water of a thing that lies just under it, times the exposure: what the water takes away is left
 // to who knows how much of it there is (lib/solids_in_water.glsl).
-vec3 solid_in_water(bool front) {
-  const SolidPoint p = solid_point(front);
+vec3 solid_in_water() {
+  const SolidPoint p = solid_point();
   if (material.kind.x != 0) return p.base.rgb;
   return solid_sent_in_water(p) * light.exposure.x + p.emissive;
 }

@@ -203,6 +203,31 @@ TEST_F(Solids, MirroredThingsShowTheirFrontsAlone) {
   }
 }
 
+// A two-sided plate that is mirrored where it is placed, as a sail on its other tack, is lit as the plain one on either
+// side. Control seen: sides told by the order of the corners.
+TEST_F(Solids, WhatIsMirroredAsItMovesIsLitOnTheSideThatIsSeen) {
+  const std::string grey =
+      R"({"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}})";
+  const Pose behind_plate = pose({0.0, 6.0, -6.0}, 180.0, 0.0);
+  const auto drawn = [&](const test::FrameLook& look, double side, const Pose& eye) {
+    SceneObjects objects;
+    test::stand(objects, test::solid_model(test::solid_plate(1.0f), grey), pose({0.0, 6.0, -3.0}, 0.0, 90.0));
+    objects.things.back().nodes = {glm::scale(glm::dmat4(1.0), {side, 1.0, 1.0})};
+    return shot_of(look, objects).picture(eye, 1.0);
+  };
+  for (const test::FrameLook& look : test::sampled_looks()) {
+    std::vector<int> seen;
+    for (const Pose& eye : {before_plate, behind_plate}) {
+      const Image8 plain = drawn(look, 1.0, eye), mirrored = drawn(look, -1.0, eye);
+      for (int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(texel(mirrored, width / 2, height / 2)[channel], texel(plain, width / 2, height / 2)[channel], 1)
+            << look.name << eye.position_m.z;
+      seen.push_back(texel(plain, width / 2, height / 2)[1]);
+    }
+    EXPECT_GT(std::abs(seen[0] - seen[1]), 20) << look.name << ": one side is in the sun";
+  }
+}
+
 // What lets light through, under the sea, is hidden by it, and before it is not. Control seen: depth_sampled taken
 // for false in solid.frag.
 TEST_F(Solids, GlassUnderTheSeaIsHidden) {

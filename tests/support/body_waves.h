@@ -100,8 +100,8 @@ inline HullForces pressed(const HullMesh& mesh, const BodyPose& pose, const Body
                           int samples = 16, double deepest_m = 2.0, const glm::dvec2& along = {0.0, 1.0}) {
   WaterPatch patch;
   patch.ask(water, 0.0, {{pose.centre_m.x, pose.centre_m.z}, along, glm::dvec2(half_m), deepest_m}, samples);
-  HullClip clip;
-  return clip.forces(mesh, pose, {}, patch, {}, no_drag(), 1.0);
+  HullClip clip(mesh);
+  return clip.forces(pose, {}, patch, {}, no_drag(), 1.0);
 }
 
 inline HullMesh moved(HullMesh mesh, const glm::dvec3& by) {

@@ -285,10 +285,11 @@ def build():
     f = boat.floor
     line = boat.tube_line(200)[::-1]
     rows = []
-    for z in np.linspace(-2.6, 3.12, 8):
-        half, top = float(np.interp(z, line[:, 2], line[:, 0])) - R * 0.8, float(np.interp(z, line[:, 2], line[:, 1])) + 0.15
+    for z in np.linspace(-3.1, 3.12, 9):
+        middle, high = (float(np.interp(z, line[:, 2], line[:, axis])) for axis in (0, 1))
+        half, top = middle - R * 0.8, high + 0.15
         low = f + float(np.interp(z, [-2.75, -1.6], [0.34, 0.0]))
-        rows.append([(0, low - 0.02, z), (half, low, z), (half + 0.02, top, z)])
+        rows.append([(0, low - 0.02, z), (half, low, z), (half + 0.02, top, z), (middle - 0.06, high + 0.235, z)])
     model.body("inside_cockpit", closed_from(np.array(rows)))
     model.body("inside_bilge", closed_from(boat.loft.points(np.linspace(0.12, 0.98, 8), [0.0, 0.25, 0.5, 0.72]) * [0.97, 1, 1]))
     model.floats(MASS, 0.28, physics.hull_inertia(MASS, 7.3, 2.6), 7.3, 2.6)

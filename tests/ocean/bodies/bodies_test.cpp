@@ -214,9 +214,9 @@ TEST(Bodies, TheBooksOfEnergy) {
       const BodyMotion& motion = bodies.result()[0].motion;
       WaterPatch water;
       water.ask(FormulaWater{}, 0.0, {}, 2);
-      HullClip clip;
+      HullClip clip(mesh);
       const HullForces f =
-          clip.forces(mesh, {motion.centre_m, glm::mat3_cast(motion.orientation)}, {}, water, {}, no_drag(), 1.0);
+          clip.forces({motion.centre_m, glm::mat3_cast(motion.orientation)}, {}, water, {}, no_drag(), 1.0);
       // U = m g z - rho g (integral of z over what is submerged) (facts/boats.md, Books).
       return kinetic_energy(motion, spec.mass, 1.0) + m * g * motion.centre_m.y -
              rho * g * f.submerged_m3 * (motion.centre_m.y + f.submerged_centre_m.y);

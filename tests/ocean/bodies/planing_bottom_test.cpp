@@ -45,8 +45,8 @@ Planing planing(double deadrise, double trim, double lambda, double froude) {
   const Vector6 velocity{{0.0, 0.0, -speed}, {}};
   HullDrag drag;
   drag.friction = false, drag.wind = 0.0;
-  HullClip clip;
-  const HullForces forces = clip.forces(mesh, pose, velocity, water, {}, drag, length);
+  HullClip clip(mesh);
+  const HullForces forces = clip.forces(pose, velocity, water, {}, drag, length);
   PlaningBottom::Before before;
   const PlaningBottom::Lift lift = PlaningBottom(mesh).lift(pose, velocity, water, {}, 1.0 / 60.0, before);
   const Vector6 own{glm::transpose(pose.to_world) * velocity.linear, {}}, passed = lift.passing * own * own.linear.z;
@@ -240,11 +240,11 @@ TEST(HullForces, ATransomRunsDry) {
   const WaterPatch water = still_water();
   HullDrag drag = no_drag();
   drag.suction = 0.2;
-  HullClip clip;
+  HullClip clip(mesh);
   const double draught = 0.5, whole = 0.5 * rho * g * draught * draught * 2.0;
   for (const double speed : {0.0, 1.0, 3.0, 6.0, 15.0}) {
     const Vector6 velocity{{0.0, 0.0, -speed}, {}};
-    const HullForces f = clip.forces(mesh, {}, velocity, water, {}, drag, 4.0);
+    const HullForces f = clip.forces({}, velocity, water, {}, drag, 4.0);
     const double drag_n = (f.carried - f.resists * velocity).linear.z;
     EXPECT_LE(drag_n, whole * (1.0 + 1e-9)) << speed;
     EXPECT_NEAR(drag_n, std::min(0.2 * 0.5 * rho * draught * 2.0 * speed * speed, whole), 1e-6 * whole) << speed;
