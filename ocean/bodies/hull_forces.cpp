@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "ocean/bodies/rigid_body.h"
@@ -10,7 +11,7 @@ namespace seascape {
 
 double friction_coefficient(double reynolds) {
   if (!(reynolds > 1000.0)) return 1.328 / std::sqrt(std::max(reynolds, 1.0));
-  const double log = std::log10(reynolds) - 2.0;
+  const double log = std::log(reynolds) * std::numbers::log10e - 2.0;
   return 0.075 / (log * log);
 }
 
@@ -20,9 +21,10 @@ HullClip::HullClip(HullMesh mesh) : mesh_(std::move(mesh)), corners_(mesh_.verti
   for (const auto& t : mesh_.triangles) {
     const glm::dvec3 &a = mesh_.vertices[t[0]], &b = mesh_.vertices[t[1]], &c = mesh_.vertices[t[2]];
     Face& face = faces_.emplace_back();
-    face.area = 0.5 * glm::cross(b - a, c - a), face.middle = (a + b + c) / 3.0;
-    face.size_m2 = glm::length(face.area);
-    if (face.size_m2 > 0.0) face.normal = face.area / face.size_m2;
+    const glm::dvec3 area = 0.5 * glm::cross(b - a, c - a);
+    face.size_m2 = glm::length(area), face.middle = (a + b + c) / 3.0;
+    if (face.size_m2 > 0.0) face.normal = area / face.size_m2;
+    face.turn = glm::cross(face.middle, face.normal);
   }
 }
 
@@ -68,26 +70,25 @@ void HullClip::clip(const Face& face, const std::array<const Corner*, 3>& t, int
   }
 }
 
-void HullClip::DragSums::add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal,
-                             const glm::dvec3& carrier) {
-  even_sum += even;
-  const glm::dvec3 er = even * r;
-  even_r += er;
-  even_rr[0] += er.x * r.x, even_rr[1] += er.y * r.y, even_rr[2] += er.z * r.z;
-  even_rr[3] += er.x * r.y, even_rr[4] += er.y * r.z, even_rr[5] += er.z * r.x;
-  glm::dvec3 force = even * carrier;
-  if (normal_part != 0.0) {
-    // w w^T with w = J^T n.
-    const glm::dvec3 turn = glm::cross(r, normal);
-    const std::array<double, 6> w{normal.x, normal.y, normal.z, turn.x, turn.y, turn.z};
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double part = normal_part * w[i];
-      for (std::size_t j = i; j < 6; ++j) along[n++] += part * w[j];
-    }
-    force += normal_part * glm::dot(normal, carrier) * normal;
-  }
+void HullClip::DragSums::add_even(const glm::dvec3& r, double part, const glm::dvec3& carrier) {
+  const glm::dvec3 pr = part * r, force = part * carrier;
+  even_sum += part, even_r += pr;
+  even_rr[0] += pr.x * r.x, even_rr[1] += pr.y * r.y, even_rr[2] += pr.z * r.z;
+  even_rr[3] += pr.x * r.y, even_rr[4] += pr.y * r.z, even_rr[5] += pr.z * r.x;
   carried.linear += force, carried.angular += glm::cross(r, force);
+}
+
+// w w^T with w = J^T n.
+void HullClip::DragSums::add_normal(const Face& face, double part, const glm::dvec3& carrier) {
+  const glm::dvec3 &n = face.normal, &turn = face.turn;
+  const std::array<double, 6> w{n.x, n.y, n.z, turn.x, turn.y, turn.z};
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double row = part * w[i];
+    for (std::size_t j = i; j < 6; ++j) along[at++] += row * w[j];
+  }
+  const double force = part * glm::dot(n, carrier);
+  carried.linear += force * n, carried.angular += force * turn;
 }
 
 // J^T k J with J = (1, -[r]) and k = even 1 + normal_part n n^T, summed over the triangles.
@@ -115,27 +116,29 @@ Matrix6 HullClip::DragSums::resists() const {
 // A face that is left behind is no emptier than the air lets it be: its suction ends where its water's own pressure
 // does, and a transom runs dry (at about U^2 = 5 g T, as those of ships do; Doctors 2006).
 void HullClip::resist(const Face& face, const Flow& flow, const glm::dvec3& carrier, double wet, double head_m3) {
-  const glm::dvec3 own = flow.velocity.linear + glm::cross(flow.velocity.angular, face.middle);
   const HullMedia& media = *flow.media;
+  const double own_ahead = glm::dot(flow.velocity.linear, face.normal) + glm::dot(flow.velocity.angular, face.turn);
   if (wet > 0.0) {
-    const glm::dvec3 slip = own - carrier;
-    const double ahead = glm::dot(slip, face.normal), half = 0.5 * media.density_kg_m3 * face.size_m2 * wet;
-    double skin = 0.0;
-    if (flow.drag->friction) {
-      const double speed = glm::length(slip);
-      skin = half * friction_coefficient(speed * flow.length_m / media.viscosity_m2_s) * speed;
-    }
+    const double ahead = own_ahead - glm::dot(carrier, face.normal),
+                 half = 0.5 * media.density_kg_m3 * face.size_m2 * wet;
     const double form = ahead > 0.0
                             ? half * flow.drag->form * ahead
                             : std::min(half * flow.drag->suction * -ahead,
                                        media.density_kg_m3 * media.gravity_mps2 * head_m3 / std::max(-ahead, 1e-9));
-    drag_.add(face.middle, skin, form - skin, face.normal, carrier);
+    double skin = 0.0;
+    if (flow.drag->friction) {
+      const glm::dvec3 own = flow.velocity.linear + glm::cross(flow.velocity.angular, face.middle);
+      const double speed = glm::length(own - carrier);
+      skin = half * friction_coefficient(speed * flow.length_m / media.viscosity_m2_s) * speed;
+      drag_.add_even(face.middle, skin, carrier);
+    }
+    drag_.add_normal(face, form - skin, carrier);
   }
   if (wet < 1.0 && flow.drag->wind > 0.0) {
-    const double ahead = glm::dot(own - flow.wind_mps, face.normal);
+    const double ahead = own_ahead - glm::dot(flow.wind_mps, face.normal);
     if (!(ahead > 0.0)) return;  // in the lee
-    drag_.add(face.middle, 0.5 * media.air_kg_m3 * face.size_m2 * (1.0 - wet) * flow.drag->wind * ahead, 0.0,
-              face.normal, flow.wind_mps);
+    drag_.add_even(face.middle, 0.5 * media.air_kg_m3 * face.size_m2 * (1.0 - wet) * flow.drag->wind * ahead,
+                   flow.wind_mps);
   }
 }
 
@@ -160,7 +163,7 @@ const HullForces& HullClip::forces(const BodyPose& pose, const Vector6& velocity
     const double before = pressed_.wetted_m2, head_before = pressed_.head_m3;
     double wet = wet_corners == 3 ? 1.0 : 0.0;
     if (wet_corners == 3) {
-      pressed_.add(a, b, c, face.area, face.size_m2, up);
+      pressed_.add(a, b, c, face.size_m2 * face.normal, face.size_m2, up);
     } else if (wet_corners > 0) {
       clip(face, {&a, &b, &c}, wet_corners, up);
       wet = std::clamp((pressed_.wetted_m2 - before) / face.size_m2, 0.0, 1.0);

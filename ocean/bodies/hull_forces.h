@@ -55,7 +55,7 @@ class HullClip {
  private:
   // All sums are of the body's own axes, where what a triangle is never changes.
   struct Face {
-    glm::dvec3 area{0.0}, normal{0.0}, middle{0.0};  // area times normal, m2
+    glm::dvec3 normal{0.0}, middle{0.0}, turn{0.0};  // turn: middle x normal
     double size_m2 = 0.0;
   };
   struct Corner {
@@ -75,7 +75,8 @@ class HullClip {
   void clip(const Face& face, const std::array<const Corner*, 3>& t, int wet_corners, const glm::dvec3& up);
   // The drag of many triangles: an even part of each and one along its normal n, at r from the centre of mass.
   struct DragSums {
-    void add(const glm::dvec3& r, double even, double normal_part, const glm::dvec3& normal, const glm::dvec3& carrier);
+    void add_even(const glm::dvec3& r, double part, const glm::dvec3& carrier);
+    void add_normal(const Face& face, double part, const glm::dvec3& carrier);
     Matrix6 resists() const;
     double even_sum = 0.0;
     glm::dvec3 even_r{0.0};
