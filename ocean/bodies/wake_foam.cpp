@@ -19,6 +19,8 @@ constexpr double jet_from_mps = 0.4, jet_to_mps = 4.0, trail_from_mps = 0.4, tra
 // What of the water foam comes to cover in a second, or lastingly, where all of it breaks.
 constexpr double bow_per_s = 8.0, transom_per_s = 5.0, wash_per_s = 5.0, trail_covers = 0.7;
 constexpr double throws_per_s = 150.0;
+// By how much a tenth of a second brings the usual draught towards the present one: some five seconds count.
+constexpr double usual_share = 0.02;
 // Beams behind the hull at which the trail is made wider, once each, to what it is on average until the next.
 constexpr double widened_at[] = {2.5, 6.0, 14.0, 30.0, 60.0}, until_next = 1.6;
 
@@ -106,28 +108,49 @@ void WakeFoam::step(double dt, const HullMotion& motion, std::span<const HullSec
     if (per_s > 0.0) made.foam.push_back({at, radius, std::min(times * per_s, most_rate_per_s), 0.5 * radius});
   };
 
-  // The bow, with what it throws up where it comes down on the water (V^2 / 2 g).
+  // Two sheets of spray, to either side of a section, and the foam of where they come down (V^2 / 2 g).
+  const auto throw_up = [&](const HullSection& from, double climbs, double outwards_mps, double share) {
+    const double breaks = share * smooth(bow_from_m, bow_to_m, climbs),
+                 flies = share * smooth(spray_from_m, spray_to_m, climbs),
+                 radius = std::clamp(climbs, 0.08 * beam, 0.5 * beam);
+    for (const double side : {-1.0, 1.0}) {
+      const glm::dvec2 at = from.place_m + (0.5 * from.breadth_m + 0.5 * radius) * side * right;
+      disc(at, radius, bow_per_s * breaks);
+      if (!(flies > 0.0)) continue;
+      const glm::dvec2 along =
+          0.4 * speed * ahead + outwards_mps * side * right + glm::dvec2(motion.water_mps.x, motion.water_mps.z);
+      made.spray.push_back({.at_m = {at.x, from.surface_m + 0.5 * climbs, at.y},
+                            .velocity_mps = {along.x, std::sqrt(2.0 * gravity * climbs), along.y},
+                            .spread_mps = 0.25 * std::sqrt(2.0 * gravity * climbs),
+                            .per_s = std::min(times * throws_per_s * flies, most_thrown_per_s),
+                            .width_m = 2.0 * radius,
+                            .coarse = 0.7});
+    }
+  };
+  const auto comes_down = [](const HullSection& s) { return std::max(-s.velocity_mps.y, 0.0); };
   const int behind = std::max(bow - 2, stern);
   const double entrance = bow > behind ? std::max(cut[std::size_t(behind)].breadth_m - foremost.breadth_m, 0.0) /
                                              (2.0 * part * (bow - behind))
                                        : 0.0,
-               draught = cut[std::size_t((bow + behind) / 2)].draught_m, down = std::max(-foremost.velocity_mps.y, 0.0),
-               climbs = bow_wave_m(speed, entrance, draught, gravity) + 0.5 * down * down / gravity;
-  const double breaks = smooth(bow_from_m, bow_to_m, climbs), flies = smooth(spray_from_m, spray_to_m, climbs);
-  for (const double side : {-1.0, 1.0}) {
-    const double radius = std::clamp(climbs, 0.08 * beam, 0.5 * beam);
-    const glm::dvec2 at = foremost.place_m + (0.5 * foremost.breadth_m + 0.5 * radius) * side * right;
-    disc(at, radius, bow_per_s * breaks);
-    if (!(flies > 0.0)) continue;
-    const glm::dvec2 along = 0.4 * speed * ahead + (0.5 * speed * entrance + 0.5 * down) * side * right +
-                             glm::dvec2(motion.water_mps.x, motion.water_mps.z);
-    made.spray.push_back({.at_m = {at.x, foremost.surface_m + 0.5 * climbs, at.y},
-                          .velocity_mps = {along.x, std::sqrt(2.0 * gravity * climbs), along.y},
-                          .spread_mps = 0.25 * std::sqrt(2.0 * gravity * climbs),
-                          .per_s = std::min(times * throws_per_s * flies, most_thrown_per_s),
-                          .width_m = 2.0 * radius,
-                          .coarse = 0.7});
+               draught = cut[std::size_t((bow + behind) / 2)].draught_m, down = comes_down(foremost);
+  throw_up(foremost, bow_wave_m(speed, entrance, draught, gravity) + 0.5 * down * down / gravity,
+           0.5 * speed * entrance + 0.5 * down, 1.0);
+
+  // Behind the bow a hull slaps the water where it comes down on it with less of itself in the water than usual. The
+  // section that does so hardest stands for all, of which they are a share.
+  double slapping = 0.0, hardest_mps = 0.0, mean_draught = 0.0;
+  const HullSection* hardest = nullptr;
+  for (int i = stern; i < behind; ++i) {
+    const HullSection& s = cut[std::size_t(i)];
+    mean_draught += s.draught_m / std::max(behind - stern, 1);
+    const double out = usual_draught_m_ > 0.0 ? 1.0 - smooth(0.6, 1.1, s.draught_m / usual_draught_m_) : 0.0,
+                 slaps_mps = std::sqrt(out) * comes_down(s);
+    slapping += smooth(spray_from_m, spray_to_m, 0.5 * slaps_mps * slaps_mps / gravity) / std::max(bow - stern, 1);
+    if (slaps_mps > hardest_mps) hardest_mps = slaps_mps, hardest = &s;
   }
+  usual_draught_m_ += (usual_draught_m_ > 0.0 ? usual_share : 1.0) * (mean_draught - usual_draught_m_);
+  if (hardest != nullptr && slapping > 0.0)
+    throw_up(*hardest, 0.5 * hardest_mps * hardest_mps / gravity, 0.7 * hardest_mps, std::min(2.0 * slapping, 1.0));
 
   // The transom: the water that it leaves behind closes in a roller.
   double stirred = 0.0;
@@ -159,7 +182,8 @@ void WakeFoam::step(double dt, const HullMotion& motion, std::span<const HullSec
 
 std::uint64_t WakeFoam::hash() const {
   std::uint64_t hash = std::bit_cast<std::uint64_t>(since_s_) ^ std::rotl(std::bit_cast<std::uint64_t>(way_m_), 17) ^
-                       std::rotl(std::bit_cast<std::uint64_t>(since_place_s_), 34) ^ std::uint64_t(path_count_);
+                       std::rotl(std::bit_cast<std::uint64_t>(since_place_s_), 34) ^
+                       std::rotl(std::bit_cast<std::uint64_t>(usual_draught_m_), 47) ^ std::uint64_t(path_count_);
   if (path_count_ == 0) return hash;
   const Place& newest = path_[std::size_t((path_first_ + path_count_ - 1) % most_places)];
   return hash ^ std::rotl(std::bit_cast<std::uint64_t>(newest.at_m.x), 5) ^

@@ -1,5 +1,5 @@
-// The foam and spray that a hull under way makes: at its bow, behind its transom, in the propeller's wash, and the
-// trail that lasts behind it.
+// The foam and spray that a hull makes: at its bow, where it slaps the water, behind its transom, in the propeller's
+// wash, and the trail that lasts behind it.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -45,7 +45,7 @@ class WakeFoam {
   void step(double dt_s, const HullMotion& motion, std::span<const HullSection> cut, double part_m,
             const std::optional<PropellerWash>& wash, double gravity_mps2, double density_kg_m3, Made& made);
   // Steps are missing, or the hull was put elsewhere: it has been nowhere.
-  void forget() { path_count_ = 0; }
+  void forget() { path_count_ = 0, usual_draught_m_ = 0.0; }
   std::uint64_t hash() const;
 
   // How wide the trail is, m, so far behind a hull of this beam: as wide as it, and growing as the distance in beams to
@@ -67,6 +67,7 @@ class WakeFoam {
   std::vector<Place> path_;  // a ring
   int path_first_ = 0, path_count_ = 0;
   double since_s_ = 0.0, since_place_s_ = 0.0, way_m_ = 0.0;
+  double usual_draught_m_ = 0.0;  // of what lies behind the bow, over some seconds; 0 before it first lay in the water
 };
 
 }  // namespace seascape

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -105,6 +106,46 @@ TEST(WakeFoam, OfTheBow) {
   // Noblesse's formula: 2.2 / (1 + F) tan a / cos a U^2 / g at 3 m/s, 0.6 m and a half angle of 20 degrees.
   EXPECT_NEAR(bow_wave_m(3.0, std::tan(20.0 * truth::pi / 180.0), 0.6, g),
               2.2 / (1.0 + 3.0 / std::sqrt(9.81 * 0.6)) * 0.36397 / 0.93969 * 9.0 / 9.81, 1e-4);
+}
+
+// A hull that has leapt throws spray to both sides behind its bow where it comes down, the more the harder; what heaves
+// in the water, sinks through it or flies throws none. Controls seen: hulls that lie as deep as ever; the usual draught
+// left at 0; one side alone.
+TEST(WakeFoam, WhereTheHullSlaps) {
+  struct Thrown {
+    double left = 0.0, right = 0.0;
+  };
+  // Two seconds in the water, then as `height` has it.
+  const auto thrown = [](const std::function<double(double)>& height, double seconds) {
+    const Boat boat = wigley(0.0);
+    const HullWake wake(boat.hull, 20);
+    WakeFoam foam;
+    WakeFoam::Made made;
+    std::vector<HullSection> cut(20);
+    Thrown sum;
+    HullMotion motion = boat.motion;
+    for (double t = -2.0; t < seconds; t += 1.0 / 60.0) {
+      const double before = t > 0.0 ? height(t - 1.0 / 60.0) : 0.0, now = t > 0.0 ? height(t) : 0.0;
+      motion.pose.centre_m.y = now, motion.velocity.linear.y = 60.0 * (now - before);
+      wake.cut(
+          motion, [](const glm::dvec2&) { return 0.0; }, cut);
+      made.clear();
+      foam.step(1.0 / 60.0, motion, cut, 0.3, {}, g, rho, made);
+      for (const SprayThrow& s : made.spray)
+        if (s.at_m.z > -2.0) (s.at_m.x < 0.0 ? sum.left : sum.right) += s.per_s / 60.0;
+    }
+    return sum;
+  };
+  const auto falls_at = [](double mps) {
+    return [mps](double t) { return t < 0.5 ? 2.0 * t : std::max(1.0 - mps * (t - 0.5), 0.0); };
+  };
+  const Thrown hard = thrown(falls_at(5.0), 1.2), softly = thrown(falls_at(2.5), 1.2);
+  EXPECT_GT(hard.left, 5.0);
+  EXPECT_NEAR(hard.right, hard.left, 1e-6);
+  EXPECT_LT(softly.left, 0.5 * hard.left);
+  EXPECT_EQ(thrown([](double t) { return 0.15 * std::sin(6.0 * t); }, 4.0).left, 0.0) << "heaves";
+  EXPECT_EQ(thrown([](double t) { return -3.0 * t; }, 1.0).left, 0.0) << "sinks";
+  EXPECT_EQ(thrown([](double t) { return 2.0 * t; }, 4.0).left, 0.0) << "flies";
 }
 
 // A transom leaves a roller behind, a pointed stern none; a propeller its jet, at rest too, of momentum theory's speed.
