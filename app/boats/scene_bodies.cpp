@@ -171,6 +171,7 @@ std::shared_ptr<SeaBodies> scene_bodies(const Scene& scene) {
                                             insides_of(scene), surroundings);
   for (std::size_t n = 0; n < objects.floating.size(); ++n) {
     bodies->ask(n, objects.floating[n].floats.controls);
+    bodies->trim(n);
     if (objects.floating[n].floats.towed) bodies->tow(n);
     if (const auto& course = objects.floating[n].floats.course_m; !course.empty())
       bodies->keep_to(n,

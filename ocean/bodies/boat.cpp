@@ -19,6 +19,15 @@ constexpr double strokes_per_s = 0.5;  // of oars
 constexpr double blade_breadth_m = 0.14;
 constexpr double catch_rad = 0.75, release_rad = -0.6, most_oar_n = 110.0;
 
+// How sails are seen to follow the wind, which drives them at once: a boom swings over in a second, and cloth fills or
+// spills its wind in a quarter. From so far off its place a boom swings slack.
+constexpr double boom_rad_s = 2.0, fills_per_s = 4.0, swings_slack_rad = 0.4;
+
+glm::dvec3 velocity_of(const BodyState& state, const glm::dvec3& world_m) {
+  const Vector6& v = state.motion.velocity;
+  return v.linear + glm::cross(v.angular, world_m - state.motion.centre_m);
+}
+
 double within(double value, double least) { return std::isfinite(value) ? std::clamp(value, least, 1.0) : 0.0; }
 
 }  // namespace
@@ -36,10 +45,7 @@ struct Boat::Hull {
   glm::dvec3 jet_from_m{0.0};
 
   glm::dvec3 world(const glm::dvec3& at_m) const { return state.at_m + to_world * at_m; }
-  glm::dvec3 velocity(const glm::dvec3& world_m) const {
-    const Vector6& v = state.motion.velocity;
-    return v.linear + glm::cross(v.angular, world_m - state.motion.centre_m);
-  }
+  glm::dvec3 velocity(const glm::dvec3& world_m) const { return velocity_of(state, world_m); }
   void push(const glm::dvec3& force_n, const glm::dvec3& at_m) {
     const glm::dvec3 force = to_world * force_n;
     bodies.resist(n, {force, glm::cross(world(at_m) - state.motion.centre_m, force)});
@@ -65,7 +71,7 @@ void Boat::step(Bodies& bodies, std::size_t n, const BodyWater& water, const Hul
   parts_.helm += std::clamp(asked_.helm - parts_.helm, -most, most);
   if (spec_.engine) drive(hull, dt_s);
   if (spec_.rudder) steer(hull);
-  if (!spec_.sails.empty()) sail(hull);
+  if (!spec_.sails.empty()) sail(hull, dt_s);
   for (const BoatOar& oar : spec_.oars) row(hull, oar, dt_s);
 }
 
@@ -128,17 +134,34 @@ void Boat::steer(Hull& hull) {
 }
 
 // Wind as it is in her own plane, so that a sail that heels has less of it.
-void Boat::sail(Hull& hull) {
+SailForce Boat::wind_in(const BoatSail& one, const BodyState& state, const HullMedia& media) const {
+  const glm::dmat3 to_world = glm::mat3_cast(state.motion.orientation);
+  const glm::dvec3 world = state.at_m + to_world * one.centre_m;
+  // Over the sea wind grows with height to the power of 0.11 (Hsu, Meindl and Gilhousen 1994), from 10 m.
+  const double taller = std::pow(std::max(world.y, 1.0) / 10.0, 0.11);
+  const glm::dvec3 wind = glm::transpose(to_world) * (taller * media.wind_mps - velocity_of(state, world));
+  return seascape::sail(one.sail, std::atan2(-wind.x, wind.z), std::hypot(wind.x, wind.z), asked_.sheet);
+}
+
+void Boat::trim(const BodyState& state, const HullMedia& media) {
+  for (std::size_t i = 0; i < std::min(spec_.sails.size(), parts_.boom_rad.size()); ++i) {
+    const SailForce force = wind_in(spec_.sails[i], state, media);
+    parts_.boom_rad[i] = force.boom_rad, parts_.luffing[i] = force.luffing;
+  }
+}
+
+void Boat::sail(Hull& hull, double dt) {
   for (std::size_t i = 0; i < spec_.sails.size(); ++i) {
     const BoatSail& one = spec_.sails[i];
-    const glm::dvec3 world = hull.world(one.centre_m);
-    // Over the sea wind grows with height to the power of 0.11 (Hsu, Meindl and Gilhousen 1994), from 10 m.
-    const double taller = std::pow(std::max(world.y, 1.0) / 10.0, 0.11);
-    const glm::dvec3 wind = glm::transpose(hull.to_world) * (taller * hull.media.wind_mps - hull.velocity(world));
-    const double from = std::atan2(-wind.x, wind.z);
-    const SailForce force = seascape::sail(one.sail, from, std::hypot(wind.x, wind.z), asked_.sheet);
-    if (i < parts_.boom_rad.size()) parts_.boom_rad[i] = force.boom_rad, parts_.luffing[i] = force.luffing;
-    if (world.y < 0.0) continue;  // in the water
+    const SailForce force = wind_in(one, hull.state, hull.media);
+    if (i < parts_.boom_rad.size()) {
+      const auto follow = [](double& value, double to, double most) { value += std::clamp(to - value, -most, most); };
+      // A sail that swings over has no wind in it.
+      const double swings = std::min(std::abs(force.boom_rad - parts_.boom_rad[i]) / swings_slack_rad, 1.0);
+      follow(parts_.luffing[i], std::max(force.luffing, swings), fills_per_s * dt);
+      follow(parts_.boom_rad[i], force.boom_rad, boom_rad_s * dt);
+    }
+    if (hull.world(one.centre_m).y < 0.0) continue;  // in the water
     hull.push({force.force_n.y, 0.0, -force.force_n.x}, one.centre_m);
   }
 }
@@ -189,7 +212,8 @@ void Boat::row(Hull& hull, const BoatOar& oar, double dt) {
 std::uint64_t Boat::mixed_into(std::uint64_t hash) const {
   for (const double value :
        {asked_.throttle, asked_.helm, asked_.sheet, asked_.oar_left, asked_.oar_right, parts_.turns_per_s, parts_.helm,
-        parts_.oar_phase[0], parts_.oar_phase[1], parts_.oar_ahead[0], parts_.oar_ahead[1]})
+        parts_.oar_phase[0], parts_.oar_phase[1], parts_.oar_ahead[0], parts_.oar_ahead[1], parts_.boom_rad[0],
+        parts_.boom_rad[1], parts_.luffing[0], parts_.luffing[1]})
     hash = mixed(hash, value);
   return hash;
 }

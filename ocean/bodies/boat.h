@@ -66,6 +66,8 @@ class Boat {
   const BoatControls& asked() const { return asked_; }
   // Her parts' forces of one step on body `n`, of which she is.
   void step(Bodies& bodies, std::size_t n, const BodyWater& water, const HullMedia& media, double end_s, double dt_s);
+  // Her sails at once as the wind has them, where they follow it in steps.
+  void trim(const BodyState& state, const HullMedia& media);
   const BoatParts& parts() const { return parts_; }
   // The oars' blades that are in the water as of the last step.
   std::span<const Blade> blades() const { return {blades_.data(), std::size_t(blade_count_)}; }
@@ -81,7 +83,8 @@ class Boat {
   Flow flow_at(const Hull& hull, const glm::dvec3& at_m, double half_m) const;
   void drive(Hull& hull, double dt_s);
   void steer(Hull& hull);
-  void sail(Hull& hull);
+  SailForce wind_in(const BoatSail& sail, const BodyState& state, const HullMedia& media) const;
+  void sail(Hull& hull, double dt_s);
   void row(Hull& hull, const BoatOar& oar, double dt_s);
   BoatSpec spec_;
   BoatControls asked_;

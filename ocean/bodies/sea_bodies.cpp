@@ -155,6 +155,7 @@ void SeaBodies::put_back(std::size_t n) {
   const BoatControls asked = boats_[n].asked();
   boats_[n] = Boat(boats_[n].spec());
   boats_[n].ask(asked);
+  trim(n);
   for (Towed& towed : towed_)
     if (towed.body == n) towed.as = motion;
   for (Wake& wake : wakes_)

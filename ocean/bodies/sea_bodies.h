@@ -67,6 +67,8 @@ class SeaBodies final : public SeaActor {
   Bodies& bodies() { return bodies_; }
   // What is asked of a boat from the next step on, until it is asked for something else; her helmsman lets go.
   void ask(std::size_t body, const BoatControls& controls);
+  // Her sails at once as the wind has them: before the first step, or they would swing there.
+  void trim(std::size_t body) { boats_[body].trim(bodies_.result()[body], media_); }
   // From the next step on until somebody asks her for something, and again once she is put back.
   void keep_to(std::size_t body, Helmsman helmsman) { steered_.push_back({body, std::move(helmsman), true}); }
   const Boat& boat(std::size_t body) const { return boats_[body]; }

@@ -145,6 +145,40 @@ TEST(Boat, SailsByTheWind) {
   EXPECT_GT(head.boat.parts().luffing[0], 0.9);
 }
 
+// When the wind goes over to her other side the boom swings there in a second, slack as it passes amidships; trimmed at
+// once it stands where it comes to rest. Controls seen: a boom that jumps; a sail that stays full as it swings.
+TEST(Boat, TheBoomSwingsOver) {
+  BoatSpec spec;
+  BoatSail main;
+  main.sail.area_m2 = 1.0;
+  main.centre_m = {0.0, 2.0, 0.0};
+  spec.sails = {main};
+  Afloat afloat(spec, {7.0, 0.0, 0.0});
+  afloat.boat.ask({.sheet = 0.2});
+  afloat.run(3.0);
+  const double before = afloat.boat.parts().boom_rad[0];
+  EXPECT_GT(before, 0.8);
+  afloat.media.wind_mps.x = -7.0;
+  double last = before, amidships_s = 0.0;
+  for (int i = 0; i < 150; ++i) {
+    afloat.run(1.0 / 60.0);
+    const double now = afloat.boat.parts().boom_rad[0];
+    EXPECT_LE(std::abs(now - last), 2.0 / 60.0 + 1e-9);
+    if (std::abs(now) < 0.1) {
+      amidships_s += 1.0 / 60.0;
+      EXPECT_GT(afloat.boat.parts().luffing[0], 0.99);
+    }
+    last = now;
+  }
+  EXPECT_GT(amidships_s, 0.05);
+  EXPECT_LT(last, -0.8);
+  EXPECT_LT(afloat.boat.parts().luffing[0], 0.1);
+  Boat trimmed(spec);
+  trimmed.ask({.sheet = 0.2});
+  trimmed.trim(afloat.state(), afloat.media);
+  EXPECT_NEAR(trimmed.parts().boom_rad[0], last, 0.01);
+}
+
 // Both oars drive her ahead by strokes, one turns her to the other side, backing drives her astern; let go they are out
 // of the water and drive nothing. An arm's strength bounds a stroke. Controls seen: recovery in the water; the left
 // oar's side.
