@@ -12,7 +12,9 @@ HandedOver handed_over(Experience& experience, double cpu_ms, double end_ms, boo
           .cpu_ms = cpu_ms,
           .end_ms = end_ms,
           .under_water = experience.under_water(),
-          .whole = whole};
+          .whole = whole,
+          .wind_mps = experience.sea()->changing() ? std::nullopt
+                                                   : std::optional(experience.scene().settings.sea.wind_speed_mps)};
 }
 
 }  // namespace seascape

@@ -55,25 +55,31 @@ void RateKeeper::drawn(const HandedOver& frame) {
   const LeverLevels levels = on_ && !frame.whole ? controller_.last().levels : controller_.loaded();
   drawn_[frame.number % drawn_.size()] = {frame.number, frame_, levels, frame.cpu_ms, frame.end_ms};
   if (frame_ > first_frames) timings_.push_back({frame_, 0.0, frame.cpu_ms, levels, 1.0});
-  cross(frame.under_water);
+  meet(frame.under_water, frame.wind_mps);
 }
 
-// Going under and coming up change the load in one frame; by how much is known from the time before.
-void RateKeeper::cross(bool under_water) {
-  const bool crossed = under_water_ && *under_water_ != under_water;
-  if (crossed) {
-    const auto remembered = [&](const CostEstimator& cost, std::array<std::optional<double>, 2>& loads) {
+// Going under, coming up and another sea at once change the load in one frame; by how much is known from the time
+// before. While a sea becomes another wave by wave its load comes by degrees, and is measured as it does.
+void RateKeeper::meet(bool under_water, const std::optional<double>& wind_mps) {
+  Water next{under_water, water_ ? water_->force : 0};
+  // Beaufort's number of a wind v is (v / 0.836)^(2/3) (World Meteorological Organization 1970).
+  if (wind_mps) next.force = int(std::clamp(std::cbrt(std::pow(*wind_mps / 0.836, 2.0)) + 0.5, 0.0, forces - 1.0));
+  const bool settled = wind_mps.has_value(), crosses = water_ && *water_ != next && settled == settled_;
+  if (crosses || (water_ && settled_ && !settled)) {
+    const auto remembered = [&](const CostEstimator& cost, Loads& loads) {
       if (!cost.known()) return 1.0;
       const double now = cost.log_load(frame_);
-      loads[std::size_t(*under_water_)] = now;
-      const std::optional<double>& then = loads[std::size_t(under_water)];
-      return then ? std::exp(*then - now) : 1.0;
+      if (settled_) loads[std::size_t(water_->under)][std::size_t(water_->force)] = now;
+      const std::optional<double>& then = loads[std::size_t(next.under)][std::size_t(next.force)];
+      return crosses && then ? std::exp(*then - now) : 1.0;
     };
     const double gpu = remembered(controller_.gpu(), gpu_load_), cpu = remembered(controller_.cpu(), cpu_load_);
-    if (gpu != 1.0 || cpu != 1.0)
-      foreseen_.push_back({under_water ? ForeseenKind::going_under : ForeseenKind::surfacing, frame_, gpu, cpu});
+    const ForeseenKind kind = water_->under == next.under ? ForeseenKind::storm
+                              : next.under                ? ForeseenKind::going_under
+                                                          : ForeseenKind::surfacing;
+    if (gpu != 1.0 || cpu != 1.0) foreseen_.push_back({kind, frame_, gpu, cpu});
   }
-  under_water_ = under_water;
+  water_ = next, settled_ = settled;
 }
 
 std::optional<LoadedWith> RateKeeper::for_scene(double gpu_ratio, double cpu_ratio) {

@@ -28,6 +28,7 @@ struct HandedOver {
   double cpu_ms = 0.0, end_ms = 0.0;  // the processor's work on it, and how long the display then had it
   bool under_water = false;           // an eye was
   bool whole = false;                 // drawn at the finest levels, whatever was decided
+  std::optional<double> wind_mps;     // of the sea; none while it becomes another wave by wave
 };
 
 class RateKeeper {
@@ -61,7 +62,15 @@ class RateKeeper {
     double cpu_ms = 0.0, end_ms = 0.0;
   };
   void take(const Drawn& timed, double gpu_ms);
-  void cross(bool under_water);
+  // What the load depends on besides the picture: an eye under water, and the sea by the wind's Beaufort number.
+  struct Water {
+    bool under = false;
+    int force = 0;
+    bool operator==(const Water&) const = default;
+  };
+  static constexpr int forces = 13;  // 0 to 12
+  void meet(bool under_water, const std::optional<double>& wind_mps);
+  using Loads = std::array<std::array<std::optional<double>, forces>, 2>;  // logarithms
 
   AdaptiveQuality controller_;
   DrawnQuality quality_;
@@ -71,8 +80,9 @@ class RateKeeper {
   std::array<Drawn, 16> drawn_{};
   std::vector<FrameTiming> timings_;
   std::vector<ForeseenChange> foreseen_;
-  std::optional<bool> under_water_;
-  std::array<std::optional<double>, 2> gpu_load_, cpu_load_;  // logarithms, last known in air and under water
+  std::optional<Water> water_;
+  bool settled_ = true;        // the sea of the frame before was not on its way to another
+  Loads gpu_load_, cpu_load_;  // as they last were in each water
 };
 
 }  // namespace seascape

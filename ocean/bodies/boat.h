@@ -66,7 +66,7 @@ class Boat {
   const BoatControls& asked() const { return asked_; }
   // Her parts' forces of one step on body `n`, of which she is.
   void step(Bodies& bodies, std::size_t n, const BodyWater& water, const HullMedia& media, double end_s, double dt_s);
-  // Her sails at once as the wind has them, where they follow it in steps.
+  // Sets her sails at once as the wind has them; in steps they follow it.
   void trim(const BodyState& state, const HullMedia& media);
   const BoatParts& parts() const { return parts_; }
   // The oars' blades that are in the water as of the last step.

@@ -67,7 +67,7 @@ class SeaBodies final : public SeaActor {
   Bodies& bodies() { return bodies_; }
   // What is asked of a boat from the next step on, until it is asked for something else; her helmsman lets go.
   void ask(std::size_t body, const BoatControls& controls);
-  // Her sails at once as the wind has them: before the first step, or they would swing there.
+  // Sets a boat's sails at once as the wind has them, so that they do not swing there in her first steps.
   void trim(std::size_t body) { boats_[body].trim(bodies_.result()[body], media_); }
   // From the next step on until somebody asks her for something, and again once she is put back.
   void keep_to(std::size_t body, Helmsman helmsman) { steered_.push_back({body, std::move(helmsman), true}); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <random>
 
 namespace seascape {
@@ -29,6 +30,7 @@ struct Loop {
   double gpu_ms = 0.0;
   int deaf = 0;        // so many frames more the levers save nothing
   bool waits = false;  // the display for the GPU, with 1.5 ms of its own
+  std::optional<double> wind_mps = 8.0;
 
   // Draws one frame whose variable part takes `pixels_ms` at the finest levels; true: in time.
   bool step(double pixels_ms, bool under_water = false, bool whole = false, double patches_ms = 0.0) {
@@ -42,7 +44,7 @@ struct Loop {
     if (deaf > 0) --deaf, pixels_ms /= q.scale * q.scale;
     gpu_ms = (1.5 + pixels_ms * q.scale * q.scale) * std::lognormal_distribution<>(0.0, 0.01)(random);
     const double cpu_ms = 2.0 + patches_ms * std::pow(q.mesh, -0.7);
-    keeper.drawn({number, cpu_ms, waits ? gpu_ms + 1.5 : 0.1, under_water, whole});
+    keeper.drawn({number, cpu_ms, waits ? gpu_ms + 1.5 : 0.1, under_water, whole, wind_mps});
     on_gpu.push_back({number, gpu_ms});
     if (int(on_gpu.size()) > late) {
       told = on_gpu.front();
@@ -132,6 +134,53 @@ TEST(RateKeeper, ForeseesTheWater) {
   }
   EXPECT_GE(late.front(), 4);
   for (std::size_t i = 1; i < late.size(); ++i) EXPECT_LT(late[i], late.front()) << i;
+}
+
+// A storm that is there at once is dearer by 1.6, and foreseen from the second time on, in the same strength alone.
+// Where it comes wave by wave its load comes by degrees: nothing is foreseen then, and what its calm cost is remembered
+// from before. Controls seen: one load for all seas; a change's end taken for a jump.
+TEST(RateKeeper, ForeseesAStormThatIsThereAtOnce) {
+  Loop loop;
+  // Late frames of the first five.
+  const auto blow = [](Loop& in, double wind_mps, double pixels_ms) {
+    in.wind_mps = wind_mps;
+    int missed = 0;
+    for (int i = 0; i < 90; ++i) {
+      const bool late = !in.step(pixels_ms);
+      if (i < 5) missed += late;
+    }
+    return missed;
+  };
+  blow(loop, 8.0, 8.0);
+  EXPECT_GE(blow(loop, 20.0, 14.0), 3);
+  for (int again = 0; again < 4; ++again) {
+    blow(loop, 8.0, 8.0);
+    EXPECT_EQ(blow(loop, 20.0, 14.0), 1) << "its first frame alone";
+  }
+  blow(loop, 8.0, 8.0);
+  EXPECT_GE(blow(loop, 26.0, 14.0), 3) << "no such storm was met";
+
+  Loop slow;
+  const auto foreseen = [&](double wind_mps, double from_ms, double to_ms) {
+    int told = 0;
+    slow.wind_mps.reset();
+    for (int i = 0; i <= 360; ++i) {
+      if (i == 360) slow.wind_mps = wind_mps;
+      slow.step(std::lerp(from_ms, to_ms, i / 360.0));
+      told += slow.keeper.last().reason == DecisionReason::foreseen_change;
+    }
+    for (int i = 0; i < 90; ++i) {
+      slow.step(to_ms);
+      told += slow.keeper.last().reason == DecisionReason::foreseen_change;
+    }
+    return told;
+  };
+  for (int i = 0; i < 120; ++i) slow.step(8.0);
+  for (int again = 0; again < 3; ++again) {
+    EXPECT_EQ(foreseen(20.0, 8.0, 14.0), 0) << again;
+    EXPECT_EQ(foreseen(8.0, 14.0, 8.0), 0) << again;
+  }
+  EXPECT_EQ(blow(slow, 20.0, 14.0), 1) << "known from when it came by degrees";
 }
 
 // What the processor makes late does not lower the picture's scale. Control seen: the picture's lever with a share of
