@@ -87,7 +87,13 @@ PlacedModel::PlacedModel(std::shared_ptr<const SolidModel> model) : model_(std::
   }
   still_ = placed_nodes(*model_);
   insides_ = inside_hulls(*model_);
-  for (SolidPart& part : parts_) part.mirrored = glm::determinant(glm::dmat3(still_[std::size_t(part.node)])) < 0.0;
+  sheets_.resize(model_->nodes.size());
+  for (SolidPart& part : parts_) {
+    part.mirrored = glm::determinant(glm::dmat3(still_[std::size_t(part.node)])) < 0.0;
+    for (const SolidPrimitive& one : model_->meshes[std::size_t(part.mesh)].primitives)
+      if (part.chosen_by >= 0 && one.material >= 0 && model_->materials[std::size_t(one.material)].double_sided)
+        sheets_[std::size_t(part.chosen_by)] = true;
+  }
   bound();
   count();
 }
@@ -193,11 +199,16 @@ struct PartBounds {
   double radius = 0.0;
 };
 
-// `seen`: of Bounds, whether the thing is wanted; `part_seen`: of PartBounds. `size`: how much of their size counts for
-// levels of detail.
+// How much of their size counts for levels of detail: of sheets, and of all else.
+struct Detail {
+  double others, sheets;
+};
+
+// `seen`: of Bounds, whether the thing is wanted; `part_seen`: of PartBounds.
 template <typename Seen, typename PartSeen>
 void select(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-            double time_s, SolidSelection& selection, double size, const Seen& wanted, const PartSeen& part_wanted) {
+            double time_s, SolidSelection& selection, const Detail& detail, const Seen& wanted,
+            const PartSeen& part_wanted) {
   selection.draws.clear();
   selection.instances.clear();
   std::vector<SolidSelection::Seen>& seen = selection.seen;
@@ -234,7 +245,8 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
       const double range = glm::length(glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)) - viewer);
       const double share = 2.0 * ball.w * scale / (std::max(range, 1e-3) * tall);
       const int own = model.level(node, share), last = int(model.model().nodes[std::size_t(node)].coarser.size());
-      return own > last ? own : std::min(model.level(node, share * size), last);
+      const double counts = share * (model.sheet(node) ? detail.sheets : detail.others);
+      return own > last ? own : std::min(model.level(node, counts), last);
     };
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
@@ -269,7 +281,7 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
     return std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(),
                        [&](const View& eye) { return may_see(eye.fov, in_eye(eye, thing.middle), thing.radius); });
   };
-  select(models, things, viewpoint, time_s, selection, detail, seen, [](const PartBounds&) { return true; });
+  select(models, things, viewpoint, time_s, selection, {detail, detail}, seen, [](const PartBounds&) { return true; });
 }
 
 gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
@@ -293,7 +305,7 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
     return in_sight;
   };
   // Water bends and dims what is seen in it: coarse levels of detail are enough.
-  select(models, things, viewpoint, time_s, selection, detail / 16.0, seen,
+  select(models, things, viewpoint, time_s, selection, {detail / 16.0, detail / 16.0}, seen,
          [&](const PartBounds& part) { return part.flat.y - part.radius < highest_m; });
   // A thing's bounds may reach into the water where none of its parts does: then nothing is drawn to be seen there.
   if (selection.draws.empty()) water.seen[0] = water.seen[1] = nowhere;
@@ -302,8 +314,9 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
 
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                     const SunView& sun, double time_s, double detail, SolidSelection& selection) {
+  // Nor are shadows seen as sharp as what throws them.
   select(
-      models, things, viewpoint, time_s, selection, detail,
+      models, things, viewpoint, time_s, selection, {0.25 * detail, detail},
       [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius); },
       [&](const PartBounds& part) { return sun.may_shade(part.flat, part.radius); });
 }

@@ -49,6 +49,8 @@ class PlacedModel {
   // The level that a node shows where the ball around its own mesh covers `share` of the picture's height; past its
   // last: nothing is drawn.
   int level(int node, double share) const;
+  // Whether a node shows anything two-sided, such as a sail, at any of its levels.
+  bool sheet(int node) const { return sheets_[std::size_t(node)]; }
   // The ball around a node's mesh, in that node's axes: xyz and radius.
   const glm::dvec4& ball(int node) const { return balls_[std::size_t(node)]; }
 
@@ -60,6 +62,7 @@ class PlacedModel {
   std::vector<std::shared_ptr<const Model>> insides_;
   std::vector<glm::dmat4> still_;  // its nodes as the file has them
   std::vector<glm::dvec4> balls_;
+  std::vector<bool> sheets_;
   std::size_t most_parts_ = 0;
   glm::dvec3 middle_{0.0}, half_sides_{0.0};
   double radius_ = 0.0;
@@ -97,8 +100,8 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
                                    const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
                                    SolidSelection& selection);
 
-// What may throw a shadow into the sun's view, at the level of detail that the viewer sees: a coarser one would lie
-// before it here and there, and shade it.
+// What may throw a shadow into the sun's view, a level of detail coarser than the viewer sees it; but sheets at the one
+// that is seen: both of their sides are in the map, and a coarser one would lie before the other here and there.
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                     const SunView& sun, double time_s, double detail, SolidSelection& selection);
 

@@ -78,29 +78,38 @@ TEST(SunView, WhoeverThrowsAShadowIntoItIsACaster) {
   EXPECT_EQ(count(to_sun(60.0, 0.0), {300.0, 0.0, 50.0}), 0u);
 }
 
-// What throws a shadow is what is seen, at any distance: a coarser one would lie before it here and there, and shade
-// it. Control seen: a quarter of the detail.
-TEST(SunView, ShadowsAreThrownByTheLevelThatIsSeen) {
+// A sheet throws its shadow at the level that is seen, at any distance, and what is no sheet at a coarser one. Controls
+// seen: a quarter of the detail for sheets; all of it for others.
+TEST(SunView, SheetsThrowTheShadowOfWhatIsSeen) {
   const char* const nodes =
       R"({"mesh":0,"extensions":{"MSFT_lod":{"ids":[1,2]}},"extras":{"MSFT_screencoverage":[0.2,0.05,0.01]}},)"
       R"({"mesh":0},{"mesh":0})";
-  const std::vector<PlacedModel> models{
-      test::solid_model(test::solid_box({1.0f, 1.0f, 1.0f}), "{}", nodes, R"(,"extensionsUsed":["MSFT_lod"])")};
+  const auto boxes = [&](const char* material) {
+    return std::vector<PlacedModel>{
+        test::solid_model(test::solid_box({1.0f, 1.0f, 1.0f}), material, nodes, R"(,"extensionsUsed":["MSFT_lod"])")};
+  };
+  const std::vector<PlacedModel> sheets = boxes(R"({"doubleSided":true})"), closed = boxes("{}");
   const Pose head{{0.0, 1.7, 0.0}};
   const Viewpoint viewpoint{head, stereo_views(head, symmetric_fov(60.0, 1.5), 0.063), 0.0};
   const SunView sun = sun_view(to_sun(40.0, 30.0), head.position_m, 1024, 300.0);
   SolidSelection seen, casters;
   std::array<int, 3> levels{};
+  int coarser = 0;
   for (double away = 5.0; away < 200.0; away *= 1.07)
     for (const double detail : {0.5, 1.0}) {
       const std::vector<SolidThing> things{{0, Pose{{0.0, 1.0, -away}}, 1.0}};
-      select_solids(models, things, viewpoint, 0.0, detail, seen);
-      select_casters(models, things, viewpoint, sun, 0.0, detail, casters);
+      select_solids(sheets, things, viewpoint, 0.0, detail, seen);
+      select_casters(sheets, things, viewpoint, sun, 0.0, detail, casters);
       ASSERT_EQ(seen.draws.size(), 1u) << away;
       ASSERT_EQ(casters.draws.size(), 1u) << away;
       EXPECT_EQ(casters.draws[0].part, seen.draws[0].part) << away;
-      ++levels[std::size_t(models[0].parts()[seen.draws[0].part].level)];
+      ++levels[std::size_t(sheets[0].parts()[seen.draws[0].part].level)];
+      select_casters(closed, things, viewpoint, sun, 0.0, detail, casters);
+      ASSERT_EQ(casters.draws.size(), 1u) << away;
+      EXPECT_GE(casters.draws[0].part, seen.draws[0].part) << away;
+      coarser += casters.draws[0].part > seen.draws[0].part;
     }
+  EXPECT_GT(coarser, 20);
   for (const int count : levels) EXPECT_GT(count, 4);
 }
 
