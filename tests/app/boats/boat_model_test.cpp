@@ -160,6 +160,20 @@ TEST(SceneBodies, KeepWaterOutWhereTheyAre) {
   EXPECT_EQ(bodies->bodies().spec(1).name, "yacht");
 }
 
+// A RIB that lies as deep as the tops of her tubes is dry from her bow to her stern. Control seen: an inside hull that
+// ends 0.7 m behind the bow, 10 cm below the tubes' tops.
+TEST(SceneBodies, ARibIsDryUpToHerTubes) {
+  const auto clipped = [](double up_m, double z) {
+    const Scene scene = scene_of(R"({"model": "rib", "at_m": [0, )" + std::to_string(up_m) + R"(, 0]})");
+    Sea sea(sea_spec(scene));
+    sea.advance(0.0, {});
+    return sea.view_at(0.0, SeaDetail::felt).query({0.0, z}).clipped;
+  };
+  EXPECT_TRUE(clipped(-0.7, -2.9)) << "in her bow";
+  EXPECT_TRUE(clipped(-0.56, 0.5)) << "amidships";
+  EXPECT_FALSE(clipped(-0.85, 0.5)) << "over her tubes";
+}
+
 // Steady speeds under full throttle within a fifth of what such boats do: facts/boats.md has the fishing boat at 9
 // knots and a yacht's hull speed is 7. Control seen: the waves' drag left out (11 knots).
 TEST(SceneBodies, GoAsFastAsTheirKind) {
