@@ -160,7 +160,7 @@ class Experience {
   void take_targets();  // by all that draws into them or reads them
   void bind_tone();
   void make_sky(const RenderTarget& drawn, const SurfaceLook& look);
-  NearPatches update_head(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
+  void update_head(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s);
   void draw_sky(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void set_area();
   // The viewer wishes no water on his lenses.

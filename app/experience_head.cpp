@@ -9,24 +9,21 @@ void Experience::wet_lenses(const Viewpoint& viewpoint, double time_s, bool in_a
   if (underwater_ && !clear_lens()) wet_lens_.step(*sea_, viewpoint, scene_.settings.render.near_m, time_s, in_air);
 }
 
-// With underwater(): the water on the lenses and the bubbles that this frame draws. Returns the patches that near
-// planes pass.
-NearPatches Experience::update_head(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side,
-                                    double time_s) {
+// With underwater(): where the surface passes near planes, the water on the lenses and the bubbles that this frame
+// draws.
+void Experience::update_head(Frame& frame, const Viewpoint& viewpoint, const Ocean::EyesSide& side, double time_s) {
   eyes_depth_m_ = side.depth_m;
   breathe(time_s, viewpoint.viewer);
   bubbles_->update(frame, breath_, viewpoint.viewer.position_m, side.eyes);
-  NearPatches near;
   const bool portals = !scene_.shapes.portals.empty();  // who looks into them stands in a dry place
-  if (side.eyes == EyesIn::either && !portals)
-    near = surface_->near_patches(frame, *ocean_->selection(),
-                                  std::span(side.near).first(std::min(viewpoint.eyes.size(), side.near.size())));
+  const std::size_t eyes =
+      side.eyes == EyesIn::either && !portals ? std::min(viewpoint.eyes.size(), side.near.size()) : 0;
+  surface_->near_lines().choose(frame, *ocean_->selection(), std::span(side.near).first(eyes));
   wet_lenses(viewpoint, time_s, side.eyes == EyesIn::air);
   if (clear_lens() || portals)
-    lens_->update(frame, {}, {});
+    lens_->update(frame, false, {});
   else
-    lens_->update(frame, near, wet_lens_.drops());
-  return near;
+    lens_->update(frame, true, wet_lens_.drops());
 }
 
 void Experience::breathe(double time_s, const Pose& head) {

@@ -111,8 +111,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   const EyesIn eyes = side.eyes;
-  NearPatches near;
-  if (e.underwater()) stages.time("queries", [&] { near = e.update_head(frame, viewpoint, side, time_s); });
+  if (e.underwater()) stages.time("queries", [&] { e.update_head(frame, viewpoint, side, time_s); });
   selection = &in_sight(e, *selection, eyes);
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
@@ -135,6 +134,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_ && e.solids_->any_in_water())
     record("below", e.surface_->below(), uses, [&](Commands& c) { e.solids_->draw_in_water(c, uniform); });
   e.surface_->add_below(uses);
+  if (e.underwater()) e.surface_->find_near_lines(frame, uniform, uses);
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
     if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);
   };
@@ -148,7 +148,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   };
   record("surface", e.surface_->target(drawn), uses, [&](Commands& c) {
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
-    e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only, near);
+    e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only);
     if (e.solids_) e.solids_->draw(c, uniform, eyes);
     if (deferred) return;
     e.draw_sky(c, uniform, eyes);

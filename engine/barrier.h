@@ -7,14 +7,14 @@
 namespace seascape {
 
 enum class Access {
-  compute_read,    // storage buffer or sampled image, general layout (a chain of compute passes)
-  compute_write,   // storage buffer or image, general layout
-  compute_sample,  // sampled image in its read-only layout
-  surface_read,    // sampled image or storage buffer in vertex and fragment shaders
-  host_texels,  // an image whose texels the host writes between frames, sampled in vertex and fragment shaders, general
-                // layout
+  compute_read,     // storage buffer or sampled image, general layout (a chain of compute passes)
+  compute_write,    // storage buffer or image, general layout
+  compute_sample,   // sampled image in its read-only layout
+  surface_read,     // sampled image or storage buffer in vertex, fragment and compute shaders
+  host_texels,      // an image whose texels the host writes between frames, sampled in the same, general layout
   fragment_sample,  // sampled image in the fragment shader
   vertex_store,     // storage buffer written by a vertex shader (test probes)
+  vertex_list,      // buffer that a draw reads its vertices or its own arguments from
   colour_target,
   depth_target,
   depth_resolve,  // what a pass resolves its samples' depth into

@@ -65,6 +65,12 @@ void Commands::draw(std::uint32_t vertices, std::uint32_t instances) {
   count_draw(std::uint64_t(vertices / 3) * instances);
 }
 
+void Commands::draw_indirect(const Buffer& command) {
+  vkCmdDrawIndirect(commands_, command.get(), 0, 1, sizeof(VkDrawIndirectCommand));
+  note(16);
+  count_draw(0);
+}
+
 void Commands::draw_indexed(std::uint32_t indices, std::uint32_t instances, std::uint64_t nothing) {
   vkCmdDrawIndexed(commands_, indices, instances, 0, 0, 0);
   note(8 + (std::uint64_t(indices) << 8) + (std::uint64_t(instances) << 32));

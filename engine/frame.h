@@ -100,6 +100,9 @@ class Commands {
   void bind_vertices(const VertexList& list, std::uint32_t binding = 0);
   void bind_indices(const Buffer& buffer, VkIndexType type);
   void draw(std::uint32_t vertices, std::uint32_t instances = 1);
+  // As the GPU has written it into a buffer (Access::vertex_list), a VkDrawIndirectCommand. How many triangles that are
+  // is not counted.
+  void draw_indirect(const Buffer& command);
   // `nothing`: so many of the triangles are not there (shaders/shared/patch_instance.h), and are not counted.
   void draw_indexed(std::uint32_t indices, std::uint32_t instances, std::uint64_t nothing = 0);
   // Copies texels of a buffer (Access::transfer_read) into an image (Access::transfer_write).

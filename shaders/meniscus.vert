@@ -4,14 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/earth_curve.h"
 #include "shared/frame_data.h"
-#include "shared/patch_instance.h"
-#include "shared/phase.h"
 #include "lib/view.glsl"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
+layout(constant_id = value_clip) const bool water_clip = false;
 #include "lib/near_line.glsl"
-
-layout(location = 0) in ivec4 patch_data;  // PatchInstance
 
 layout(location = 0) out vec3 line_of_sight;  // metres from the eye to the near plane
 layout(location = 1) out float over_line;     // metres up the near plane from the line
@@ -26,8 +23,7 @@ void main() {
   if (water_clip) line_at = vec3(0.0);
   over_line = 0.0;
   gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // before the near plane
-  if (!near_line(PatchInstance(patch_data.xy, patch_data.z, uint(patch_data.w)), gl_VertexIndex, view, plate, end, top))
-    return;
+  if (!near_line(view, plate, end, top)) return;
   const float below_m = 0.0005;  // so that no sample at the line is left out: the sides say where it ends
   over_line = top ? plate.rises_m : -below_m;
   if (water_clip) line_at = end;

@@ -18,9 +18,8 @@ DrawnLens::DrawnLens(Device& device, ShaderLibrary& shaders, const RenderTarget&
   if (surface.depths() == nullptr) spec.stencil = Stencil::in_air;
   spec.vertex = "meniscus.vert";
   spec.fragment = "meniscus.frag";
-  spec.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
-  spec.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
-  patches_.pipeline = make_graphics_pipeline(device, shaders, picture, spec);
+  NearLines::lay_out(spec);
+  meniscus_.pipeline = make_graphics_pipeline(device, shaders, picture, spec);
   spec.vertex = "lens_drop.vert";
   spec.fragment = "lens_drop.frag";
   spec.buffers = {{0, sizeof(gpu::LensDrop), VK_VERTEX_INPUT_RATE_INSTANCE}};
@@ -32,34 +31,36 @@ DrawnLens::DrawnLens(Device& device, ShaderLibrary& shaders, const RenderTarget&
 
 void DrawnLens::bind() {
   const EffectScope scope(device_, "underwater");
-  for (Drawing* drawing : {&patches_, &drops_}) {
+  for (Drawing* drawing : {&meniscus_, &drops_}) {
     drawing->bindings.clear();
     for (const std::vector<Bound>& entries : surface_.bound_with_sides())
       drawing->bindings.emplace_back(device_, drawing->pipeline, entries, "lens");
   }
 }
 
-void DrawnLens::update(Frame& frame, const NearPatches& near, std::span<const gpu::LensDrop> drops) {
-  patches_.list = near.list;
-  patches_.count = near.count;
-  drops_.count = drops.size();
-  if (drops_.count == 0) return;
-  drops_.list = frame.vertices(drops.size_bytes());
-  std::copy(drops.begin(), drops.end(), static_cast<gpu::LensDrop*>(drops_.list.host));
+void DrawnLens::update(Frame& frame, bool meniscus, std::span<const gpu::LensDrop> drops) {
+  meniscus_there_ = meniscus && surface_.near_lines().any();
+  drop_count_ = drops.size();
+  if (drop_count_ == 0) return;
+  drop_list_ = frame.vertices(drops.size_bytes());
+  std::copy(drops.begin(), drops.end(), static_cast<gpu::LensDrop*>(drop_list_.host));
 }
 
 void DrawnLens::draw(Commands& commands, std::uint32_t frame_uniform) const {
-  draw(commands, frame_uniform, patches_, Surface::near_vertices);
-  draw(commands, frame_uniform, drops_, 6);
+  if (meniscus_there_) {
+    begin(commands, frame_uniform, meniscus_);
+    surface_.near_lines().draw(commands);
+  }
+  if (drop_count_ > 0) {
+    begin(commands, frame_uniform, drops_);
+    commands.bind_vertices(drop_list_);
+    commands.draw(6, std::uint32_t(drop_count_));
+  }
 }
 
-void DrawnLens::draw(Commands& commands, std::uint32_t frame_uniform, const Drawing& drawing,
-                     std::uint32_t vertices) const {
-  if (drawing.count == 0) return;
+void DrawnLens::begin(Commands& commands, std::uint32_t frame_uniform, const Drawing& drawing) const {
   commands.bind(drawing.pipeline, drawing.bindings[surface_.shown()], {frame_uniform, 0u});
   commands.push(gpu::DrawPush{commands.eye()});
-  commands.bind_vertices(drawing.list);
-  commands.draw(vertices, std::uint32_t(drawing.count));
 }
 
 }  // namespace seascape

@@ -20,27 +20,28 @@ class DrawnLens {
   // After the surface's resize().
   void resize() { bind(); }
 
-  // Before the frame's passes: what there is in it. `near`: the patches along whose line a meniscus stands.
-  void update(Frame& frame, const NearPatches& near, std::span<const gpu::LensDrop> drops);
+  // Before the frame's passes: what there is in it. `meniscus`: along the surface's near lines, where there are any.
+  void update(Frame& frame, bool meniscus, std::span<const gpu::LensDrop> drops);
   // Inside a draw pass into the picture; with look.deferred of the surface one that also uses add_points(). Records
   // nothing where there is nothing.
   void draw(Commands& commands, std::uint32_t frame_uniform) const;
-  // Patches and drops that are drawn.
-  std::size_t patches() const { return patches_.count; }
-  std::size_t drops() const { return drops_.count; }
+  // Patches that a line is looked for in, and drops that are drawn.
+  std::size_t patches() const { return meniscus_there_ ? surface_.near_lines().patches() : 0; }
+  std::size_t drops() const { return drop_count_; }
 
  private:
   struct Drawing {
     Pipeline pipeline;
     std::vector<Bindings> bindings;  // of each copy of the pieces' images
-    VertexList list{};
-    std::size_t count = 0;
   };
   void bind();
-  void draw(Commands& commands, std::uint32_t frame_uniform, const Drawing& drawing, std::uint32_t vertices) const;
+  void begin(Commands& commands, std::uint32_t frame_uniform, const Drawing& drawing) const;
   Device& device_;
   const Surface& surface_;
-  Drawing patches_, drops_;
+  Drawing meniscus_, drops_;
+  bool meniscus_there_ = false;
+  VertexList drop_list_{};
+  std::size_t drop_count_ = 0;
 };
 
 }  // namespace seascape

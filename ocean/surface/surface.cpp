@@ -171,8 +171,8 @@ void Surface::make_underwater(ShaderLibrary& shaders, const RenderTarget& pictur
   side_pipeline_ = make_graphics_pipeline(device_, shaders, target(picture), side);
   side.vertex = "near_side.vert";
   side.fragment = "near_side.frag";
-  side.buffers = {{0, sizeof(gpu::PatchInstance), VK_VERTEX_INPUT_RATE_INSTANCE}};
-  side.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SINT, 0}};
+  NearLines::lay_out(side);
+  near_lines_.emplace(device_, shaders, spec.values, entries_);
   near_side_pipeline_ = make_graphics_pipeline(device_, shaders, target(picture), side);
   if (std::none_of(spec.values.begin(), spec.values.end(),
                    [](const SpecValue& v) { return v.id == std::uint32_t(gpu::value_bed) && v.value != 0; }))
@@ -203,10 +203,7 @@ void Surface::bind() {
     if (look_.deferred) bind_light(*drawing);
   }
   if (side_pipeline_) side_bindings_ = Bindings(device_, side_pipeline_, entries_[0], "water side");
-  near_side_bindings_.clear();
-  if (near_side_pipeline_)
-    for (const std::vector<Bound>& entries : entries_)
-      near_side_bindings_.emplace_back(device_, near_side_pipeline_, with_below(entries), "near side");
+  if (near_side_pipeline_) near_side_bindings_ = Bindings(device_, near_side_pipeline_, entries_[0], "near side");
   bed_bindings_.clear();
   if (bed_pipeline_)
     for (const std::vector<Bound>& entries : entries_)
@@ -275,8 +272,14 @@ void Surface::light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes
   commands.draw(3);
 }
 
+void Surface::find_near_lines(Frame& frame, std::uint32_t frame_uniform, Uses& uses) {
+  if (!near_lines_->any()) return;
+  near_lines_->find(frame, frame_uniform, uses, shown());
+  near_lines_->add_uses(uses);
+}
+
 void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-                   EyesIn eyes, bool facing_only, const NearPatches& near) const {
+                   EyesIn eyes, bool facing_only) const {
   const Drawing& drawn = drawing(eyes);
   const auto whole = [&](const Pipeline& pipeline, const Bindings& bindings) {
     commands.bind(pipeline, bindings, {frame_uniform, 0u});
@@ -284,32 +287,13 @@ void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& sel
     commands.draw(3);
   };
   if (&drawn == &in_water_) whole(side_pipeline_, side_bindings_);
-  if (&drawn == &in_water_ && near.count > 0 && !look_.shapes.any()) {
-    commands.bind(near_side_pipeline_, near_side_bindings_[shown()], {frame_uniform, 0u});
+  if (&drawn == &in_water_ && near_lines_->any() && !look_.shapes.any()) {
+    commands.bind(near_side_pipeline_, near_side_bindings_, {frame_uniform, 0u});
     commands.push(gpu::DrawPush{commands.eye()});
-    commands.bind_vertices(near.list);
-    commands.draw(near_vertices, std::uint32_t(near.count));
+    near_lines_->draw(commands);
   }
   draw_patches(commands, frame, selection, frame_uniform, drawn, facing_only && eyes == EyesIn::air);
   if (&drawn == &in_water_ && bed_pipeline_) whole(bed_pipeline_, bed_bindings_[shown()]);
-}
-
-NearPatches Surface::near_patches(Frame& frame, const SurfaceSelection& selection,
-                                  std::span<const NearWater> near) const {
-  const auto may_pass = [&](const gpu::PatchInstance& patch) {
-    if ((patch.flags & gpu::patch_skirt) != 0) return false;
-    const glm::dvec2 least = selection.grid_origin_m + selection.unit_m * glm::dvec2(patch.corner),
-                     most = least + selection.unit_m * double(gpu::patch_quads * patch.stride);
-    return std::any_of(near.begin(), near.end(), [&](const NearWater& eye) { return eye.touches(least, most); });
-  };
-  NearPatches found;
-  if (!near.empty())
-    found.count = std::size_t(std::count_if(selection.patches.begin(), selection.patches.end(), may_pass));
-  if (found.count == 0) return found;
-  found.list = frame.vertices(found.count * sizeof(gpu::PatchInstance));
-  std::copy_if(selection.patches.begin(), selection.patches.end(), static_cast<gpu::PatchInstance*>(found.list.host),
-               may_pass);
-  return found;
 }
 
 void Surface::draw_patches(Commands& commands, Frame& frame, const SurfaceSelection& selection,

@@ -1,11 +1,13 @@
 // Draws the sea's surface: one index buffer, one instanced draw for all patches and eyes.
 #pragma once
+#include <optional>
 #include <span>
 
 #include "engine/frame.h"
 #include "ocean/drawn/drawn_piece.h"
 #include "ocean/mesh/surface_selection.h"
 #include "ocean/surface/eyes_in.h"
+#include "ocean/surface/near_lines.h"
 
 namespace seascape {
 
@@ -42,12 +44,6 @@ struct SurfaceLight {
   VkSampler sun_map_sampler = VK_NULL_HANDLE;
 };
 
-// Patches of a frame about its eyes, which their near planes pass.
-struct NearPatches {
-  VertexList list{};
-  std::size_t count = 0;
-};
-
 class Surface {
  public:
   // `picture`: what the finished pixels go into. `pieces`: all that the sea is drawn from; they outlive it.
@@ -61,15 +57,17 @@ class Surface {
 
   // Where draw() draws: the picture, or with look.deferred what light() will light.
   const RenderTarget& target(const RenderTarget& picture) const { return look_.deferred ? points_ : picture; }
-  static constexpr std::uint32_t near_vertices =
-      12 * gpu::patch_quads * gpu::patch_quads;  // a patch: see near_line.glsl
-  // Of a selection, before the frame's passes. `near`: of each eye.
-  NearPatches near_patches(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near) const;
-  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `near`: with eyes that may be in
-  // either. `eyes`: see Ocean::eyes_in; other than air only with look.underwater, and then the bed before the eyes is
-  // drawn too. `facing_only`: from the air, what faces away from the eyes is not drawn, which what faces them hides.
+  // With look.underwater: where it passes near planes, which draw() draws where any were chosen, and others may.
+  NearLines& near_lines() { return *near_lines_; }
+  const NearLines& near_lines() const { return *near_lines_; }
+  // Finds them, where any were chosen, in passes of their own, and has those that follow use them. `uses`: of what the
+  // surface is drawn from.
+  void find_near_lines(Frame& frame, std::uint32_t frame_uniform, Uses& uses);
+  // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `eyes`: see Ocean::eyes_in; other than
+  // air only with look.underwater, and then the bed before the eyes is drawn too. `facing_only`: from the air, what
+  // faces away from the eyes is not drawn, which what faces them hides.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-            EyesIn eyes, bool facing_only, const NearPatches& near = {}) const;
+            EyesIn eyes, bool facing_only) const;
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
   void light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void add_points(Uses& uses) const;
@@ -126,8 +124,9 @@ class Surface {
   Drawing in_air_, in_water_;
   // With look.underwater; the bed where there is one.
   Pipeline side_pipeline_, near_side_pipeline_, bed_pipeline_;
-  Bindings side_bindings_;
-  std::vector<Bindings> near_side_bindings_, bed_bindings_;
+  Bindings side_bindings_, near_side_bindings_;
+  std::vector<Bindings> bed_bindings_;
+  std::optional<NearLines> near_lines_;
   Owned<VkSampler> points_sampler_, below_sampler_;
 };
 

@@ -54,8 +54,7 @@ struct Compared {
 
 // Pixels of both eyes, `a_pose` of them a pose, against mesh and query; poses that turn to all sides, rolled, within
 // 3 cm of the water.
-Compared compare(const std::string& scene, double wind_mps, glm::dvec2 about, double around_m, int poses, int a_pose) {
-  SeaShot shot(options(scene, wind_mps, 2));
+Compared compare(SeaShot& shot, glm::dvec2 about, double around_m, int poses, int a_pose) {
   std::mt19937 random(7);
   const auto chance = [&](double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(random);
@@ -121,7 +120,8 @@ TEST_F(Waterline, IsTheDrawnSurfaces) {
     const bool of_many = std::string(place.scene) == "waterline";
     if (!test::long_run() && place.wind_mps != 6.0 && std::string(place.scene) != "lagoon") continue;
     const int poses = test::long_run() ? (of_many ? 40 : 110) : 2;
-    const Compared found = compare(place.scene, place.wind_mps, place.about, place.around_m, poses, 1000);
+    SeaShot shot(options(place.scene, place.wind_mps, 2));
+    const Compared found = compare(shot, place.about, place.around_m, poses, 1000);
     EXPECT_GE(found.pairs, test::long_run() ? (of_many ? 34000 : 100000) : 2000);
     EXPECT_GT(found.wrong_if_lower, found.pairs / 300) << "the control";
     EXPECT_EQ(found.wrong, 0) << "up to " << found.worst_m << " m off, of " << found.pairs;
@@ -134,6 +134,23 @@ TEST_F(Waterline, IsTheDrawnSurfaces) {
                    std::to_string(found.pairs) + " pairs, " + std::to_string(found.unsure) + " within a pixel, " +
                        std::to_string(found.asked) + " asked, " + std::to_string(found.wrong_if_lower) + " if lower");
   }
+}
+
+// Of a mesh so fine that more of its patches may pass a near plane than there was room for. Control seen: the room does
+// not grow, and what is beyond it is left out.
+TEST_F(Waterline, IsTheDrawnSurfacesWhereItsPatchesAreManyMore) {
+  test::ShotOptions fine = options("waterline", 6.0, 2);
+  fine.set.insert(fine.set.end(), {{"lod.by", "threshold"},
+                                   {"lod.threshold", "1.6"},
+                                   {"lod.patch_quads", "64"},
+                                   {"lod.levels", "12"},
+                                   {"lod.ocean_size_m", "256"}});
+  SeaShot shot(fine);
+  const Compared found = compare(shot, {0.0, 0.0}, 60.0, 1, 200);
+  EXPECT_GT(shot.experience().surface().near_lines().patches(), NearLines::first_room);
+  EXPECT_EQ(found.wrong, 0) << "up to " << found.worst_m << " m off, of " << found.pairs;
+  EXPECT_GT(found.wet, 0.2 * found.pairs);
+  EXPECT_LT(found.wet, 0.8 * found.pairs);
 }
 
 // An eye that is exactly on the surface, where the sea that is asked has it, at 90 pictures a second: no pixel changes

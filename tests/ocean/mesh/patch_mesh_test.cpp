@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/error.h"
+#include "shaders/shared/near_line.h"
 #include "shaders/shared/patch_vertex.h"
 
 namespace seascape {
@@ -72,6 +73,15 @@ TEST(PatchMesh, RefusesWhatUint16CannotIndex) {
   EXPECT_NO_THROW(patch_indices(255));
   EXPECT_THROW(patch_indices(256), Error);
   EXPECT_THROW(patch_indices(0), Error);
+}
+
+// What looks for triangles at near planes has the same. Control seen: quads cut the other way.
+TEST(PatchMesh, TrianglesOfAPatchAreNumberedAsTheyAreDrawn) {
+  const std::vector<std::uint16_t> indices = patch_indices(gpu::patch_quads);
+  ASSERT_EQ(indices.size(), 3u * gpu::near_triangles);
+  for (int t = 0; t < gpu::near_triangles; ++t)
+    for (int corner = 0; corner < 3; ++corner)
+      EXPECT_EQ(gpu::near_corner_numbers(t)[corner], indices[std::size_t(3 * t + corner)]) << t;
 }
 
 }  // namespace

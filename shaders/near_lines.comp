@@ -1,0 +1,40 @@
+#version 460
+// Lists the triangles that pass a near plane (near_corners.comp) in their patches' order, and says how many are drawn.
+// One group works on all.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/near_line.h"
+#include "shared/slots.h"
+
+layout(local_size_x = near_round) in;
+layout(std430, binding = slot_near_corners) readonly buffer Corners { vec4 corners[]; };
+layout(std430, binding = slot_near_masks) readonly buffer Masks { uint masks[]; };
+layout(std430, binding = slot_near_listed) writeonly buffer Listed { NearTriangle listed[]; };
+layout(std430, binding = slot_near_draw) writeonly buffer Draw { uvec4 draw; };  // VkDrawIndirectCommand
+layout(push_constant) uniform Push { NearLinesPush push; };
+
+shared uint counts[near_round];
+
+void main() {
+  const uint n = gl_LocalInvocationIndex;
+  uint found = 0u;  // in the rounds before
+  for (uint first = 0u; first < push.patches; first += uint(near_round)) {
+    const uint number = first + n;
+    uint mask = number < push.patches ? masks[number] : 0u;
+    counts[n] = uint(bitCount(mask));
+    barrier();
+    uint at = found;
+    for (uint i = 0u; i < uint(near_round); ++i) {
+      if (i < n) at += counts[i];
+      found += counts[i];
+    }
+    barrier();
+    for (; mask != 0u; mask &= mask - 1u) {
+      const ivec3 numbers = int(number) * near_corners + near_corner_numbers(findLSB(mask));
+      listed[at].corner[0] = corners[numbers.x];
+      listed[at].corner[1] = corners[numbers.y];
+      listed[at].corner[2] = corners[numbers.z];
+      ++at;
+    }
+  }
+  if (n == 0u) draw = uvec4(near_line_vertices, found, 0u, 0u);
+}
