@@ -57,6 +57,7 @@ Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& 
   for (std::size_t i = 0; i < side.over_eye.size(); ++i)
     data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
   data.lamp = lamp_data(e.scene().settings.dive_light, viewpoint.viewer, e.lamp_hand());
+  if (side.eyes != EyesIn::air) side.bed = e.ocean().select_bed(viewpoint, data);
   const LightInWater light = light_in_water(data, side.over_viewer_m);  // both eyes get used to it as one
   data.air.y += float(adaptation_stops(light, e.scene().settings.water.adaptation));
   return side;

@@ -25,10 +25,12 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
-// In a scene with portals the sea is drawn where one is in sight.
-const SurfaceSelection& in_sight(const Experience& e, const SurfaceSelection& chosen, EyesIn eyes) {
+// In a scene with portals the sea is drawn where one is in sight. Eyes in the water see as far as its colour lets them.
+const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, const Viewpoint& viewpoint,
+                                 const gpu::FrameData& data, EyesIn eyes) {
   static const SurfaceSelection none;
-  return eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty() ? none : chosen;
+  if (eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty()) return none;
+  return eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
 }
 
 // What a frame of this quality has less of than the settings say, but for what is told where it is drawn.
@@ -97,6 +99,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.bodies_) e.boat_shapes_->place(e.scene_.objects, *e.bodies_, time_s);
   Ocean::EyesSide side;
   if (e.underwater()) stages.time("queries", [&] { side = find_eyes(e, data, viewpoint); });
+  const EyesIn eyes = side.eyes;
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
@@ -110,9 +113,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hands_) e.hands_->update(frame, e.shown_hands_, e.shown_aim_, viewer_m);
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
-  const EyesIn eyes = side.eyes;
   if (e.underwater()) stages.time("queries", [&] { e.update_head(frame, viewpoint, side, time_s); });
-  selection = &in_sight(e, *selection, eyes);
+  selection = &in_sight(e, *selection, viewpoint, data, eyes);
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.
@@ -133,8 +135,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   };
   if (e.solids_ && e.solids_->any_in_water())
     record("below", e.surface_->below(), uses, [&](Commands& c) { e.solids_->draw_in_water(c, uniform); });
-  e.surface_->add_below(uses);
-  if (e.underwater()) e.surface_->find_near_lines(frame, uniform, uses);
+  e.surface_->prepare(frame, uniform, uses);
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
     if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);
   };
@@ -150,6 +151,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
     if (e.hidden_area_) e.hidden_area_->hide(c);  // nothing that comes after is nearer
     e.surface_->draw(c, frame, *selection, uniform, eyes, facing_only);
     if (e.solids_) e.solids_->draw(c, uniform, eyes);
+    if (side.bed != nullptr) e.surface_->draw_bed(c, frame, *side.bed, uniform);
     if (deferred) return;
     e.draw_sky(c, uniform, eyes);
     draw_over(c);

@@ -193,6 +193,47 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher
   return mesher.select(viewpoint, water);
 }
 
+namespace {
+// How far water lets an eye see, m: the clearest colour keeps a thousandth of its light.
+double sight_in_water_m(const gpu::FrameData& data) {
+  const glm::vec3 dims = glm::vec3(data.water_absorption) + glm::vec3(data.water_backscatter);
+  return 7.0 / double(std::min({dims.x, dims.y, dims.z}));
+}
+}  // namespace
+
+const SurfaceSelection& Ocean::within_sight(const Viewpoint& viewpoint, const gpu::FrameData& data) {
+  const SurfaceSelection& all = *selection_;
+  const double sight_m = sight_in_water_m(data) + double(data.sea.footprint.x);  // which is more than water moves
+  const glm::dvec2 viewer =
+      (glm::dvec2(viewpoint.viewer.position_m.x, viewpoint.viewer.position_m.z) - all.grid_origin_m) / all.unit_m;
+  within_sight_.mesh = all.mesh;
+  within_sight_.unit_m = all.unit_m;
+  within_sight_.grid_origin_m = all.grid_origin_m;
+  within_sight_.patches.resize(all.patches.size());
+  const auto end = std::copy_if(
+      all.patches.begin(), all.patches.end(), within_sight_.patches.begin(), [&](const gpu::PatchInstance& patch) {
+        if ((patch.flags & gpu::patch_skirt) != 0u) return false;
+        const glm::dvec2 least(patch.corner), most = least + double(gpu::patch_quads * patch.stride);
+        return glm::length(glm::clamp(viewer, least, most) - viewer) * all.unit_m <= sight_m;
+      });
+  within_sight_.patches.resize(std::size_t(end - within_sight_.patches.begin()));
+  return within_sight_;
+}
+
+const SurfaceSelection* Ocean::select_bed(const Viewpoint& viewpoint, gpu::FrameData& data) {
+  if (!place_ || !place_->has_bed()) return nullptr;
+  BedInSight bed;
+  bed.sight_m = std::min(sight_in_water_m(data), bed.sight_m);
+  const glm::dvec2 range_m = place_->bed_m(bed.sight_m);
+  bed.lowest_m = std::max(range_m.x, viewpoint.viewer.position_m.y - bed.sight_m);
+  bed.highest_m = std::max(std::min(range_m.y, highest_m()), bed.lowest_m);  // what is higher the surface hides
+  bed.earth_curvature = settings_.lod.earth_curvature;
+  const SurfaceSelection& selected = bed_mesh_.select(viewpoint, bed);
+  data.bed_mesh = selected.mesh;
+  data.bed_mesh.from_grid = glm::vec2(selected.grid_origin_m - selection_->grid_origin_m);
+  return &selected;
+}
+
 double Ocean::highest_m() const { return most_share() * sea_.statistics().largest_height_m + others_reach().height_m; }
 
 bool Ocean::eyes_in_air(const Viewpoint& viewpoint) const {

@@ -12,6 +12,7 @@
 #include "ocean/drawn/drawn_wakes.h"
 #include "ocean/drawn/drawn_waves.h"
 #include "ocean/foam/spray.h"
+#include "ocean/mesh/bed_mesh.h"
 #include "ocean/mesh/mesher.h"
 #include "ocean/sea/sea.h"
 #include "ocean/surface/eyes_in.h"
@@ -68,6 +69,12 @@ class Ocean {
   // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with a mesher of its own,
   // whose patches stay until it selects again.
   const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher, const LodSettings& lod) const;
+  // Of the patches selected last those that eyes in the water may see, through which no air is seen. They stay until
+  // the next call.
+  const SurfaceSelection& within_sight(const Viewpoint& viewpoint, const gpu::FrameData& data);
+  // The patches of the bed before eyes that may be in the water, and what shaders are told of them; null where there is
+  // no bed. They stay until the next call.
+  const SurfaceSelection* select_bed(const Viewpoint& viewpoint, gpu::FrameData& data);
   // What selecting is told of the water for a viewpoint, as it is since the last update.
   DisplacementBounds bounds(const Viewpoint& viewpoint) const;
   // The patches selected last, null before the first.
@@ -91,6 +98,7 @@ class Ocean {
     std::array<NearWater, 2> near{};
     // How deep it is in the water, m; nothing: it is in the air for sure, or where there is no water.
     std::array<std::optional<double>, 2> depth_m{};
+    const SurfaceSelection* bed = nullptr;  // what they may see of it, for who asks select_bed()
   };
   EyesSide eyes_in(const Viewpoint& viewpoint, double reach_m) const;
 
@@ -157,6 +165,8 @@ class Ocean {
   SourceError source_error_;
   std::unique_ptr<Mesher> mesher_;
   const SurfaceSelection* selection_ = nullptr;
+  SurfaceSelection within_sight_;
+  BedMesh bed_mesh_;
 };
 
 }  // namespace seascape

@@ -12,11 +12,11 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 
 layout(constant_id = value_tile_shape) const bool tile_shape = false;  // tone mapping here
 
-layout(location = 0) in vec3 pixel_ray;
+layout(location = 0) centroid in vec3 relative;  // metres from the viewer, world axes
 layout(location = 0) out vec4 colour;
 
 void main() {
-  vec3 lit = bed_in_water(pixel_ray, gl_FragDepth);
+  vec3 lit = bed_in_water(relative);
   if (tile_shape) lit = tone_map(lit);
   colour = vec4(min(lit, vec3(6e4)), 1.0);
 }

@@ -9,12 +9,12 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/sea_light.glsl"
 #include "lib/bed_in_water.glsl"
 
-layout(location = 0) in vec3 pixel_ray;
-layout(location = 0) out uvec4 kept_point;  // half floats of its light, and kept_solid
+layout(location = 0) centroid in vec3 relative;  // metres from the viewer, world axes
+layout(location = 0) out uvec4 kept_point;       // half floats of its light, and kept_solid
 layout(location = 1) out uvec2 footprint;
 
 void main() {
-  const vec3 lit = min(bed_in_water(pixel_ray, gl_FragDepth), vec3(6e4));
+  const vec3 lit = min(bed_in_water(relative), vec3(6e4));
   kept_point = uvec4(packHalf2x16(lit.rg), packHalf2x16(vec2(lit.b, 0.0)), 0u, kept_solid);
   if (anisotropy > 1.0) footprint = uvec2(0u);
 }

@@ -29,9 +29,9 @@ vec3 corner_at(PatchInstance p, int i, int j) {
 bool passes(ViewData view, vec3 a, vec3 b, vec3 c) {
   const mat4 clip = view.clip_from_relative;
   const vec3 ahead = normalize(vec3(clip[0].w, clip[1].w, clip[2].w));
-  const bvec3 before = lessThan(vec3(dot(ahead, a - view.eye.xyz), dot(ahead, b - view.eye.xyz),
-                                     dot(ahead, c - view.eye.xyz)),
-                                vec3(frame.air.z));
+  const bvec3 before =
+      lessThan(vec3(dot(ahead, a - view.eye.xyz), dot(ahead, b - view.eye.xyz), dot(ahead, c - view.eye.xyz)),
+               vec3(frame.air.z));
   return any(before) && !all(before);
 }
 

@@ -28,7 +28,7 @@ void main() {
       found += counts[i];
     }
     barrier();
-    for (; mask != 0u; mask &= mask - 1u) {
+    for (; mask != 0u && at < push.room; mask &= mask - 1u) {
       const ivec3 numbers = int(number) * near_corners + near_corner_numbers(findLSB(mask));
       listed[at].corner[0] = corners[numbers.x];
       listed[at].corner[1] = corners[numbers.y];
@@ -36,5 +36,5 @@ void main() {
       ++at;
     }
   }
-  if (n == 0u) draw = uvec4(near_line_vertices, found, 0u, 0u);
+  if (n == 0u) draw = uvec4(near_line_vertices, min(found, push.room), 0u, 0u);
 }

@@ -10,6 +10,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/mesh.glsl"
 #include "lib/sea.glsl"
 #include "lib/water_shapes.glsl"
+#include "lib/patch_of_instance.glsl"
 
 // Writes each vertex's position to a buffer: only in tests, which compare it with the wave field.
 layout(constant_id = value_probe) const bool probe = false;
@@ -19,8 +20,6 @@ layout(constant_id = value_deferred) const bool deferred = false;      // pixels
 layout(std430, binding = slot_probe) buffer Probe {
   vec4 probed[];
 };  // rest x, z (from the grid origin), footprint, 0; then position relative to the viewer before curving
-
-layout(location = 0) in ivec4 patch_data[patches_an_instance];  // PatchInstance: corner, stride, flags
 
 layout(location = 0) out vec3 place;  // metres from the viewer, world axes
 layout(location = 1) out vec2 rest;   // rest position, metres from the grid origin
@@ -34,12 +33,8 @@ layout(location = 6) out vec2 rest_at_middle;   // forward: the rest position on
 layout(location = 7) out vec2 place_at_middle;  // forward, with eyes in the water: where it stands, x and z
 
 void main() {
-  const int side = patch_quads + 1, number = gl_VertexIndex / (side * side), vertex = gl_VertexIndex % (side * side);
-  const int i = vertex % side, j = vertex / side;
-  ivec4 data = patch_data[0];  // written out: an input that each lane indexes by itself is slow
-  for (int n = 1; n < patches_an_instance; ++n)
-    if (n == number) data = patch_data[n];
-  const PatchInstance p = PatchInstance(data.xy, data.z, uint(data.w));
+  int number, i, j;
+  const PatchInstance p = patch_of_vertex(number, i, j);
   if ((p.flags & patch_nothing) != 0u) {
     gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // before the near plane
     return;
@@ -66,7 +61,8 @@ void main() {
   derivatives = sea_carried(here, spacing, level_blur(view.eye.xyz - relative, view.eye.w));
   if (debug && !deferred) flags = p.flags;
   if (probe) {
-    const int at = 2 * ((gl_InstanceIndex * patches_an_instance + number) * side * side + vertex);
+    const int side = patch_quads + 1;
+    const int at = 2 * (((gl_InstanceIndex * patches_an_instance + number) * side + j) * side + i);
     probed[at] = vec4(rest, displaced, 0.0);
     probed[at + 1] = vec4(from_viewer + d.xz, d.y, 0.0);
   }

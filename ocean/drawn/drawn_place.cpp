@@ -358,12 +358,29 @@ double DrawnPlace::level_m() const {
   return level == nullptr ? 0.0 : std::max(std::abs(level->least()), std::abs(level->most()));
 }
 
+int DrawnPlace::slice_of(double within_m) const {
+  int i = 0;
+  while (i < settings_.windows.slices &&
+         within_m >= (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i))
+    ++i;
+  return i;
+}
+
 double DrawnPlace::land_m(double within_m) const {
   if (!bed_ || !bed_->field) return 0.0;
-  for (int i = 0; i < settings_.windows.slices; ++i)
-    if (within_m < (0.5 * settings_.windows.resolution - 1.0) * lod_texel_m(settings_.windows, placement_, i))
-      return std::max(bed_->field->most(i), 0.0);
-  return land_m();
+  const int slice = slice_of(within_m);
+  return slice < settings_.windows.slices ? std::max(bed_->field->most(slice), 0.0) : land_m();
+}
+
+glm::dvec2 DrawnPlace::bed_m(double within_m) const {
+  if (!bed_ || !bed_->field) return glm::dvec2(0.0);
+  const int slice = slice_of(within_m);
+  if (slice == settings_.windows.slices) return {bed_->field->least(), bed_->field->most()};
+  // Finer slices have what is averaged in that one.
+  glm::dvec2 range(bed_->field->least(slice), bed_->field->most(slice));
+  for (int finer = 0; finer < slice; ++finer)
+    range = {std::min(range.x, bed_->field->least(finer)), std::max(range.y, bed_->field->most(finer))};
+  return range;
 }
 
 double DrawnPlace::land_m() const { return bed_ && bed_->field ? std::max(bed_->field->most(), 0.0) : 0.0; }

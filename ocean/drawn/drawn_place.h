@@ -37,6 +37,9 @@ class DrawnPlace final : public DrawnPiece {
   // been around the viewer.
   double land_m(double within_m) const;
   double land_m() const;
+  // Between which heights the bed lies within a distance of the viewer, now, m; where none is known, 0 and 0.
+  glm::dvec2 bed_m(double within_m) const;
+  bool has_bed() const { return bed_ != nullptr; }
   // Whether there is nothing to draw within a rectangle (m, in the world) where no water stands further than height_m
   // from the still sea: no water, and no bed where it is clipped.
   bool clipped(glm::dvec2 least_m, glm::dvec2 most_m, double height_m) const;
@@ -64,6 +67,8 @@ class DrawnPlace final : public DrawnPiece {
     BedTurns turns;
   };
   const Drawn* drawn(InputTarget kind) const;
+  // The finest slice whose window holds all within a distance of the viewer; the number of slices where none does.
+  int slice_of(double within_m) const;
   void update(Frame& frame, Bed& bed, double time_s);
   void follow(const Sea& sea);
   PlaceSettings settings_;

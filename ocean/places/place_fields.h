@@ -78,7 +78,7 @@ class PlaceField {
         most_(least_),
         field_(settings.windows, values_.outside, placement) {
     for (int i = 0; i < settings.windows.slices; ++i) fill(i, [](glm::dvec2) { return true; });
-    find_most((1u << settings.windows.slices) - 1u);
+    find_range((1u << settings.windows.slices) - 1u);
   }
 
   // Takes other values: what comes into a window has them at once, and each follow() fills one slice anew, the finest
@@ -120,7 +120,7 @@ class PlaceField {
       stale_ &= ~(1u << i);
       if (stale_ == 0) measure();
     }
-    find_most(changed);
+    find_range(changed);
     return changed;
   }
 
@@ -129,7 +129,8 @@ class PlaceField {
   // Of all that has been in it since its values were taken, the outside included; of the first channel.
   double least() const { return least_; }
   double most() const { return most_; }
-  // The most that a slice has now.
+  // That a slice has now.
+  double least(int slice) const { return slice_least_[std::size_t(slice)]; }
   double most(int slice) const { return slice_most_[std::size_t(slice)]; }
 
  private:
@@ -144,12 +145,16 @@ class PlaceField {
     for (int i = 0; i < settings_.windows.slices; ++i)
       for (std::size_t n = 0; n < texels; ++n) widen(double(first_channel(field_.texels(i)[n])));
   }
-  void find_most(std::uint32_t slices) {
+  void find_range(std::uint32_t slices) {
     const std::size_t texels = std::size_t(settings_.windows.resolution) * std::size_t(settings_.windows.resolution);
     for (int i = 0; i < settings_.windows.slices; ++i) {
       if ((slices >> i & 1u) == 0) continue;
-      float most = first_channel(field_.texels(i)[0]);
-      for (std::size_t n = 1; n < texels; ++n) most = std::max(most, first_channel(field_.texels(i)[n]));
+      float least = first_channel(field_.texels(i)[0]), most = least;
+      for (std::size_t n = 1; n < texels; ++n) {
+        least = std::min(least, first_channel(field_.texels(i)[n]));
+        most = std::max(most, first_channel(field_.texels(i)[n]));
+      }
+      slice_least_[std::size_t(i)] = double(least);
       slice_most_[std::size_t(i)] = double(most);
     }
   }
@@ -187,7 +192,7 @@ class PlaceField {
   double time_s_;  // of what is in the field
   double least_, most_;
   LodField<T> field_;
-  std::array<double, gpu::max_lod_slices> slice_most_{};
+  std::array<double, gpu::max_lod_slices> slice_least_{}, slice_most_{};
   std::uint32_t stale_ = 0;  // bit i: slice i has other values than values_
 };
 

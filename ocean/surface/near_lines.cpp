@@ -1,18 +1,35 @@
 #include "ocean/surface/near_lines.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "shaders/shared/slots.h"
 
 namespace seascape {
 
 NearLines::NearLines(Device& device, ShaderLibrary& shaders, const std::vector<SpecValue>& values,
-                     const std::vector<std::vector<Bound>>& entries)
-    : device_(device), entries_(entries) {
+                     const std::vector<std::vector<Bound>>& entries) {
+  const EffectScope scope(device, "underwater");
   corners_pipeline_ = make_compute_pipeline(device, shaders, "near_corners.comp", values);
   lines_pipeline_ = make_compute_pipeline(device, shaders, "near_lines.comp");
-  for (Slot& slot : slots_) make(slot, first_room);
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  corners_ = Buffer(device, "near corners", room * gpu::near_corners * sizeof(gpu::vec4), storage);
+  masks_ = Buffer(device, "near masks", room * sizeof(gpu::uint), storage);
+  listed_ = Buffer(device, "near triangles", triangle_room * sizeof(gpu::NearTriangle),
+                   storage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  draw_ = Buffer(device, "near draw", sizeof(VkDrawIndirectCommand), storage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+  const std::vector<Bound> own{{.binding = gpu::slot_near_corners, .buffer = &corners_},
+                               {.binding = gpu::slot_near_masks, .buffer = &masks_},
+                               {.binding = gpu::slot_near_listed, .buffer = &listed_},
+                               {.binding = gpu::slot_near_draw, .buffer = &draw_}};
+  for (std::size_t slot = 0; slot < patches_of_.size(); ++slot) {
+    patches_of_[slot] = Buffer(device, "near patches", room * sizeof(gpu::PatchInstance), storage, HostAccess::write);
+    for (std::vector<Bound> all : entries) {
+      all.insert(all.end(), own.begin(), own.end());
+      all.push_back({.binding = gpu::slot_near_patches, .buffer = &patches_of_[slot]});
+      corners_bindings_[slot].emplace_back(device, corners_pipeline_, all, "near corners");
+    }
+  }
+  lines_bindings_ = Bindings(device, lines_pipeline_, own, "near lines");
 }
 
 void NearLines::lay_out(GraphicsSpec& spec) {
@@ -20,31 +37,6 @@ void NearLines::lay_out(GraphicsSpec& spec) {
   spec.attributes.clear();
   for (std::uint32_t n = 0; n < 3; ++n)
     spec.attributes.push_back({n, 0, VK_FORMAT_R32G32B32_SFLOAT, n * std::uint32_t(sizeof(gpu::vec4))});
-}
-
-void NearLines::make(Slot& slot, std::size_t room) {
-  const EffectScope scope(device_, "underwater");
-  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  slot.room = room;
-  slot.patches =
-      Buffer(device_, "near patches", room * sizeof(gpu::PatchInstance), storage, HostAccess::write);
-  slot.corners = Buffer(device_, "near corners", room * gpu::near_corners * sizeof(gpu::vec4), storage);
-  slot.masks = Buffer(device_, "near masks", room * sizeof(gpu::uint), storage);
-  slot.listed = Buffer(device_, "near triangles", room * gpu::near_triangles * sizeof(gpu::NearTriangle),
-                       storage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-  slot.draw = Buffer(device_, "near draw", sizeof(VkDrawIndirectCommand), storage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-  const std::vector<Bound> own{{.binding = gpu::slot_near_patches, .buffer = &slot.patches},
-                               {.binding = gpu::slot_near_corners, .buffer = &slot.corners},
-                               {.binding = gpu::slot_near_masks, .buffer = &slot.masks},
-                               {.binding = gpu::slot_near_listed, .buffer = &slot.listed},
-                               {.binding = gpu::slot_near_draw, .buffer = &slot.draw}};
-  slot.corners_bindings.clear();
-  for (const std::vector<Bound>& entries : entries_) {
-    std::vector<Bound> all = entries;
-    all.insert(all.end(), own.begin(), own.end());
-    slot.corners_bindings.emplace_back(device_, corners_pipeline_, all, "near corners");
-  }
-  slot.lines_bindings = Bindings(device_, lines_pipeline_, own, "near lines");
 }
 
 void NearLines::choose(Frame& frame, const SurfaceSelection& selection, std::span<const NearWater> near) {
@@ -57,29 +49,27 @@ void NearLines::choose(Frame& frame, const SurfaceSelection& selection, std::spa
   patches_ = 0;
   eyes_ = near.size();
   if (near.empty()) return;
-  patches_ = std::size_t(std::count_if(selection.patches.begin(), selection.patches.end(), may_pass));
-  if (patches_ == 0) return;
-  Slot& slot = slots_[std::size_t(frame.slot())];
-  if (slot.room < patches_) make(slot, std::bit_ceil(patches_));  // its last frame has left the GPU
-  std::copy_if(selection.patches.begin(), selection.patches.end(), slot.patches.mapped<gpu::PatchInstance>(), may_pass);
-  drawn_ = &slot;
+  slot_ = frame.slot();
+  auto* const list = patches_of_[std::size_t(slot_)].mapped<gpu::PatchInstance>();
+  for (const gpu::PatchInstance& patch : selection.patches)
+    if (patches_ < room && may_pass(patch)) list[patches_++] = patch;
 }
 
 void NearLines::find(Frame& frame, std::uint32_t frame_uniform, const Uses& sea, std::size_t copy) {
-  const gpu::NearLinesPush push{gpu::uint(patches_), gpu::uint(eyes_)};
+  const gpu::NearLinesPush push{gpu::uint(patches_), gpu::uint(eyes_), gpu::uint(triangle_room)};
   Uses uses = sea;
-  uses.add(use(drawn_->corners, Access::compute_write));
-  uses.add(use(drawn_->masks, Access::compute_write));
+  uses.add(use(corners_, Access::compute_write));
+  uses.add(use(masks_, Access::compute_write));
   frame.pass("near corners", uses, [&](Commands& c) {
-    c.bind(corners_pipeline_, drawn_->corners_bindings[copy], {frame_uniform});
+    c.bind(corners_pipeline_, corners_bindings_[std::size_t(slot_)][copy], {frame_uniform});
     c.push(push);
     c.dispatch(std::uint32_t(patches_), 1, 1);
   });
   frame.pass("near lines",
-             {use(drawn_->corners, Access::compute_read), use(drawn_->masks, Access::compute_read),
-              use(drawn_->listed, Access::compute_write), use(drawn_->draw, Access::compute_write)},
+             {use(corners_, Access::compute_read), use(masks_, Access::compute_read),
+              use(listed_, Access::compute_write), use(draw_, Access::compute_write)},
              [&](Commands& c) {
-               c.bind(lines_pipeline_, drawn_->lines_bindings);
+               c.bind(lines_pipeline_, lines_bindings_);
                c.push(push);
                c.dispatch(1, 1, 1);
              });
@@ -87,13 +77,13 @@ void NearLines::find(Frame& frame, std::uint32_t frame_uniform, const Uses& sea,
 
 void NearLines::add_uses(Uses& uses) const {
   if (!any()) return;
-  uses.add(use(drawn_->listed, Access::vertex_list));
-  uses.add(use(drawn_->draw, Access::vertex_list));
+  uses.add(use(listed_, Access::vertex_list));
+  uses.add(use(draw_, Access::vertex_list));
 }
 
 void NearLines::draw(Commands& commands) const {
-  commands.bind_vertices({&drawn_->listed, 0, nullptr});
-  commands.draw_indirect(drawn_->draw);
+  commands.bind_vertices({&listed_, 0, nullptr});
+  commands.draw_indirect(draw_);
 }
 
 }  // namespace seascape

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 
+#include "ocean/mesh/bed_mesh.h"
 #include "ocean/mesh/patch_mesh.h"
 #include "shaders/shared/frame_data.h"
 
@@ -177,10 +178,9 @@ void Surface::make_underwater(ShaderLibrary& shaders, const RenderTarget& pictur
   if (std::none_of(spec.values.begin(), spec.values.end(),
                    [](const SpecValue& v) { return v.id == std::uint32_t(gpu::value_bed) && v.value != 0; }))
     return;
-  GraphicsSpec bed;
-  bed.vertex = "sky.vert";
+  GraphicsSpec bed = spec;
+  bed.vertex = "bed.vert";
   bed.fragment = look_.deferred ? "bed_points.frag" : "bed_in_water.frag";
-  bed.values = spec.values;
   bed.stencil = Stencil::in_water;
   bed_pipeline_ = make_graphics_pipeline(device_, shaders, target(picture), bed);
 }
@@ -272,8 +272,9 @@ void Surface::light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes
   commands.draw(3);
 }
 
-void Surface::find_near_lines(Frame& frame, std::uint32_t frame_uniform, Uses& uses) {
-  if (!near_lines_->any()) return;
+void Surface::prepare(Frame& frame, std::uint32_t frame_uniform, Uses& uses) {
+  add_below(uses);
+  if (!near_lines_ || !near_lines_->any()) return;
   near_lines_->find(frame, frame_uniform, uses, shown());
   near_lines_->add_uses(uses);
 }
@@ -281,32 +282,36 @@ void Surface::find_near_lines(Frame& frame, std::uint32_t frame_uniform, Uses& u
 void Surface::draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
                    EyesIn eyes, bool facing_only) const {
   const Drawing& drawn = drawing(eyes);
-  const auto whole = [&](const Pipeline& pipeline, const Bindings& bindings) {
-    commands.bind(pipeline, bindings, {frame_uniform, 0u});
+  if (&drawn == &in_water_) {
+    commands.bind(side_pipeline_, side_bindings_, {frame_uniform, 0u});
     commands.push(gpu::DrawPush{commands.eye()});
     commands.draw(3);
-  };
-  if (&drawn == &in_water_) whole(side_pipeline_, side_bindings_);
+  }
   if (&drawn == &in_water_ && near_lines_->any() && !look_.shapes.any()) {
     commands.bind(near_side_pipeline_, near_side_bindings_, {frame_uniform, 0u});
     commands.push(gpu::DrawPush{commands.eye()});
     near_lines_->draw(commands);
   }
-  draw_patches(commands, frame, selection, frame_uniform, drawn, facing_only && eyes == EyesIn::air);
-  if (&drawn == &in_water_ && bed_pipeline_) whole(bed_pipeline_, bed_bindings_[shown()]);
+  if (selection.patches.empty()) return;
+  commands.bind(drawn.pipeline, drawn.bindings[shown()], {frame_uniform, 0u}, facing_only && eyes == EyesIn::air);
+  draw_patches(commands, frame, selection.patches);
 }
 
-void Surface::draw_patches(Commands& commands, Frame& frame, const SurfaceSelection& selection,
-                           std::uint32_t frame_uniform, const Drawing& drawn, bool facing) const {
-  if (selection.patches.empty()) return;
+void Surface::draw_bed(Commands& commands, Frame& frame, const SurfaceSelection& selection,
+                       std::uint32_t frame_uniform) const {
+  const std::span<const gpu::PatchInstance> patches = BedMesh::patches(selection);
+  if (patches.empty()) return;
+  commands.bind(bed_pipeline_, bed_bindings_[shown()], {frame_uniform, 0u});
+  draw_patches(commands, frame, patches);
+}
+
+void Surface::draw_patches(Commands& commands, Frame& frame, std::span<const gpu::PatchInstance> patches) const {
   constexpr std::size_t group = gpu::patches_an_instance;
-  const std::size_t instances = (selection.patches.size() + group - 1) / group;
+  const std::size_t instances = (patches.size() + group - 1) / group;
   const VertexList list = frame.vertices(instances * group * sizeof(gpu::PatchInstance));
-  const std::size_t missing = instances * group - selection.patches.size();
-  auto* filled =
-      std::copy(selection.patches.begin(), selection.patches.end(), static_cast<gpu::PatchInstance*>(list.host));
-  std::fill_n(filled, missing, gpu::PatchInstance{selection.patches.back().corner, 1, gpu::patch_nothing});
-  commands.bind(drawn.pipeline, drawn.bindings[shown()], {frame_uniform, 0u}, facing);
+  const std::size_t missing = instances * group - patches.size();
+  auto* filled = std::copy(patches.begin(), patches.end(), static_cast<gpu::PatchInstance*>(list.host));
+  std::fill_n(filled, missing, gpu::PatchInstance{patches.back().corner, 1, gpu::patch_nothing});
   commands.push(gpu::DrawPush{commands.eye()});
   commands.bind_vertices(list);
   commands.bind_indices(indices_, VK_INDEX_TYPE_UINT16);

@@ -60,20 +60,22 @@ class Surface {
   // With look.underwater: where it passes near planes, which draw() draws where any were chosen, and others may.
   NearLines& near_lines() { return *near_lines_; }
   const NearLines& near_lines() const { return *near_lines_; }
-  // Finds them, where any were chosen, in passes of their own, and has those that follow use them. `uses`: of what the
-  // surface is drawn from.
-  void find_near_lines(Frame& frame, std::uint32_t frame_uniform, Uses& uses);
+  // Where there is a bed, before eyes that may be in the water: `selection` is of BedMesh. Inside the pass of draw(),
+  // after all that hides it.
+  void draw_bed(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform) const;
+  // Before the passes of draw() and light(), whose `uses` it adds to: finds the lines, where any were chosen, in passes
+  // of their own.
+  void prepare(Frame& frame, std::uint32_t frame_uniform, Uses& uses);
   // Inside a draw pass into target(). `frame_uniform`: ring offset of FrameData. `eyes`: see Ocean::eyes_in; other than
-  // air only with look.underwater, and then the bed before the eyes is drawn too. `facing_only`: from the air, what
-  // faces away from the eyes is not drawn, which what faces them hides.
+  // air only with look.underwater. `facing_only`: from the air, what faces away from the eyes is not drawn, which what
+  // faces them hides.
   void draw(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
             EyesIn eyes, bool facing_only) const;
   // With look.deferred: lights sea and sky inside a draw pass into the picture, which also uses add_points().
   void light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const;
   void add_points(Uses& uses) const;
-  // With look.below: what things under water are drawn into, for draw() or light(), which also use add_below().
+  // With look.below: what things under water are drawn into, for draw() or light(), which use it by prepare().
   const RenderTarget& below() const { return below_; }
-  void add_below(Uses& uses) const;
 
   // For what else draws with the sea's shaders into the picture, with look.underwater: the constants of the surface for
   // eyes in the water; and its bindings, of each copy of the pieces' images, with the points' sides where it is
@@ -98,6 +100,7 @@ class Surface {
   static constexpr std::uint32_t probe_patches = 98304;  // ultra, masked, in a storm: 73,600
 
  private:
+  void add_below(Uses& uses) const;
   // What draws it for eyes in the air, and with look.underwater for others. Bindings: one of each copy.
   struct Drawing {
     Pipeline pipeline, light;
@@ -106,8 +109,8 @@ class Surface {
   std::vector<Bound> with_below(const std::vector<Bound>& entries) const;
   void make_underwater(ShaderLibrary& shaders, const RenderTarget& picture, GraphicsSpec spec);
   void make_light(ShaderLibrary& shaders, const RenderTarget& picture, Drawing& drawing, std::vector<SpecValue> values);
-  void draw_patches(Commands& commands, Frame& frame, const SurfaceSelection& selection, std::uint32_t frame_uniform,
-                    const Drawing& drawn, bool facing) const;
+  // With the pipeline that is bound.
+  void draw_patches(Commands& commands, Frame& frame, std::span<const gpu::PatchInstance> patches) const;
   void bind();
   void bind_light(Drawing& drawing);
   void add_sides(std::vector<Bound>& entries) const;

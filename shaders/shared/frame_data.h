@@ -38,6 +38,7 @@ struct FrameData {
                  // that is drawn, 0: it is not there
   ivec4 shown;   // x: a debug view; y: where the eyes are; z, w: unused
   MeshData mesh;
+  MeshData bed_mesh;  // likewise of the bed, where eyes may be in the water over one
   SeaData sea;
   FoamData foam;         // where it is simulated
   SolidsInWater solids;  // where there are any

@@ -16,7 +16,7 @@ struct MeshData {
   float unit_m;               // metres a unit
   float skirt_to_multiplier;  // for skirt_scale()
   float skirt_to_horizon;
-  vec2 unused;
+  vec2 from_grid;     // of the bed: metres from the grid origin of the surface to its own
   VertexMorph morph;  // how vertices slide; with lod.join = masked none does
 };
 

@@ -20,6 +20,7 @@ struct NearTriangle {
 
 struct NearLinesPush {
   uint patches, eyes;
+  uint room;  // triangles that there is room for
 };
 
 // The corners of a patch's triangle, row after row, as patch_indices() (ocean/mesh/patch_mesh.h) cuts a quad.

@@ -1,5 +1,6 @@
 // What an eye in the water sees, against closed forms, and what an eye in the air pays for it. Controls are named
 // beside each test.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "tests/support/gpu/gpu_test.h"
 #include "tests/support/gpu/picture.h"
 #include "tests/support/gpu/solid_shot.h"
+#include "tests/support/gpu/waterline.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -328,6 +330,57 @@ TEST_F(Underwater, TheWaterlineOfASeaIsWhereItsQueryHasIt) {
     EXPECT_LE(all.wrong, 3e-4 * (all.wet + all.dry)) << look.name;
     EXPECT_GT(all.wet, 30000) << look.name;
     EXPECT_GT(all.dry, 30000) << look.name;
+  }
+}
+
+// The bed before an eye in the water is where the sea has it, within two pixels but for one in a hundred: along the
+// sand, over a reef's edge, and straight down. Control seen: vertices twice as far apart and more (BedMesh).
+TEST_F(Underwater, TheBedIsWhereTheSeaHasIt) {
+  struct Look {
+    const char* scene;
+    Pose head;
+  };
+  for (const Look& look :
+       {Look{"lagoon", pose({-30.0, -2.0, -100.0}, 66.0, -12.0)},
+        Look{"lagoon", pose({-62.0, -1.5, -140.0}, 200.0, -25.0)},
+        Look{"lagoon", pose({-30.0, -2.5, -100.0}, 0.0, -88.0)}, Look{"wreck", pose({8.0, -10.0, 16.0}, 330.0, -30.0)},
+        Look{"harbour", pose({60.0, -2.0, 60.0}, 120.0, -10.0)}}) {
+    test::ShotOptions options{.scene = look.scene,
+                              .preset = "medium",
+                              .width = width,
+                              .height = height,
+                              .views = 1,
+                              .set = {{"msaa", "1"}, {"frame.lighting", "deferred"}, {"frame.shape", "tile"}}};
+    options.effects = load_scene(look.scene, "low").effects;
+    std::erase_if(*options.effects, [](const std::string& effect) { return effect == "models" || effect == "boats"; });
+    SeaShot shot(options);
+    const Viewpoint viewpoint = shot.viewpoint(look.head);
+    const View& eye = viewpoint.eyes.front();
+    shot.draw(viewpoint, 5.0);
+    const std::vector<double> away = test::distances(shot, 0);
+    if (away.empty()) GTEST_SKIP() << "no depths to read";
+    const SeaView sea = shot.experience().sea()->view_at(5.0, SeaDetail::felt);
+    int there = 0, off = 0;
+    double sum_px = 0.0;
+    for (std::uint32_t y = 0; y < height; y += 2)
+      for (std::uint32_t x = 0; x < width; x += 2) {
+        const double ahead_m = away[std::size_t(y) * width + x];
+        if (!(ahead_m < 100.0)) continue;
+        const glm::dvec3 ray = test::pixel_ray(eye, x + 0.5, y + 0.5, width, height),
+                         axis = eye.pose.orientation * glm::dvec3(0.0, 0.0, -1.0);
+        const glm::dvec3 at = eye.pose.position_m + ahead_m / glm::dot(ray, axis) * ray;
+        if (at.y > -1.0) continue;  // the surface
+        const QueryAnswer water = sea.query({at.x, at.z});
+        const double off_m = std::abs(at.y - (water.still_m - water.depth_m)),
+                     off_px = off_m * viewpoint.pixels_per_radian / glm::distance(at, eye.pose.position_m);
+        ++there;
+        sum_px += off_px;
+        off += off_px > 2.0;
+      }
+    const std::string name = std::string(look.scene) + fmt::format(" {:.0f}", look.head.position_m.x);
+    EXPECT_GT(there, 1000) << name;
+    EXPECT_LE(off, there / 100) << name << ": mean " << sum_px / there << " px, of " << there;
+    RecordProperty(name, fmt::format("mean {:.3f} px, {} of {} beyond 2", sum_px / there, off, there));
   }
 }
 

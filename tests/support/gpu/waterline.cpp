@@ -9,19 +9,22 @@
 
 namespace seascape::test {
 
-std::vector<bool> wet_pixels(SeaShot& shot, int eye) {
+namespace {
+// An aspect of the depths of a frame's points, of an eye.
+template <class T>
+std::vector<T> of_points(SeaShot& shot, int eye, VkImageAspectFlagBits aspect) {
   Device& device = shot.device();
   device.wait_idle();
   const Image& image = *shot.experience().surface().depths();
   const ExperienceOptions& options = shot.experience().options();
   const std::size_t count = std::size_t(options.width) * options.height;
-  Buffer staging(device, "sides", (count + 3) / 4 * 4, VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
+  Buffer staging(device, "points", (count * sizeof(T) + 3) / 4 * 4, VK_BUFFER_USAGE_TRANSFER_DST_BIT, HostAccess::read);
   device.run_now([&](VkCommandBuffer commands) {
     BarrierBatch barriers;
     barriers.add(image, Access::transfer_read, false);
     barriers.record(commands);
     VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_STENCIL_BIT, 0, std::uint32_t(eye), 1};
+    region.imageSubresource = {VkImageAspectFlags(aspect), 0, std::uint32_t(eye), 1};
     region.imageExtent = {options.width, options.height, 1};
     vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.get(), 1, &region);
     BarrierBatch after;
@@ -30,9 +33,24 @@ std::vector<bool> wet_pixels(SeaShot& shot, int eye) {
     after.add(staging, Access::host_read);
     after.record(commands);
   });
-  std::vector<bool> wet(count);
-  for (std::size_t n = 0; n < count; ++n) wet[n] = staging.mapped<std::uint8_t>()[n] < gpu::side_in_air;
+  return {staging.mapped<T>(), staging.mapped<T>() + count};
+}
+}  // namespace
+
+std::vector<bool> wet_pixels(SeaShot& shot, int eye) {
+  std::vector<bool> wet;
+  for (const std::uint8_t side : of_points<std::uint8_t>(shot, eye, VK_IMAGE_ASPECT_STENCIL_BIT))
+    wet.push_back(side < gpu::side_in_air);
   return wet;
+}
+
+std::vector<double> distances(SeaShot& shot, int eye) {
+  const VkFormat format = shot.experience().surface().depths()->spec().format;
+  std::vector<double> ahead;
+  if (format != VK_FORMAT_D32_SFLOAT && format != VK_FORMAT_D32_SFLOAT_S8_UINT) return ahead;
+  for (const float depth : of_points<float>(shot, eye, VK_IMAGE_ASPECT_DEPTH_BIT))
+    ahead.push_back(shot.scene().settings.render.near_m / double(depth));
+  return ahead;
 }
 
 QueryAnswer drawn_water(SeaShot& shot, const glm::dvec2& at, double time_s) {

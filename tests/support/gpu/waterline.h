@@ -11,6 +11,10 @@ namespace seascape::test {
 // the stencil; of a shot whose surface is deferred.
 std::vector<bool> wet_pixels(SeaShot& shot, int eye);
 
+// How far along its axis of sight an eye sees what is drawn in each pixel, m, infinite where nothing is: of such a
+// shot. Empty where the device keeps depths otherwise than as floats.
+std::vector<double> distances(SeaShot& shot, int eye);
+
 // The water that a frame at this time draws at a place, where the processor makes the waves: draws a frame from 2 m
 // above it first. (Nobody may keep a view of drawn waves for longer than a frame.)
 QueryAnswer drawn_water(SeaShot& shot, const glm::dvec2& at, double time_s);
