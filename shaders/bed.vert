@@ -19,7 +19,8 @@ void main() {
     gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // before the near plane
     return;
   }
-  const vec2 stands = patch_vertex(p, i, j, frame.bed_mesh), place = stands * frame.bed_mesh.unit_m + frame.bed_mesh.from_grid;
+  const vec2 stands = patch_vertex(p, i, j, frame.bed_mesh);
+  const vec2 place = stands * frame.bed_mesh.unit_m + frame.bed_mesh.from_grid;
   const float footprint = displacement_footprint(frame.bed_mesh.morph, stands) * frame.bed_mesh.unit_m;
   relative = curved(place - frame.viewer.xy, sea_bed_height(place_read(place, footprint), place).x, frame.viewer.w);
   relative.y -= frame.viewer.z;

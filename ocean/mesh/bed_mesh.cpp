@@ -38,12 +38,8 @@ const SurfaceSelection& BedMesh::select(const Viewpoint& viewpoint, const BedInS
   bounds.horizontal_m = 0.0;
   MeshWater within(bounds);
   const glm::dvec2 viewer(viewpoint.viewer.position_m.x, viewpoint.viewer.position_m.z);
-  const struct {
-    glm::dvec2 viewer;
-    double sight_m;
-  } seen{viewer, bed.sight_m};
-  within.gone = [&seen](glm::dvec2 least, glm::dvec2 most) {
-    return glm::length(seen.viewer - glm::clamp(seen.viewer, least, most)) > seen.sight_m;
+  within.gone = [&bed, &viewer](glm::dvec2 least, glm::dvec2 most) {
+    return glm::length(viewer - glm::clamp(viewer, least, most)) > bed.sight_m;
   };
   return tree_.select(over_middle_, within);
 }

@@ -17,15 +17,15 @@ class BedMesh {
  public:
   BedMesh();
 
-  // The patches for a viewpoint, as Quadtree::select() has them: those that an eye may see within sight. They stay until
-  // the next call. Throws as it does.
+  // The patches for a viewpoint, as Quadtree::select() has them: those that an eye may see within sight. They stay
+  // until the next call. Throws as it does.
   const SurfaceSelection& select(const Viewpoint& viewpoint, const BedInSight& bed);
   // Of a selection: without the skirt, which lies out of sight.
   static std::span<const gpu::PatchInstance> patches(const SurfaceSelection& selection) {
     return std::span(selection.patches).first(selection.patches.size() - std::size_t(selection.skirt_strips));
   }
-  // How far vertices may be apart at a distance, over that distance: some pixels, but no less than a diver sees of what
-  // beds are like.
+  // How far vertices may be apart at a distance, over that distance: ten pixels, or as much as the texels of the bed's
+  // windows (PlaceSettings) are apart there.
   static double spacing_over_distance(double pixels_per_radian);
 
  private:

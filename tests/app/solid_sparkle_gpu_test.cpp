@@ -66,8 +66,8 @@ int off(const Image8& picture, std::size_t pixel, const std::array<int, 3>& ther
   return most;
 }
 
-// Differs from the frames before and after by more than 40 of 255 while those differ by less than 10, and is farther
-// than they are from what is there. (With several samples a pixel is lit once for each triangle in it: beside a
+// Differs from the frames before and after by more than 40 of 255 while those differ by less than 10, and is not the
+// nearest of the three to what is there. (With several samples a pixel is lit once for each triangle in it: beside a
 // shadow's corner one frame may be nearly right and those about it too dark.) `fine`: draws the frame finer.
 int flashes(const Image8& before, const Image8& now, const Image8& after, const std::function<Image8()>& fine,
             std::string& where) {

@@ -334,7 +334,7 @@ TEST_F(Underwater, TheWaterlineOfASeaIsWhereItsQueryHasIt) {
 }
 
 // The bed before an eye in the water is where the sea has it, within two pixels but for one in a hundred: along the
-// sand, over a reef's edge, and straight down. Control seen: vertices twice as far apart and more (BedMesh).
+// sand, over a reef's edge, and straight down. Control seen: vertices eight times as far apart (BedMesh).
 TEST_F(Underwater, TheBedIsWhereTheSeaHasIt) {
   struct Look {
     const char* scene;
