@@ -11,8 +11,7 @@ layout(binding = slot_frame) uniform Frame { FrameData frame; };
 #include "lib/mesh.glsl"
 #include "lib/sea.glsl"
 layout(std430, binding = slot_near_patches) readonly buffer Patches { PatchInstance patches[]; };
-layout(std430, binding = slot_near_corners) writeonly buffer Corners { vec4 corners[]; };
-layout(std430, binding = slot_near_masks) writeonly buffer Masks { uint masks[]; };
+layout(std430, binding = slot_near_found) writeonly buffer Found { NearPatch found[]; };
 layout(push_constant) uniform Push { NearLinesPush push; };
 
 shared vec3 corner[near_corners];
@@ -40,7 +39,7 @@ void main() {
   if (n == 0) passing = 0u;
   if (n < near_corners) {
     corner[n] = corner_at(patches[gl_WorkGroupID.x], n % (patch_quads + 1), n / (patch_quads + 1));
-    corners[int(gl_WorkGroupID.x) * near_corners + n] = vec4(corner[n], 0.0);
+    found[gl_WorkGroupID.x].corner[n] = vec4(corner[n], 0.0);
   }
   barrier();
   const ivec3 numbers = near_corner_numbers(n);
@@ -50,5 +49,5 @@ void main() {
     for (uint eye = 0u; eye < push.eyes; ++eye)
       if (passes(frame.view[eye], a, b, c)) atomicOr(passing, 1u << n);
   barrier();
-  if (n == 0) masks[gl_WorkGroupID.x] = passing;
+  if (n == 0) found[gl_WorkGroupID.x].passing = uvec4(passing, 0u, 0u, 0u);
 }

@@ -12,13 +12,11 @@ NearLines::NearLines(Device& device, ShaderLibrary& shaders, const std::vector<S
   corners_pipeline_ = make_compute_pipeline(device, shaders, "near_corners.comp", values);
   lines_pipeline_ = make_compute_pipeline(device, shaders, "near_lines.comp");
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  corners_ = Buffer(device, "near corners", room * gpu::near_corners * sizeof(gpu::vec4), storage);
-  masks_ = Buffer(device, "near masks", room * sizeof(gpu::uint), storage);
+  found_ = Buffer(device, "near corners", room * sizeof(gpu::NearPatch), storage);
   listed_ = Buffer(device, "near triangles", triangle_room * sizeof(gpu::NearTriangle),
                    storage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   draw_ = Buffer(device, "near draw", sizeof(VkDrawIndirectCommand), storage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-  const std::vector<Bound> own{{.binding = gpu::slot_near_corners, .buffer = &corners_},
-                               {.binding = gpu::slot_near_masks, .buffer = &masks_},
+  const std::vector<Bound> own{{.binding = gpu::slot_near_found, .buffer = &found_},
                                {.binding = gpu::slot_near_listed, .buffer = &listed_},
                                {.binding = gpu::slot_near_draw, .buffer = &draw_}};
   for (std::size_t slot = 0; slot < patches_of_.size(); ++slot) {
@@ -58,21 +56,20 @@ void NearLines::choose(Frame& frame, const SurfaceSelection& selection, std::spa
 void NearLines::find(Frame& frame, std::uint32_t frame_uniform, const Uses& sea, std::size_t copy) {
   const gpu::NearLinesPush push{gpu::uint(patches_), gpu::uint(eyes_), gpu::uint(triangle_room)};
   Uses uses = sea;
-  uses.add(use(corners_, Access::compute_write));
-  uses.add(use(masks_, Access::compute_write));
+  uses.add(use(found_, Access::compute_write));
   frame.pass("near corners", uses, [&](Commands& c) {
     c.bind(corners_pipeline_, corners_bindings_[std::size_t(slot_)][copy], {frame_uniform});
     c.push(push);
     c.dispatch(std::uint32_t(patches_), 1, 1);
   });
-  frame.pass("near lines",
-             {use(corners_, Access::compute_read), use(masks_, Access::compute_read),
-              use(listed_, Access::compute_write), use(draw_, Access::compute_write)},
-             [&](Commands& c) {
-               c.bind(lines_pipeline_, lines_bindings_);
-               c.push(push);
-               c.dispatch(1, 1, 1);
-             });
+  frame.pass(
+      "near lines",
+      {use(found_, Access::compute_read), use(listed_, Access::compute_write), use(draw_, Access::compute_write)},
+      [&](Commands& c) {
+        c.bind(lines_pipeline_, lines_bindings_);
+        c.push(push);
+        c.dispatch(1, 1, 1);
+      });
 }
 
 void NearLines::add_uses(Uses& uses) const {

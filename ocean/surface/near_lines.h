@@ -39,7 +39,7 @@ class NearLines {
  private:
   Pipeline corners_pipeline_, lines_pipeline_;
   std::array<Buffer, Frame::slots> patches_of_;  // of each frame in flight: the host writes them
-  Buffer corners_, masks_, listed_, draw_;
+  Buffer found_, listed_, draw_;
   std::array<std::vector<Bindings>, Frame::slots> corners_bindings_;  // of each copy
   Bindings lines_bindings_;
   int slot_ = 0;

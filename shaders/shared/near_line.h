@@ -9,13 +9,18 @@ SEASCAPE_SHARED_BEGIN
 using glm::ivec3;
 #endif
 
-// Of a patch. A bit of a word for each triangle.
+// Of a patch.
 SEASCAPE_CONST int near_corners = (patch_quads + 1) * (patch_quads + 1), near_triangles = 2 * patch_quads * patch_quads;
 SEASCAPE_CONST int near_round = 64;         // patches that near_lines.comp takes at once
 SEASCAPE_CONST int near_line_vertices = 6;  // of the two triangles that are drawn along a line
 
+struct NearPatch {
+  vec4 corner[near_corners];  // xyz: metres from the viewer, curved as the earth is
+  uvec4 passing;              // x: a bit for each triangle that passes
+};
+
 struct NearTriangle {
-  vec4 corner[3];  // xyz: metres from the viewer, curved as the earth is; counter-clockwise seen from above
+  vec4 corner[3];  // of a NearPatch; counter-clockwise seen from above
 };
 
 struct NearLinesPush {

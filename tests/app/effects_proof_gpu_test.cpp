@@ -320,13 +320,13 @@ TEST_F(EffectProof, IdleCostsNothing) {
 }
 
 // None of the effects, each alone, every pair, and all of them are drawn without a word of the validation layer, and
-// the plan names each and why. (A third of those alone and a fortieth of the pairs; all with SEASCAPE_LONG=1.)
+// the plan names each and why. (A sixth of those alone and an eightieth of the pairs; all with SEASCAPE_LONG=1.)
 TEST_F(EffectProof, EverySetOfEffectsIsDrawnAndPlanned) {
   const std::size_t count = std::size(effects_under_proof), all = (std::size_t{1} << count) - 1;
   for (std::size_t set = 0; set <= all; ++set) {
     if (std::popcount(set) > 2 && set != all) continue;
-    if (std::popcount(set) == 1 && !test::sampled(std::size_t(std::countr_zero(set)), 3)) continue;
-    if (std::popcount(set) == 2 && !test::sampled(std::size_t(std::countr_zero(set) + std::bit_width(set)), 40))
+    if (std::popcount(set) == 1 && !test::sampled(std::size_t(std::countr_zero(set)), 6)) continue;
+    if (std::popcount(set) == 2 && !test::sampled(std::size_t(std::countr_zero(set) + std::bit_width(set)), 80))
       continue;
     std::vector<std::string> effects;
     std::vector<InputSpec> inputs;

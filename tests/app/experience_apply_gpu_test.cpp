@@ -57,7 +57,7 @@ TEST_F(ExperienceApply, DrawsWhatAFreshStartDraws) {
   for (const Setting& row : settings_table()) {
     SCOPED_TRACE(row.key);
     if (std::holds_alternative<TextMember>(row.member)) continue;  // a name has to be of something
-    if (!test::long_run() && (of_an_absent_effect(live.scene(), row.key) || number++ % 8 != 0)) continue;
+    if (!test::long_run() && (of_an_absent_effect(live.scene(), row.key) || number++ % 12 != 0)) continue;
     const std::string before = value_text(live.scene().settings, row),
                       value = test::another(live.scene().settings, row);
     live.set(std::string(row.key), value);
@@ -153,10 +153,10 @@ TEST_F(ExperienceApply, LiveSettingsActAndMakeNoObject) {
     if (!row.rebuild.empty() || of_the_next_frame(row.key)) continue;
     SCOPED_TRACE(row.key);
     ++live;
-    if (!test::sampled(live, 8)) continue;
+    if (!test::sampled(live, 12)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     // Half of those with waves of the GPU, which software drivers do not have of themselves.
-    const char* where = live / 8 % 2 == 0 ? "gpu" : "cpu";
+    const char* where = live / 12 % 2 == 0 ? "gpu" : "cpu";
     options.set.push_back({"waves.where", where});
     const std::string shown = options.scene + std::to_string(options.set.size()) + where;
     if (!plain.contains(shown)) {
@@ -234,7 +234,7 @@ TEST_F(ExperienceApply, SettingsOfTheSeaDrawWhatAFreshStartDraws) {
       continue;
     // A sample of them, and one of each scene.
     const bool alone = row.key == "clip.by_default" || row.key == "baked.scale" || row.key == "level.height_m";
-    if (!alone && !test::sampled(number++, 6)) continue;
+    if (!alone && !test::sampled(number++, 12)) continue;
     test::ShotOptions options = test::where_it_acts(row.key);
     compare(row, options);
     if (is({"level", "flow"})) {

@@ -59,7 +59,7 @@ TEST_F(LiveLeversDrawn, MovesMakeNothingAndLeaveNothing) {
     const std::uint64_t made = test::device().objects_made();
     const std::size_t objects = test::device().objects().size();
     std::mt19937 random(3);
-    const int moves = test::long_run() ? 5000 : 400;
+    const int moves = test::long_run() ? 5000 : 200;
     for (int i = 0; i < moves; ++i) {
       take(shot, size, drawn_quality(levers, random_levels(levers, random)));
       Frame& frame = shot.experience().frame();
@@ -205,7 +205,7 @@ TEST_F(LiveLeversDrawn, BodiesFeelNothing) {
   const Pose head = held.scene().start;
   ASSERT_NE(held.experience().bodies(), nullptr);
   ASSERT_GT(held.experience().bodies()->size(), 1u);
-  for (int i = 0; i < (test::long_run() ? 40 : 16); ++i) {
+  for (int i = 0; i < (test::long_run() ? 40 : 8); ++i) {
     const double time_s = 10.0 + i / 20.0;
     held.draw(head, time_s);
     take(moved, size, drawn_quality(levers, random_levels(levers, random)));

@@ -37,7 +37,7 @@ TEST_P(SeaAskers, HaveTilesOfATimeAndADetailMadeOnce) {
   std::size_t number = GetParam() == WavePlace::cpu ? 0 : 1;  // others each
   for (const std::string scene : {"open_sea", "calm", "storm", "swell", "rain_pool", "gerstner", "baked", "whirlpool",
                                   "lagoon", "rivers", "harbour_clip", "harbour", "still_life"}) {
-    if (!test::sampled(number++, 2)) continue;
+    if (!test::sampled(number++, 4)) continue;
     SeaShot shot({.scene = scene,
                   .preset = "low",
                   .width = 48,

@@ -167,13 +167,13 @@ TEST(Specialisation, EveryCombinationOfFlagsIsValid) {
     ASSERT_LE(flags.size(), 20u) << name << ": too many combinations for this test";
     const unsigned all = (1u << flags.size()) - 1u;
     for (unsigned chosen = 0; chosen <= all; ++chosen) {
-      // Of many none, all, a third of the single ones and a twelfth of the pairs (each with SEASCAPE_LONG=1).
+      // Of many none, all, a sixth of the single ones and a twenty-fourth of the pairs (each with SEASCAPE_LONG=1).
       if (flags.size() > 4u && std::popcount(chosen) > 2 && chosen != all) continue;
       if (flags.size() > 4u && std::popcount(chosen) == 1 &&
-          !test::sampled(std::size_t(std::countr_zero(chosen)) + std::size_t(modules), 3))
+          !test::sampled(std::size_t(std::countr_zero(chosen)) + std::size_t(modules), 6))
         continue;
       if (flags.size() > 4u && std::popcount(chosen) == 2 &&
-          !test::sampled(std::size_t(std::countr_zero(chosen) + std::bit_width(chosen)), 12))
+          !test::sampled(std::size_t(std::countr_zero(chosen) + std::bit_width(chosen)), 24))
         continue;
       std::vector<SpecValue> values;
       for (std::size_t i = 0; i < flags.size(); ++i) values.push_back({flags[i], chosen >> i & 1u});
