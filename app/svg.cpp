@@ -4,11 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+
+#include "app/report_page.h"
 
 namespace seascape {
 
 namespace {
 constexpr int colours = 8;
+
+// Before each colour that is a variable the light one as it is: who knows variables takes what comes last.
+std::string with_plain_colours(const std::string& text) {
+  const std::string_view light = std::string_view(page_colours).substr(0, std::string_view(page_colours).find('}'));
+  static const std::regex variable("(fill|stroke):var\\((--[a-z0-9]+)\\)");
+  std::string all;
+  auto from = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), variable), end; found != end; ++found) {
+    const std::string name = (*found)[2].str() + ":";
+    const std::size_t at = light.find(name);
+    all.append(from, (*found)[0].first);
+    if (at != std::string_view::npos)
+      all += (*found)[1].str() + ":" + std::string(light.substr(at + name.size(), std::string_view("#rrggbb").size())) +
+             ";";
+    all += (*found)[0].str();
+    from = (*found)[0].second;
+  }
+  return all.append(from, text.end());
+}
 }  // namespace
 
 std::string html_escaped(std::string_view text) {
@@ -97,6 +119,16 @@ double legend_height(const std::vector<Legend>& entries) {
     x += width + 8.0;
   }
   return height;
+}
+
+std::string standalone_svg(const std::string& figure_text) {
+  const std::size_t from = figure_text.find("<svg "), to = figure_text.rfind("</svg>");
+  if (from == std::string::npos || to == std::string::npos) return {};
+  const std::size_t open_end = figure_text.find('>', from);
+  return with_plain_colours("<svg xmlns=\"http://www.w3.org/2000/svg\" " +
+                            figure_text.substr(from + 5, open_end - from - 5) + "><style>" + page_colours +
+                            "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>" +
+                            figure_text.substr(open_end + 1, to - open_end - 1) + "</svg>\n");
 }
 
 }  // namespace seascape

@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "app/csv.h"
-#include "app/lab/lab_report.h"
 #include "app/scene.h"
 #include "app/svg.h"
 

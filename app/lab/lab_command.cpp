@@ -12,6 +12,7 @@
 #include "app/lab/lab_report.h"
 #include "app/program.h"
 #include "app/progress.h"
+#include "app/svg.h"
 #include "engine/error.h"
 #include "engine/files.h"
 #include "engine/output_folder.h"

@@ -90,9 +90,25 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
   return text;
 }
 
+struct PresetLabel {
+  double from, to, y;
+};
+// The height, at `y` or above it, where the label lies on none of those before it, to which it is added.
+double free_height(std::vector<PresetLabel>& labels, const std::string& name, double x, double y, bool ends_there) {
+  constexpr double letter = 7.5, row = 14.0;  // wide and high, at the most
+  const double wide = letter * double(name.size()), from = ends_there ? x - wide : x;
+  const auto taken = [&](const PresetLabel& l) {
+    return l.from < from + wide && from < l.to && std::abs(l.y - y) < row - 1e-9;
+  };
+  while (std::any_of(labels.begin(), labels.end(), taken)) y -= row;
+  labels.push_back({from, from + wide, y});
+  return y;
+}
+
 std::string panel(const std::vector<LabPoint>& points, const std::vector<std::string>& knobs, const Scale& x,
                   const Scale& y) {
   std::string text;
+  std::vector<PresetLabel> labels;
   for (std::size_t k = 0; k < knobs.size(); ++k) {
     std::string way;
     for (const LabPoint& p : points)
@@ -125,9 +141,11 @@ std::string panel(const std::vector<LabPoint>& points, const std::vector<std::st
           "style=\"stroke:var(--ink)\"/>\n",
           px, py);
     const bool to_left = px > x.end - 70.0;
-    if (!p.preset.empty())
-      text += text_at(px + (to_left ? -10.0 : 10.0), py - 7.0, p.preset, to_left ? "end" : "start", false);
-    else if (!p.knob.starts_with("random"))
+    if (!p.preset.empty()) {
+      const double edge_x = px + (to_left ? -10.0 : 10.0);
+      text += text_at(edge_x, free_height(labels, p.preset, edge_x, py - 7.0, to_left), p.preset,
+                      to_left ? "end" : "start", false);
+    } else if (!p.knob.starts_with("random"))
       text += text_at(px + (px > x.end - 28.0 ? -6.0 : 6.0), py + 13.0, figure(p.value),
                       px > x.end - 28.0 ? "end" : "start");
   }
@@ -178,15 +196,6 @@ std::string curve_plot(const LabCurve& curve, const std::vector<LabPoint>& all, 
     text += panel(chosen(points, curve.name, unit, seas[s]), knobs, x, y);
   }
   return text + legend(entries, bottom + 50.0) + "</svg></figure>\n";
-}
-
-std::string standalone_svg(const std::string& figure_text) {
-  const std::size_t from = figure_text.find("<svg "), to = figure_text.rfind("</svg>");
-  if (from == std::string::npos || to == std::string::npos) return {};
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" " +
-         figure_text.substr(from + 5, figure_text.find('>', from) - from - 5) + "><style>" + std::string(page_colours) +
-         "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>" +
-         figure_text.substr(figure_text.find('>', from) + 1, to - figure_text.find('>', from) - 1) + "</svg>\n";
 }
 
 std::map<std::string, double> presets_off_front(const LabCurve& curve, const std::vector<LabPoint>& points) {

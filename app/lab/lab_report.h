@@ -12,8 +12,6 @@ namespace seascape {
 // Points of one curve whose errors have one unit: error over time, both on logarithmic scales, a panel a sea. Points of
 // one knob are joined; what no other point beats is ringed, points of presets are named. For a page (report_page.h).
 std::string curve_plot(const LabCurve& curve, const std::vector<LabPoint>& points, const std::string& unit);
-// The same as a file of its own.
-std::string standalone_svg(const std::string& svg);
 
 // The units of a curve's errors, in the order in which they are first met; the first is the curve's own.
 std::vector<std::string> error_units(const std::string& curve, const std::vector<LabPoint>& points);

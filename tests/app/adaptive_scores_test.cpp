@@ -158,7 +158,7 @@ TEST(AdaptiveScores, ReportTellsWhatWasPlayed) {
     const JudgedRule& rule = judged.rules[r];
     EXPECT_NE(plot.find(">" + rule.rule + "<"), std::string::npos) << rule.rule;
     const std::string misses =
-        "style=\"fill:" + colour(r) + "\">" + std::to_string(std::lround(1.8 * rule.facts.misses_per_1000)) + "<";
+        "fill:" + colour(r) + "\">" + std::to_string(std::lround(1.8 * rule.facts.misses_per_1000)) + "<";
     EXPECT_NE(plot.find(misses), std::string::npos) << rule.rule << ", " << misses;
     EXPECT_NE(table.find(rule.rule), std::string::npos);
   }

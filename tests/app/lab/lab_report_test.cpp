@@ -8,6 +8,7 @@
 #include <cmath>
 #include <regex>
 
+#include "app/svg.h"
 #include "engine/text.h"
 
 namespace seascape {
@@ -77,10 +78,28 @@ TEST(LabReport, ThePlotHasEachPointAtItsPlace) {
   const std::string file = standalone_svg(svg);
   EXPECT_TRUE(file.starts_with("<svg xmlns="));
   EXPECT_THAT(file, HasSubstr("--c0:"));
+  // Controls seen: the colour after its variable; only that of the page.
+  EXPECT_THAT(file, HasSubstr("fill:#fbfcfd;fill:var(--page)"));
+  EXPECT_THAT(file, HasSubstr("stroke:#0072b2;stroke:var(--c0)"));
+  EXPECT_THAT(file, HasSubstr("svg text{fill:#1b2530;fill:var(--ink);"));
+  EXPECT_THAT(file, Not(testing::ContainsRegex("[^;]fill:var"))) << "black where variables are not known";
   EXPECT_THAT(curve_plot(curve, points(), "no such unit"), HasSubstr("Not measured"));
   std::vector<LabPoint> exact = points();
   exact[0].error.value = 0.0;
   EXPECT_THAT(curve_plot(curve, exact, "of white"), Not(HasSubstr("nan"))) << "no logarithm of 0";
+}
+
+// Names of presets whose points are close stand above each other. Control seen: each beside its point.
+TEST(LabReport, NamesOfPresetsDoNotCoverEachOther) {
+  std::vector<LabPoint> close = points();
+  close.back().error.value = 0.0052;
+  const std::string svg = curve_plot(curve, close, "of white");
+  const auto y_of = [&](const std::string& name) {
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(svg, found, std::regex("y=\"([0-9.]+)\" text-anchor=\"[a-z]+\">" + name + "<")));
+    return std::stod(found[1]);
+  };
+  EXPECT_GE(std::abs(y_of("high") - y_of("medium")), 13.9);
 }
 
 // Controls seen: the front of all seas together; presets among those that judge them; rivals of all knobs; the law's
