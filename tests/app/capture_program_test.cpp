@@ -12,6 +12,7 @@
 
 #include "tests/support/desktop.h"
 #include "tests/support/run_program.h"
+#include "tests/support/sampled.h"
 #include "tests/support/temporary_folder.h"
 
 namespace seascape {
@@ -340,8 +341,9 @@ TEST(Plan, OfASceneWithoutFoamHasNone) {
   EXPECT_THAT(result.out, HasSubstr("waves: the scene names it"));
 }
 
-// And one table of what each effect adds. Control: a matrix that leaves low out.
+// And one table of what each effect adds, with SEASCAPE_LONG=1: two minutes. Control: a matrix that leaves low out.
 TEST(Plan, MatrixHasATableOfEachPreset) {
+  if (!test::long_run()) GTEST_SKIP() << "SEASCAPE_LONG=1 asks for it";
   const TemporaryFolder folder;
   std::ofstream(folder / "calm.json") << R"({"version": 1, "effects": ["waves"]})";  // few effects take little time
   const ProgramResult result = run({"plan", "--scene", folder / "calm.json", "--preset", "low", "--size", "32x18",

@@ -57,7 +57,8 @@ struct SceneSea {
 // their neighbour's number (lagoon, rivers, whirlpool, harbour_clip).
 TEST(SceneQuery, AnswersDoNotDependOnBatchesOrThreads) {
   const std::size_t count = test::sanitized ? 200 : 1500;  // from 1,024 on several threads take part
-  for (const char* name : scenes)
+  for (const char* name : scenes) {
+    if (test::sanitized && name != std::string_view("lagoon") && name != std::string_view("harbour")) continue;
     for (const SeaDetail detail : {SeaDetail::drawn, SeaDetail::felt}) {
       const SceneSea one(name), two(name), three(name);
       const std::vector<glm::dvec2> places = one.places(count);
@@ -78,6 +79,7 @@ TEST(SceneQuery, AnswersDoNotDependOnBatchesOrThreads) {
         EXPECT_EQ(different, 0) << name << " at " << footprint << " m";
       }
     }
+  }
 }
 
 // What is left out of the fields is as of calm water; the rest is as without a mask, to the bit, but for heights, which

@@ -279,6 +279,7 @@ TEST_P(GlideAt, NothingPopsOrSwims) {
 // along the surface or off it. Control seen: nodes that split where morphed ones do (5.6 pixels at medium, 2.5 at high,
 // all but 3.1 and 1.5 of it along the surface).
 TEST_P(GlideAt, MaskedJoinsPopByNoMoreThanThePresetsPixels) {
+  if (!test::long_run() && GetParam().preset != std::string("low")) GTEST_SKIP() << "SEASCAPE_LONG=1 asks for it";
   each("masked", [](const Steps& s, const std::string& what) { EXPECT_LE(s.most_moved, GetParam().pixels) << what; });
 }
 
