@@ -75,7 +75,9 @@ std::string every_object() {
 TEST(UnknownKeys, AreRefusedInEveryObjectOfAScene) {
   const Parse scene = [](const std::string& text) { (void)parse_scene(text, "s.json", "low"); };
   EXPECT_GT(expect_refused(every_object(), "every object", scene), 25u);
+  std::size_t number = 0;
   for (const std::string& name : content_names("scenes")) {
+    if (test::sanitized && number++ % 4 != 0) continue;
     const std::string file = content_file(name, "scenes").string();
     expect_refused(
         read_text(file, 1 << 20), file, [&](const std::string& text) { (void)parse_scene(text, file, "low"); },
