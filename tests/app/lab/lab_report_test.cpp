@@ -78,7 +78,7 @@ TEST(LabReport, ThePlotHasEachPointAtItsPlace) {
   const std::string file = standalone_svg(svg);
   EXPECT_TRUE(file.starts_with("<svg xmlns="));
   EXPECT_THAT(file, HasSubstr("--c0:"));
-  // Controls seen: the colour after its variable; only that of the page.
+  // Control seen: the colour after its variable.
   EXPECT_THAT(file, HasSubstr("fill:#fbfcfd;fill:var(--page)"));
   EXPECT_THAT(file, HasSubstr("stroke:#0072b2;stroke:var(--c0)"));
   EXPECT_THAT(file, HasSubstr("svg text{fill:#1b2530;fill:var(--ink);"));
