@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/frame.h"
-#include "app/program.h"
 #include "engine/error.h"
 #include "engine/signals.h"
 

@@ -13,7 +13,7 @@ namespace seascape {
 namespace {
 constexpr int colours = 8;
 
-// Before each colour that is a variable the light one as it is: who knows variables takes what comes last.
+// Writes the light colour before each that is a variable. Viewers that know variables take the last declaration.
 std::string with_plain_colours(const std::string& text) {
   const std::string_view light = std::string_view(page_colours).substr(0, std::string_view(page_colours).find('}'));
   static const std::regex variable("(fill|stroke):var\\((--[a-z0-9]+)\\)");

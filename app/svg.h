@@ -32,8 +32,8 @@ struct Legend {
 std::string legend(const std::vector<Legend>& entries, double y);
 double legend_height(const std::vector<Legend>& entries);
 
-// The picture of a <figure> as a file of its own, with the page's colours: light ones where a viewer knows no variables
-// of style sheets. Empty without a picture.
+// The picture of a <figure> as a file of its own with the page's colours. Viewers that know no CSS variables show the
+// light ones. Empty where there is no picture.
 std::string standalone_svg(const std::string& figure_text);
 
 }  // namespace seascape

@@ -93,7 +93,7 @@ std::string axes(const Scale& x, const Scale& y, bool labels) {
 struct PresetLabel {
   double from, to, y;
 };
-// The height, at `y` or above it, where the label lies on none of those before it, to which it is added.
+// The first height, from `y` upwards, at which a label covers none of `labels`; adds it to them.
 double free_height(std::vector<PresetLabel>& labels, const std::string& name, double x, double y, bool ends_there) {
   constexpr double letter = 7.5, row = 14.0;  // wide and high, at the most
   const double wide = letter * double(name.size()), from = ends_there ? x - wide : x;

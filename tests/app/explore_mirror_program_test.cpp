@@ -169,7 +169,7 @@ TEST_F(Desk, ExploreServesHeadAndDesk) {
         if (exists("recorded_001.json")) next(going_round);
         break;
       case going_round:
-        // The view from behind is the third from the first one, and is drawn some frames later.
+        // Three presses lead to the view from behind, which is drawn some frames later.
         press_every(since < 4 ? 1 : 700, "m");
         press_every(50, "p");
         if (kept_of_third()) next(from_behind);

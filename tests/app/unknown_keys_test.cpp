@@ -19,7 +19,8 @@
 namespace seascape {
 namespace {
 
-// For each object of a valid file, the file with one key more in it; or for one object in `each`, from the first.
+// For each object of a valid file, the file with one key more in it. `each`: only of the first and every so many after
+// it.
 std::vector<std::string> with_an_unknown_key(const std::string& text, std::size_t each = 1) {
   std::vector<std::string> files;
   std::size_t number = 0;
@@ -33,7 +34,7 @@ std::vector<std::string> with_an_unknown_key(const std::string& text, std::size_
 
 using Parse = std::function<void(const std::string&)>;
 
-// Gives how many objects there were.
+// Gives how many objects were tried.
 std::size_t expect_refused(const std::string& text, const std::string& name, const Parse& parse, std::size_t each = 1) {
   EXPECT_NO_THROW(parse(text)) << name;
   const std::vector<std::string> files = with_an_unknown_key(text, each);

@@ -76,7 +76,8 @@ TEST_F(TowingTank, OverShallowsAndWithOtherGravityIsNot) {
 
 // At Froude 0.8 the highest waves stand within 15 % of 0.14 / Fr^2 rad (Noblesse et al. 2014) 20 to 48 m behind the
 // hull's middle. Linear theory has the peak of all waves of this hull at 9 to 11 degrees there (Havelock's integral),
-// below that bar; windows let its waves of 4 m end 36 m behind, and those of 7 m that go on stand 13 degrees out.
+// below that bar; windows let its waves of 4 m end 36 m behind, and those of 7 m that go on stand 13 degrees out. With
+// SEASCAPE_LONG.
 TEST_F(TowingTank, NarrowsAtSpeedAsItIsDrawn) {
   if (!asked_for_long()) GTEST_SKIP() << "SEASCAPE_LONG=1 asks for it";
   for (const char* preset : {"high", "low"}) {
