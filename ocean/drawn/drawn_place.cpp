@@ -45,12 +45,22 @@ KindSlots slots_of(InputTarget kind) {
   }
 }
 
-std::uint32_t all_slices(const PlaceSettings& settings) { return (1u << settings.windows.slices) - 1u; }
+LodChanges all_slices(const PlaceSettings& settings) {
+  LodChanges changes{};
+  for (int i = 0; i < settings.windows.slices; ++i) changes[std::size_t(i)] = whole_change(settings.windows.resolution);
+  return changes;
+}
 
 // A row of a slice's texels.
 template <class T>
-std::span<const T> row_of(const LodField<T>& field, int slice, int z, int side) {
-  return {field.texels(slice) + std::size_t(z) * std::size_t(side), std::size_t(side)};
+std::span<const T> row_of(const LodField<T>& field, int slice, int z) {
+  const std::size_t side = std::size_t(field.side());
+  return {field.texels(slice) + std::size_t(z) * side, side};
+}
+// `count` of them from column x on.
+template <class T>
+std::span<const T> row_of(const LodField<T>& field, int slice, int z, int x, std::size_t count) {
+  return row_of(field, slice, z).subspan(std::size_t(x), count);
 }
 
 // What a row of a slice changes by along x and z, a metre: over a texel to either side, so that what is read between
@@ -59,9 +69,9 @@ template <class T>
 class Slopes {
  public:
   Slopes(const LodField<T>& field, int slice, int z)
-      : side_(int(field.side())), over_(float(0.5 / field.texel_m(slice))), here_(row_of(field, slice, z, side_)) {
-    before_ = row_of(field, slice, (z + side_ - 1) % side_, side_);
-    after_ = row_of(field, slice, (z + 1) % side_, side_);
+      : side_(int(field.side())), over_(float(0.5 / field.texel_m(slice))), here_(row_of(field, slice, z)) {
+    before_ = row_of(field, slice, (z + side_ - 1) % side_);
+    after_ = row_of(field, slice, (z + 1) % side_);
   }
   // `of`: what counts of a texel.
   template <class Of>
@@ -80,38 +90,44 @@ class Slopes {
   std::span<const T> here_, before_, after_;
 };
 
-// A row of the still water's level and its slopes.
-void put_level(const LodField<glm::vec4>& field, int slice, int z, std::span<float> texels) {
+// Of a row from column x on: the still water's level and its slopes.
+void put_level(const LodField<glm::vec4>& field, int slice, int z, int x, std::span<float> texels) {
   const Slopes slopes(field, slice, z);
   const auto level = [](const glm::vec4& texel) { return texel.x; };
-  const std::span<const glm::vec4> row = row_of(field, slice, z, int(field.side()));
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    texels[4 * x] = row[x].x;
-    texels[4 * x + 1] = slopes.along_x(int(x), level);
-    texels[4 * x + 2] = slopes.along_z(int(x), level);
-    texels[4 * x + 3] = 0.0f;
+  for (const glm::vec4& texel : row_of(field, slice, z, x, texels.size() / 4)) {
+    const glm::vec4 put(level(texel), slopes.along_x(x, level), slopes.along_z(x, level), 0.0f);
+    std::memcpy(texels.data(), &put, sizeof put);
+    texels = texels.subspan(4);
+    ++x;
   }
 }
 
-// A row of one layer of the bed's waves (shaders/lib/sea_bed.glsl).
-void put_bed_waves(const LodField<BedTexel>& field, int slice, int layer, int z, std::span<glm::vec4> texels) {
-  const std::span<const BedTexel> row = row_of(field, slice, z, int(field.side()));
+// Of a row from column x on, one layer of the bed's waves (shaders/lib/sea_bed.glsl).
+void put_bed_waves(const LodField<BedTexel>& field, int slice, int layer, int z, int x, std::span<glm::vec4> texels) {
   if (layer < 2) {
-    for (std::size_t x = 0; x < row.size(); ++x) texels[x] = layer == 0 ? row[x].share : row[x].more;
+    const std::span<const BedTexel> row = row_of(field, slice, z, x, texels.size());
+    for (std::size_t i = 0; i < row.size(); ++i) texels[i] = layer == 0 ? row[i].share : row[i].more;
     return;
   }
   const Slopes slopes(field, slice, z);
   const auto bed = [](const BedTexel& texel) { return texel.bed; };
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const glm::vec4 along = slopes.along_x(int(x), bed), across = slopes.along_z(int(x), bed);
-    texels[x] =
+  for (glm::vec4& texel : texels) {
+    const glm::vec4 along = slopes.along_x(x, bed), across = slopes.along_z(x, bed);
+    ++x;
+    texel =
         layer == 2 ? glm::vec4(along.x, across.x, along.y, across.y) : glm::vec4(along.z, across.z, along.w, across.w);
   }
 }
 
-void put_bed_heights(const LodField<BedTexel>& field, int slice, int, int z, std::span<glm::vec4> texels) {
-  const std::span<const BedTexel> row = row_of(field, slice, z, int(field.side()));
-  for (std::size_t x = 0; x < row.size(); ++x) texels[x] = row[x].bed;
+void put_bed_heights(const LodField<BedTexel>& field, int slice, int, int z, int x, std::span<glm::vec4> texels) {
+  const std::span<const BedTexel> row = row_of(field, slice, z, x, texels.size());
+  for (std::size_t i = 0; i < row.size(); ++i) texels[i] = row[i].bed;
+}
+
+// With the texels that have slopes taken from what has changed.
+LodChanges with_slopes(LodChanges changes, int side) {
+  for (LodChange& change : changes) change = with_neighbours(change, side);
+  return changes;
 }
 
 }  // namespace
@@ -177,29 +193,31 @@ void DrawnPlace::update(Frame& frame, const DrawnMoment& moment) {
   if (!std::isfinite(viewer.x + viewer.y + viewer.z)) return;
   // Where a place is read from follows from the viewer alone, at once: a picture does not depend on those before it.
   placement_ = lod_placement(settings_.windows, {viewer.x, viewer.z}, lod_scale(settings_.windows, viewer.y));
+  const int side = settings_.windows.resolution;
   for (Drawn& drawn : drawn_) {
-    std::uint32_t changed = 0;
+    LodChanges changes{};
     for (Drawn::Part& part : drawn.parts) {
       if (part.field)
-        changed |= part.field->follow(placement_, time_s);
+        join(changes, part.field->follow(placement_, time_s), side);
       else
         part.field = std::make_unique<PlaceField<glm::vec4>>(place_values(part.inputs, settings_), settings_,
                                                              placement_, time_s),
-        changed = all_slices(settings_);
+        changes = all_slices(settings_);
     }
-    if (changed == 0) continue;
+    if (changed_slices(changes) == 0) continue;
+    if (drawn.kind == InputTarget::level) changes = with_slopes(changes, side);
     const auto field = [&drawn](int layer) -> const PlaceField<glm::vec4>& {
       return *drawn.parts[std::size_t(layer)].field;
     };
-    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(field(0), changed);
+    if (drawn.kind == InputTarget::clip && !bed_) mask_.follow(field(0), changed_slices(changes));
     const int channels = drawn.windows.channels();
     drawn.windows.copy(
-        frame, traits(drawn.kind).name.data(), changed, [&](int slice) { return field(0).field().layer(slice); },
-        [&](int slice, int layer, int z, std::span<float> texels) {
+        frame, traits(drawn.kind).name.data(), changes, [&](int slice) { return field(0).field().layer(slice); },
+        [&](int slice, int layer, int z, int x, std::span<float> texels) {
           const LodField<glm::vec4>& values = field(layer).field();
-          if (drawn.kind == InputTarget::level) return put_level(values, slice, z, texels);
+          if (drawn.kind == InputTarget::level) return put_level(values, slice, z, x, texels);
           std::size_t at = 0;
-          for (const glm::vec4& texel : row_of(values, slice, z, settings_.windows.resolution))
+          for (const glm::vec4& texel : row_of(values, slice, z, x, texels.size() / std::size_t(channels)))
             for (int c = 0; c < channels; ++c) texels[at++] = texel[c];
         });
   }
@@ -244,37 +262,43 @@ void DrawnPlace::follow(const Sea& sea) {
 }
 
 void DrawnPlace::update(Frame& frame, Bed& bed, double time_s) {
-  std::uint32_t changed = all_slices(settings_);
+  const int side = settings_.windows.resolution;
+  LodChanges changes = all_slices(settings_);
   if (bed.field)
-    changed = bed.field->follow(placement_, time_s);
+    changes = bed.field->follow(placement_, time_s);
   else
     bed.field = std::make_unique<PlaceField<BedTexel>>(bed_values({shallows_.from, nullptr}, depth_m_), settings_,
                                                        placement_, time_s);
-  if (bed.next) changed |= bed.next->follow(placement_, time_s);
-  if (bed.turns.any()) changed = bed.turns.take(changed);
-  if (changed == 0) return;
+  if (bed.next) join(changes, bed.next->follow(placement_, time_s), side);
+  if (bed.turns.any()) {
+    const std::uint32_t turn = bed.turns.take(changed_slices(changes));
+    for (int i = 0; i < settings_.windows.slices; ++i)
+      if ((turn >> i & 1u) != 0) changes[std::size_t(i)] = whole_change(side);
+  }
+  if (changed_slices(changes) == 0) return;
   const float share = float(shallows_.share);
   const LodField<BedTexel>& field = bed.field->field();
   // Layers 2 and 3 of the waves and three channels of the heights hold shifts.
   const glm::vec4 all(1.0f), shifts(bytes_per_texel(bed.heights.image().spec().format) == 16 ? 1.0f : 0.0f),
       first_shift(1.0f, 1.0f, shifts.x, shifts.x), three_shifts(1.0f, shifts.x, shifts.x, shifts.x);
-  const auto copy = [&](DrawnWindows& windows, const char* pass, const auto& put, const auto& counts) {
+  const auto copy = [&](DrawnWindows& windows, const char* pass, const LodChanges& changed, const auto& put,
+                        const auto& counts) {
     windows.copy(
         frame, pass, changed, [&](int slice) { return field.layer(slice); },
-        [&](int slice, int layer, int z, std::span<float> floats) {
+        [&](int slice, int layer, int z, int x, std::span<float> floats) {
           std::array<glm::vec4, 2048> now, next;
           const std::span<glm::vec4> texels(now.data(), floats.size() / 4), others(next.data(), texels.size());
-          put(field, slice, layer, z, texels);
-          if (bed.next) put(bed.next->field(), slice, layer, z, others);
+          put(field, slice, layer, z, x, texels);
+          if (bed.next) put(bed.next->field(), slice, layer, z, x, others);
           const glm::vec4 count = counts(layer);
-          for (std::size_t x = 0; x < texels.size(); ++x) {
-            const glm::vec4 texel = count * (bed.next ? glm::mix(texels[x], others[x], share) : texels[x]);
-            std::memcpy(&floats[4 * x], &texel, sizeof texel);
+          for (std::size_t i = 0; i < texels.size(); ++i) {
+            const glm::vec4 texel = count * (bed.next ? glm::mix(texels[i], others[i], share) : texels[i]);
+            std::memcpy(&floats[4 * i], &texel, sizeof texel);
           }
         });
   };
-  copy(bed.heights, "sea_depth", put_bed_heights, [&](int) { return three_shifts; });
-  copy(bed.waves, "sea_depth waves", put_bed_waves, [&](int layer) {
+  copy(bed.heights, "sea_depth", changes, put_bed_heights, [&](int) { return three_shifts; });
+  copy(bed.waves, "sea_depth waves", with_slopes(changes, side), put_bed_waves, [&](int layer) {
     return layer < 2 ? all : layer == 2 ? first_shift : shifts;
   });
 }

@@ -19,23 +19,23 @@ void DrawnShore::take(std::shared_ptr<const ShoreLines> lines, std::shared_ptr<c
 }
 
 void DrawnShore::update(Frame& frame, const LodPlacement& placement, double time_s) {
-  std::uint32_t changed = (1u << settings_.windows.slices) - 1u;
+  LodChanges changes;
   if (field_) {
-    changed = field_->follow(placement, time_s);
+    changes = field_->follow(placement, time_s);
   } else {
+    changes.fill(whole_change(settings_.windows.resolution));
     field_ = std::make_unique<PlaceField<ShoreTexel>>(shore_values(lines_, shallows_), settings_, placement, time_s);
   }
-  if (changed == 0) return;
+  if (changed_slices(changes) == 0) return;
   const LodField<ShoreTexel>& field = field_->field();
   const auto copy = [&](DrawnWindows& windows, const auto& part) {
     const int channels = windows.channels();
     windows.copy(
-        frame, "gerstner", changed, [&](int slice) { return field.layer(slice); },
-        [&](int slice, int, int z, std::span<float> texels) {
-          std::size_t at = 0;
-          const ShoreTexel* row = field.texels(slice) + std::size_t(z) * std::size_t(field.side());
-          for (std::int64_t x = 0; x < field.side(); ++x)
-            for (int c = 0; c < channels; ++c) texels[at++] = part(row[x])[c];
+        frame, "gerstner", changes, [&](int slice) { return field.layer(slice); },
+        [&](int slice, int, int z, int x, std::span<float> texels) {
+          const ShoreTexel* texel = field.texels(slice) + std::int64_t(z) * field.side() + x;
+          for (std::size_t at = 0; at < texels.size(); ++texel)
+            for (int c = 0; c < channels; ++c) texels[at++] = part(*texel)[c];
         });
   };
   const glm::vec4 drawn(1.0f, 1.0f, 1.0f, bytes_per_texel(lines().spec().format) == 16 ? 1.0f : 0.0f);

@@ -1,5 +1,5 @@
-// A field of windows as an image that the surface samples: layers for each slice, of which only those are copied that
-// have changed.
+// A field of windows as an image that the surface samples: layers for each slice, of which only what has changed is
+// copied.
 #pragma once
 #include <array>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/frame.h"
-#include "ocean/places/lod_windows.h"
+#include "ocean/places/lod_change.h"
 
 namespace seascape {
 
@@ -17,10 +17,11 @@ class DrawnWindows {
   DrawnWindows(Device& device, std::string_view name, const LodWindowSettings& windows, VkFormat format,
                int layers = 1);
 
-  // Copies slices (bit i for slice i) in one pass. `layer_of`: where slice i lies (LodField::layer). `row(slice, layer,
-  // z, texels)` writes the floats of a row of texels, `layer` of the slice's; asked from several threads at once.
-  using Row = std::function<void(int slice, int layer, int z, std::span<float> texels)>;
-  void copy(Frame& frame, const char* pass, std::uint32_t slices, const std::function<int(int slice)>& layer_of,
+  // Copies what has changed in one pass. `layer_of`: where slice i lies (LodField::layer). `row(slice, layer, z, x,
+  // texels)` writes the floats of texels of row z from column x on, `layer` of the slice's; asked from several threads
+  // at once.
+  using Row = std::function<void(int slice, int layer, int z, int x, std::span<float> texels)>;
+  void copy(Frame& frame, const char* pass, const LodChanges& changes, const std::function<int(int slice)>& layer_of,
             const Row& row);
 
   const Image& image() const { return image_; }

@@ -1,6 +1,7 @@
 // A field kept in windows around the viewer (lod_windows.h), on the processor: moved with the viewer, doubled with the
 // height, read at any place.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -57,11 +58,7 @@ class LodField {
     placement_ = next;
     windows_ = lod_windows(settings_, placement_, placement_.viewer);
     for (int i = settings_.slices - 1; i >= 0; --i) {
-      const LodIndex was = before.first[std::size_t(i)];
-      if (was == first(i)) continue;
-      each(i, [&](LodIndex w) {
-        if (!inside(was, w)) enter(i, w, inherited(i, w), fill);
-      });
+      each_entered(i, before.first[std::size_t(i)], [&](LodIndex w) { enter(i, w, inherited(i, w), fill); });
     }
   }
   void follow(const LodPlacement& next) {
@@ -121,6 +118,18 @@ class LodField {
   }
   bool inside(LodIndex from, LodIndex w) const {
     return w.x >= from.x && w.y >= from.y && w.x < from.x + side_ && w.y < from.y + side_;
+  }
+  // Calls work(w) for each texel of a slice's window that is not in the one from `was` on.
+  template <class Work>
+  void each_entered(int slice, LodIndex was, const Work& work) const {
+    const LodIndex from = first(slice), to = from + side_;
+    const std::int64_t kept_from = std::clamp(was.x, from.x, to.x), kept_to = std::clamp(was.x + side_, from.x, to.x);
+    for (std::int64_t z = from.y; z < to.y; ++z) {
+      const bool kept = z >= was.y && z < was.y + side_ && kept_from < kept_to;
+      for (std::int64_t x = from.x; x < (kept ? kept_from : to.x); ++x) work({x, z});
+      if (!kept) continue;
+      for (std::int64_t x = kept_to; x < to.x; ++x) work({x, z});
+    }
   }
   template <class Fill>
   void enter(int slice, LodIndex w, const T& inherited, const Fill& fill) {

@@ -14,6 +14,7 @@
 
 #include "ocean/inputs/clip_volumes.h"
 #include "ocean/inputs/inputs.h"
+#include "ocean/places/lod_change.h"
 #include "ocean/places/lod_field.h"
 #include "ocean/places/place_settings.h"
 
@@ -76,9 +77,12 @@ class PlaceField {
         time_s_(place_time_s(settings, values_.still, time_s)),
         least_(double(first_channel(values_.outside))),
         most_(least_),
-        field_(settings.windows, values_.outside, placement) {
-    for (int i = 0; i < settings.windows.slices; ++i) fill(i, [](glm::dvec2) { return true; });
-    find_range((1u << settings.windows.slices) - 1u);
+        field_(settings.windows, values_.outside, placement),
+        ranges_(settings.windows.slices, settings.windows.resolution) {
+    for (int i = 0; i < settings.windows.slices; ++i) {
+      fill(i, [](glm::dvec2) { return true; });
+      find_range(i, whole_change(settings.windows.resolution));
+    }
   }
 
   // Takes other values: what comes into a window has them at once, and each follow() fills one slice anew, the finest
@@ -91,11 +95,10 @@ class PlaceField {
     stale_ = (1u << settings_.windows.slices) - 1u;
   }
 
-  // Moves the windows to the placement, and takes what changes with time as it is at `time_s` (place_time_s). Gives the
-  // slices that have changed: bit i for slice i, all of them after a change of the octave.
-  std::uint32_t follow(const LodPlacement& placement, double time_s) {
-    const int slices = field_.slices();
-    const std::uint32_t all = (1u << slices) - 1u;
+  // Moves the windows to the placement, and takes what changes with time as it is at `time_s` (place_time_s). Gives
+  // what has changed of each slice: what has come in, or all of it.
+  LodChanges follow(const LodPlacement& placement, double time_s) {
+    const int slices = field_.slices(), side = settings_.windows.resolution;
     const LodPlacement before = field_.placement();
     const double now = place_time_s(settings_, values_.still, time_s);
     const bool later = now != time_s_;
@@ -105,23 +108,28 @@ class PlaceField {
       widen(double(first_channel(value)));
       return value;
     });
-    std::uint32_t changed = placement.scale.octave != before.scale.octave ? all : 0u;
-    if (changed != 0 && stale_ != 0) stale_ = all;  // slices have changed places
-    for (int i = 0; i < slices; ++i)
-      if (placement.first[std::size_t(i)] != before.first[std::size_t(i)]) changed |= 1u << i;
-    for (int i = 0; later && i < slices; ++i) {
+    LodChanges changes{};
+    const bool other_octave = placement.scale.octave != before.scale.octave;
+    if (other_octave && stale_ != 0) stale_ = (1u << slices) - 1u;  // slices have changed places
+    for (int i = 0; i < slices; ++i) {
+      LodChange& change = changes[std::size_t(i)];
+      change = other_octave ? whole_change(side)
+                            : lod_entered(before.first[std::size_t(i)], placement.first[std::size_t(i)], side);
       const double texel = field_.texel_m(i);
-      if (fill(i, [&](glm::dvec2 middle) { return values_.moving.holds(middle, texel); })) changed |= 1u << i;
+      if (later && fill(i, [&](glm::dvec2 middle) { return values_.moving.holds(middle, texel); }))
+        change = whole_change(side);
     }
-    if (stale_ != 0) {
+    const bool renewing = stale_ != 0;
+    if (renewing) {
       const int i = std::countr_zero(stale_);
       fill(i, [](glm::dvec2) { return true; });
-      changed |= 1u << i;
+      changes[std::size_t(i)] = whole_change(side);
       stale_ &= ~(1u << i);
-      if (stale_ == 0) measure();
     }
-    find_range(changed);
-    return changed;
+    for (int i = 0; i < slices; ++i)
+      if (changes[std::size_t(i)].any()) find_range(i, changes[std::size_t(i)]);
+    if (renewing && stale_ == 0) forget_range();
+    return changes;
   }
 
   const LodField<T>& field() const { return field_; }
@@ -130,8 +138,8 @@ class PlaceField {
   double least() const { return least_; }
   double most() const { return most_; }
   // That a slice has now.
-  double least(int slice) const { return slice_least_[std::size_t(slice)]; }
-  double most(int slice) const { return slice_most_[std::size_t(slice)]; }
+  double least(int slice) const { return double(ranges_.least(slice)); }
+  double most(int slice) const { return double(ranges_.most(slice)); }
 
  private:
   void widen(double value) {
@@ -139,24 +147,15 @@ class PlaceField {
     most_ = std::max(most_, value);
   }
   // Nothing is left of values before.
-  void measure() {
+  void forget_range() {
     least_ = most_ = double(first_channel(values_.outside));
-    const std::size_t texels = std::size_t(settings_.windows.resolution) * std::size_t(settings_.windows.resolution);
-    for (int i = 0; i < settings_.windows.slices; ++i)
-      for (std::size_t n = 0; n < texels; ++n) widen(double(first_channel(field_.texels(i)[n])));
+    for (int i = 0; i < settings_.windows.slices; ++i) widen(least(i)), widen(most(i));
   }
-  void find_range(std::uint32_t slices) {
-    const std::size_t texels = std::size_t(settings_.windows.resolution) * std::size_t(settings_.windows.resolution);
-    for (int i = 0; i < settings_.windows.slices; ++i) {
-      if ((slices >> i & 1u) == 0) continue;
-      float least = first_channel(field_.texels(i)[0]), most = least;
-      for (std::size_t n = 1; n < texels; ++n) {
-        least = std::min(least, first_channel(field_.texels(i)[n]));
-        most = std::max(most, first_channel(field_.texels(i)[n]));
-      }
-      slice_least_[std::size_t(i)] = double(least);
-      slice_most_[std::size_t(i)] = double(most);
-    }
+  void find_range(int slice, const LodChange& change) {
+    const T* texels = field_.texels(slice);
+    const std::size_t side = std::size_t(settings_.windows.resolution);
+    ranges_.take(slice, change,
+                 [&](int x, int z) { return first_channel(texels[std::size_t(z) * side + std::size_t(x)]); });
   }
   // Takes the texels of a slice anew whose middles `wanted` says yes to, on all cores; gives whether there were any.
   template <class Wanted>
@@ -192,7 +191,7 @@ class PlaceField {
   double time_s_;  // of what is in the field
   double least_, most_;
   LodField<T> field_;
-  std::array<double, gpu::max_lod_slices> slice_least_{}, slice_most_{};
+  LodRanges ranges_;
   std::uint32_t stale_ = 0;  // bit i: slice i has other values than values_
 };
 

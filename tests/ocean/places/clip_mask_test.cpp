@@ -38,7 +38,7 @@ TEST(ClipMask, SaysSoOfPlacesWithoutWaterAlone) {
     std::uniform_real_distribution<double> at(-150.0, 150.0), size(0.3, 25.0), part(0.0, 1.0);
     int said = 0, are = 0;
     for (int i = 0; i < 12; ++i) {
-      if (i > 0) mask.follow(field, field.follow(placed(i), 0.0));
+      if (i > 0) mask.follow(field, changed_slices(field.follow(placed(i), 0.0)));
       for (int n = 0; n < 400; ++n) {
         const glm::dvec2 least(at(random), at(random)), most = least + glm::dvec2(size(random), size(random));
         bool dry = true;

@@ -300,8 +300,8 @@ TEST_F(PlaceSeaTest, NoNumberIsNoAnswer) {
   EXPECT_EQ(answer.height_m, 0.0);
 }
 
-// Windows hold what the inputs give at their texels' middles, and follow the viewer: the same as if made anew. Control
-// seen: texels that come in left as they were.
+// Windows hold what the inputs give at their texels' middles, and follow the viewer: the same as if made anew, and so
+// are the least and the most of each. Controls seen: texels that come in left as they were; ranges left as they were.
 TEST(PlaceField, FollowsTheViewer) {
   PlaceSettings settings;
   settings.windows = {.resolution = 64, .slices = 4, .texel_m = 0.5};
@@ -321,10 +321,12 @@ TEST(PlaceField, FollowsTheViewer) {
       });
       // A slice that came by a change of the octave holds means of finer texels until it moves.
       EXPECT_LE(worst, next.scale.octave > 0 ? 0.06 : 0.0) << i << ' ' << slice;
+      EXPECT_NEAR(follows.least(slice), anew.least(slice), worst) << i << ' ' << slice;
+      EXPECT_NEAR(follows.most(slice), anew.most(slice), worst) << i << ' ' << slice;
     }
   }
   EXPECT_NEAR(follows.most(), 6.0, 1e-5);
-  EXPECT_EQ(follows.follow(follows.field().placement(), 5.0), 0u) << "nothing has changed";
+  EXPECT_EQ(changed_slices(follows.follow(follows.field().placement(), 5.0)), 0u) << "nothing has changed";
 }
 
 // What changes with time is taken ten times a second, and only where it lies.
@@ -339,10 +341,10 @@ TEST(PlaceField, TakesWhatChangesWithTime) {
   ASSERT_FALSE(inputs->still());
   const LodPlacement here = lod_placement(settings.windows, {0.0, 0.0}, {});
   PlaceField field(place_values(inputs, settings), settings, here, 0.0);
-  EXPECT_NE(field.follow(here, 5.0), 0u);
+  EXPECT_NE(changed_slices(field.follow(here, 5.0)), 0u);
   EXPECT_GT(field.field().sample({0.0, 0.0}, 0.0).x, 0.5f);
-  EXPECT_EQ(field.follow(here, 5.05), 0u) << "within a tenth of a second";
-  EXPECT_NE(field.follow(here, 20.0), 0u);
+  EXPECT_EQ(changed_slices(field.follow(here, 5.05)), 0u) << "within a tenth of a second";
+  EXPECT_NE(changed_slices(field.follow(here, 20.0)), 0u);
   EXPECT_EQ(field.field().sample({0.0, 0.0}, 0.0).x, 0.0f);
 }
 
