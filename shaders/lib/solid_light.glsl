@@ -24,7 +24,8 @@ layout(binding = slot_solid_emissive) uniform sampler2D emissive_texture;
 layout(location = 0) in vec3 relative;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 uv;
-layout(location = 3) in vec4 tint;
+// Beside a thin triangle its colours would go on below 0, or to many times their own.
+layout(location = 3) centroid in vec4 tint;
 
 vec2 place_in(int texture_number) {
   const vec2 from = material.uv_offset[texture_number].z > 0.5 ? uv.zw : uv.xy;

@@ -179,6 +179,39 @@ TEST_F(Solids, ColoursMasksAndGlassAreThere) {
   }
 }
 
+// Slats a third of a pixel wide, from dark to red, are nowhere brighter than red ones, nor darker than dark ones: a
+// pixel of four samples takes no colour from beside them. Control seen: `tint` without centroid.
+TEST_F(Solids, ThinThingsHaveNoColoursButTheirOwn) {
+  constexpr float across_m = 0.01f, apart_m = 0.03137f;  // at 6 m a pixel is 0.026 m
+  const auto slats = [&](const glm::vec4& left, const glm::vec4& right) {
+    test::SolidShape shape;
+    for (int i = 0; i < 100; ++i) {
+      const float x = (float(i) - 49.5f) * apart_m;
+      const auto first = std::uint32_t(4 * i);
+      for (const glm::vec2& at : {glm::vec2(0.0f, -1.0f), {across_m, -1.0f}, {across_m, 1.0f}, {0.0f, 1.0f}}) {
+        shape.corner({x + at.x, at.y, 0.0f}, {0.0f, 0.0f, 1.0f});
+        const glm::vec4& c = at.x > 0.0f ? right : left;
+        shape.colours.insert(shape.colours.end(), {c.x, c.y, c.z, c.w});
+      }
+      for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) shape.indices.push_back(first + corner);
+    }
+    SceneObjects objects;
+    test::stand(objects, test::solid_model(shape, "{" + unlit + "}"), pose({0.0, 6.0, -6.0}, 0.0, 0.0));
+    return objects;
+  };
+  const glm::vec4 dark(0.02f, 0.02f, 0.02f, 1.0f), red(0.3f, 0.02f, 0.02f, 1.0f);
+  const auto drawn = [&](const glm::vec4& left, const glm::vec4& right) {
+    return shot_of(test::frame_looks[0], slats(left, right)).picture(before_plate, 1.0);
+  };
+  const Image8 both = drawn(dark, red), darkest = drawn(dark, dark), reddest = drawn(red, red);
+  EXPECT_GT(test::differing_pixels(both, darkest), 500);
+  int beyond = 0;
+  for (std::size_t i = 0; i < both.pixels.size(); ++i)
+    beyond += both.pixels[i] > std::max(darkest.pixels[i], reddest.pixels[i]) + 1 ||
+              both.pixels[i] + 1 < std::min(darkest.pixels[i], reddest.pixels[i]);
+  EXPECT_EQ(beyond, 0);
+}
+
 // A plate whose node is mirrored is lit as the plain one is, and like it not seen from behind. Controls seen: mirrored
 // parts drawn on both sides; their triangles not turned round; their normals not turned back.
 TEST_F(Solids, MirroredThingsShowTheirFrontsAlone) {
