@@ -34,30 +34,33 @@ void expect_images_fit(const Device& device, const Shader& shader) {
 
 void set_stencil(VkPipelineDepthStencilStateCreateInfo& info, Stencil use) {
   if (use == Stencil::none) return;
-  const auto state = [](VkStencilOp op, VkCompareOp compare, std::uint32_t reference) {
-    return VkStencilOpState{VK_STENCIL_OP_KEEP, op, op, compare, 0xff, 0xff, reference};
-  };
   info.stencilTestEnable = VK_TRUE;
+  info.front = stencil_state(use, true);
+  info.back = stencil_state(use, false);
+}
+
+}  // namespace
+
+VkStencilOpState stencil_state(Stencil use, bool front) {
+  const auto state = [](VkStencilOp op, VkCompareOp compare, std::uint32_t reference) {
+    const std::uint32_t writes = op == VK_STENCIL_OP_KEEP ? 0 : 0xff;
+    return VkStencilOpState{VK_STENCIL_OP_KEEP, op, op, compare, 0xff, writes, reference};
+  };
   switch (use) {
     case Stencil::none:
       break;
     case Stencil::begin_in_water:
-      info.front = info.back = state(VK_STENCIL_OP_REPLACE, VK_COMPARE_OP_ALWAYS, stencil_in_air - 1);
-      break;
+      return state(VK_STENCIL_OP_REPLACE, VK_COMPARE_OP_ALWAYS, stencil_in_air - 1);
     case Stencil::count:  // what lies behind counts too
-      info.front = state(VK_STENCIL_OP_INCREMENT_AND_WRAP, VK_COMPARE_OP_ALWAYS, 0);
-      info.back = state(VK_STENCIL_OP_DECREMENT_AND_WRAP, VK_COMPARE_OP_ALWAYS, 0);
-      break;
+      return state(front ? VK_STENCIL_OP_INCREMENT_AND_WRAP : VK_STENCIL_OP_DECREMENT_AND_WRAP, VK_COMPARE_OP_ALWAYS,
+                   0);
     case Stencil::in_air:
-      info.front = info.back = state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_LESS_OR_EQUAL, stencil_in_air);
-      break;
+      return state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_LESS_OR_EQUAL, stencil_in_air);
     case Stencil::in_water:
-      info.front = info.back = state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_GREATER, stencil_in_air);
-      break;
+      return state(VK_STENCIL_OP_KEEP, VK_COMPARE_OP_GREATER, stencil_in_air);
   }
+  return {};
 }
-
-}  // namespace
 
 void Pipeline::make_layout(Device& device, std::string_view name) {
   std::vector<VkDescriptorSetLayoutBinding> list;

@@ -61,6 +61,10 @@ enum class Stencil {
   in_water
 };
 
+// For triangles that face the eye, or for the others. A draw that only tests it writes none of its bits: then it may be
+// tested before pixels are shaded, even where a shader discards.
+VkStencilOpState stencil_state(Stencil use, bool front);
+
 struct GraphicsSpec {
   std::string vertex, fragment;   // shader names, "surface.vert"
   std::vector<SpecValue> values;  // for both stages; a stage ignores what it does not have
