@@ -32,7 +32,11 @@ void find_shapes(Experience& e, gpu::FrameData& data, const Viewpoint& viewpoint
   const WaterLines lines{data.shapes, int(scene.shapes.air.size()), int(scene.shapes.portals.size())};
   for (std::size_t i = 0; i < viewpoint.eyes.size() && i < side.depth_m.size(); ++i)
     if (lines.keep_dry(viewpoint.eyes[i].pose.position_m - viewpoint.viewer.position_m)) side.depth_m[i].reset();
-  side.eyes = eyes_among(side.eyes, scene.shapes, data.shapes, viewpoint, e.ocean().highest_m());
+  const EyesAmongShapes among = eyes_among(side.eyes, scene.shapes, data.shapes, viewpoint, e.ocean().highest_m());
+  side.eyes = among.eyes;
+  side.from_above = among.from_above;
+  side.high_air = among.high_air;
+  side.portals = among.portals;
   if (portals) side.over_viewer_m = 0.0;  // who looks into them stands in a dry place
   if (!above || side.eyes == EyesIn::air) return;
   // Of eyes far above it the sea's plane is the still one.
@@ -57,7 +61,10 @@ Ocean::EyesSide find_eyes(Experience& e, gpu::FrameData& data, const Viewpoint& 
   for (std::size_t i = 0; i < side.over_eye.size(); ++i)
     data.water_at_eye[i] = glm::vec4(glm::vec3(side.over_eye[i]), 0.0f);
   data.lamp = lamp_data(e.scene().settings.dive_light, viewpoint.viewer, e.lamp_hand());
-  if (side.eyes != EyesIn::air) side.bed = e.ocean().select_bed(viewpoint, data);
+  if (side.eyes != EyesIn::air) {
+    const bool portals = !e.scene().shapes.portals.empty();
+    side.bed = e.ocean().select_bed(viewpoint, portals ? &side.portals : nullptr, data);
+  }
   const LightInWater light = light_in_water(data, side.over_viewer_m);  // both eyes get used to it as one
   data.air.y += float(adaptation_stops(light, e.scene().settings.water.adaptation));
   return side;

@@ -25,12 +25,19 @@ gpu::ViewData view_data(const View& eye, const Pose& viewer, double near_m, std:
   return data;
 }
 
-// In a scene with portals the sea is drawn where one is in sight. Eyes in the water see as far as its colour lets them.
+// In a scene with portals the sea is drawn where it is seen through one. Eyes in the water see as far as its colour
+// lets them.
 const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, const Viewpoint& viewpoint,
-                                 const gpu::FrameData& data, EyesIn eyes) {
+                                 const gpu::FrameData& data, const Ocean::EyesSide& side) {
   static const SurfaceSelection none;
-  if (eyes == EyesIn::air && e.shaped() && !e.scene().shapes.portals.empty()) return none;
-  return eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
+  if (e.shaped() && !e.scene().shapes.portals.empty())
+    return side.eyes == EyesIn::air ? none : e.ocean().within_portals(viewpoint, side.portals);
+  return side.eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
+}
+
+NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side) {
+  return {e.ocean().highest_m(), side.from_above, side.high_air,
+          e.scene().shapes.portals.empty() ? nullptr : &side.portals};
 }
 
 // What a frame of this quality has less of than the settings say, but for what is told where it is drawn.
@@ -103,7 +110,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
-      e.solids_->update(frame, viewpoint, time_s, e.ocean_->highest_m(), drawn_models(e.scene_, e.quality_));
+      e.solids_->update(frame, viewpoint, time_s, water_near(e, side), drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
       e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });
@@ -114,7 +121,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.hidden_area_) e.hidden_area_->update(frame, viewpoint, e.hidden_mesh_);
   if (e.comfort_) e.comfort_->update(frame, viewpoint, e.comfort_shown_);
   if (e.underwater()) stages.time("queries", [&] { e.update_head(frame, viewpoint, side, time_s); });
-  selection = &in_sight(e, *selection, viewpoint, data, eyes);
+  selection = &in_sight(e, *selection, viewpoint, data, side);
   const bool facing_only = settings.render.facing_only && eyes == EyesIn::air && e.ocean_->eyes_in_air(viewpoint);
 
   // 4. Spray, where there is any: what is to be seen of it at this moment.

@@ -82,7 +82,7 @@ void OutsideView::draw(Frame& frame, Experience& e, const Viewpoint& viewpoint) 
   gpu::FrameData data = frame_data(settings, viewpoint, picture_.spec().height);
   ocean.describe(data, viewpoint, selection);
   if (solids_) {
-    solids_->update(frame, viewpoint, e.sea()->time_s(), ocean.highest_m(), things);
+    solids_->update(frame, viewpoint, e.sea()->time_s(), {ocean.highest_m()}, things);
     e.solids()->describe_sun(data, viewpoint.viewer.position_m);
   }
   const std::uint32_t uniform = frame.upload_uniform(data);

@@ -8,7 +8,8 @@ namespace seascape {
 
 namespace {
 
-constexpr double atmosphere_m = 10.08;  // of sea water
+constexpr double atmosphere_m = 10.08;   // of sea water
+constexpr double portal_margin_m = 0.1;  // a near plane's
 
 struct SeaPlane {
   double height_m = 0.0, still_m = 0.0;
@@ -106,34 +107,54 @@ bool kept_dry(const SceneShapes& shapes, const SceneObjects& objects, const glm:
   return WaterLines{placed, int(shapes.air.size()), int(shapes.portals.size())}.keep_dry(glm::dvec3(0.0));
 }
 
-bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
-                  const Viewpoint& viewpoint) {
-  for (const View& eye : viewpoint.eyes) {
-    const glm::dvec3 ahead = eye.pose.orientation * glm::dvec3(0.0, 0.0, -1.0);
-    double wide = 0.0;  // tangent of a corner
-    for (const double across : {eye.fov.left, eye.fov.right})
-      for (const double up : {eye.fov.up, eye.fov.down}) wide = std::max(wide, std::hypot(across, up));
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const glm::dvec3 to = glm::dvec3(placed[i].middle) - (eye.pose.position_m - viewpoint.viewer.position_m);
-      const double far_m = glm::length(to), radius_m = list[i].radius_m + 0.1;
-      if (far_m <= radius_m) return true;
-      const double off = std::acos(std::clamp(glm::dot(to, ahead) / far_m, -1.0, 1.0));
-      if (off <= std::atan(wide) + std::asin(radius_m / far_m)) return true;
-    }
-  }
-  return false;
+namespace {
+
+// Whether a portal, whose water is `placed`, is before an eye: in its picture, and not turned away from it.
+bool before_eye(const PlacedShape& shape, const gpu::WaterShape& placed, const View& eye, const glm::dvec3& at) {
+  if (shape.mode == gpu::portal_front &&
+      !(glm::dot(glm::dvec4(placed.row[2]), glm::dvec4(at, 1.0)) > -1e-3))  // floats round
+    return false;
+  const glm::dvec3 to = glm::dvec3(placed.middle) - at, ahead = eye.pose.orientation * glm::dvec3(0.0, 0.0, -1.0);
+  double wide = 0.0;  // tangent of a corner
+  for (const double across : {eye.fov.left, eye.fov.right})
+    for (const double up : {eye.fov.up, eye.fov.down}) wide = std::max(wide, std::hypot(across, up));
+  const double far_m = glm::length(to), radius_m = shape.radius_m + portal_margin_m;
+  if (far_m <= radius_m) return true;
+  const double off = std::acos(std::clamp(glm::dot(to, ahead) / far_m, -1.0, 1.0));
+  return off <= std::atan(wide) + std::asin(radius_m / far_m);
 }
 
-EyesIn eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed, const Viewpoint& viewpoint,
-                  double highest_m) {
-  if (!shapes.portals.empty())
-    return any_in_sight(shapes.portals, placed.portal, viewpoint) ? EyesIn::either : EyesIn::air;
-  if (eyes != EyesIn::water) return eyes;
-  for (std::size_t i = 0; i < shapes.air.size(); ++i) {
-    const double top_m = double(placed.air[i].middle.y) + viewpoint.viewer.position_m.y + shapes.air[i].radius_m;
-    if (top_m > -highest_m) return EyesIn::either;  // troughs are no deeper than crests are high
+// Whether a shape comes up to where the surface may stand: troughs are no deeper than crests are high.
+bool reaches_surface(const PlacedShape& shape, const gpu::WaterShape& placed, const Viewpoint& viewpoint,
+                     double highest_m) {
+  return double(placed.middle.y) + viewpoint.viewer.position_m.y + shape.radius_m > -highest_m;
+}
+
+}  // namespace
+
+EyesAmongShapes eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed,
+                           const Viewpoint& viewpoint, double highest_m) {
+  EyesAmongShapes side{eyes};
+  for (std::size_t i = 0; i < shapes.air.size(); ++i)
+    side.high_air = side.high_air || reaches_surface(shapes.air[i], placed.air[i], viewpoint, highest_m);
+  if (shapes.portals.empty()) {
+    if (side.eyes == EyesIn::water && side.high_air) side.eyes = EyesIn::either;
+    side.from_above = side.eyes != EyesIn::water;
+    return side;
   }
-  return eyes;
+  bool high_portal = false;
+  for (const View& eye : viewpoint.eyes) {
+    const glm::dvec3 at = eye.pose.position_m - viewpoint.viewer.position_m;
+    for (std::size_t i = 0; i < shapes.portals.size(); ++i) {
+      const PlacedShape& portal = shapes.portals[i];
+      if (!before_eye(portal, placed.portal[i], eye, at)) continue;
+      side.portals.add(at, glm::dvec3(placed.portal[i].middle), portal.radius_m + portal_margin_m);
+      high_portal = high_portal || reaches_surface(portal, placed.portal[i], viewpoint, highest_m);
+    }
+  }
+  side.eyes = side.portals.any() ? EyesIn::either : EyesIn::air;
+  side.from_above = side.eyes != EyesIn::air && (high_portal || side.high_air);
+  return side;
 }
 
 }  // namespace seascape

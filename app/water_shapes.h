@@ -1,6 +1,7 @@
 // A scene's pockets of air and portals as a frame's shaders are told of them. Pure.
 #pragma once
 #include "app/scene_shapes.h"
+#include "ocean/mesh/portal_sight.h"
 #include "ocean/sea/sea_view.h"
 #include "ocean/surface/eyes_in.h"
 #include "ocean/surface/water_line.h"
@@ -21,12 +22,15 @@ bool kept_dry(const SceneShapes& shapes, const SceneObjects& objects, const glm:
 // to the viewer.
 double level_by_boyle_m(const WaterLines& lines, int number, double radius_m, double sea_m);
 
-// Whether any of the shapes may be seen by any of the eyes.
-bool any_in_sight(const std::vector<PlacedShape>& list, std::span<const gpu::WaterShape> placed,
-                  const Viewpoint& viewpoint);
-
-// Where the eyes are among shapes, where Ocean::eyes_in has said `eyes`: pixels decide where the surface is cut away.
-EyesIn eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed, const Viewpoint& viewpoint,
-                  double highest_m);
+// Where eyes are among shapes: pixels decide where the surface is cut away.
+struct EyesAmongShapes {
+  EyesIn eyes = EyesIn::air;
+  bool from_above = true;  // some may see the surface from above
+  bool high_air = false;   // a pocket of air comes up to where the surface may stand
+  PortalSight portals;     // what they see through them; of a scene without any: nothing
+};
+// Where Ocean::eyes_in() has said `eyes`, of water that stands nowhere higher than `highest_m`, nor as deep in troughs.
+EyesAmongShapes eyes_among(EyesIn eyes, const SceneShapes& shapes, const gpu::WaterShapes& placed,
+                           const Viewpoint& viewpoint, double highest_m);
 
 }  // namespace seascape

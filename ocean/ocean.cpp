@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "ocean/foam/crest_steps.h"
 #include "ocean/mesh/quadtree.h"
+#include "ocean/mesh/tree_frame.h"
 #include "ocean/mesh/water_below.h"
 #include "ocean/surface/water_types.h"
 #include "shaders/shared/skirt.h"
@@ -201,26 +203,47 @@ double sight_in_water_m(const gpu::FrameData& data) {
 }
 }  // namespace
 
+template <class Kept>
+const SurfaceSelection& Ocean::keep(const Kept& kept) {
+  const SurfaceSelection& all = *selection_;
+  within_sight_.mesh = all.mesh;
+  within_sight_.unit_m = all.unit_m;
+  within_sight_.grid_origin_m = all.grid_origin_m;
+  within_sight_.patches.resize(all.patches.size());
+  const auto end = std::copy_if(all.patches.begin(), all.patches.end(), within_sight_.patches.begin(), kept);
+  within_sight_.patches.resize(std::size_t(end - within_sight_.patches.begin()));
+  return within_sight_;
+}
+
 const SurfaceSelection& Ocean::within_sight(const Viewpoint& viewpoint, const gpu::FrameData& data) {
   const SurfaceSelection& all = *selection_;
   const double sight_m = sight_in_water_m(data) + double(data.sea.footprint.x);  // which is more than water moves
   const glm::dvec2 viewer =
       (glm::dvec2(viewpoint.viewer.position_m.x, viewpoint.viewer.position_m.z) - all.grid_origin_m) / all.unit_m;
-  within_sight_.mesh = all.mesh;
-  within_sight_.unit_m = all.unit_m;
-  within_sight_.grid_origin_m = all.grid_origin_m;
-  within_sight_.patches.resize(all.patches.size());
-  const auto end = std::copy_if(
-      all.patches.begin(), all.patches.end(), within_sight_.patches.begin(), [&](const gpu::PatchInstance& patch) {
-        if ((patch.flags & gpu::patch_skirt) != 0u) return false;
-        const glm::dvec2 least(patch.corner), most = least + double(gpu::patch_quads * patch.stride);
-        return glm::length(glm::clamp(viewer, least, most) - viewer) * all.unit_m <= sight_m;
-      });
-  within_sight_.patches.resize(std::size_t(end - within_sight_.patches.begin()));
-  return within_sight_;
+  return keep([&](const gpu::PatchInstance& patch) {
+    if ((patch.flags & gpu::patch_skirt) != 0u) return false;
+    const glm::dvec2 least(patch.corner), most = least + double(gpu::patch_quads * patch.stride);
+    return glm::length(glm::clamp(viewer, least, most) - viewer) * all.unit_m <= sight_m;
+  });
 }
 
-const SurfaceSelection* Ocean::select_bed(const Viewpoint& viewpoint, gpu::FrameData& data) {
+const SurfaceSelection& Ocean::within_portals(const Viewpoint& viewpoint, const PortalSight& portals) {
+  const SurfaceSelection& all = *selection_;
+  const DisplacementBounds most = bounds(viewpoint);
+  const glm::dvec3& viewer = viewpoint.viewer.position_m;
+  return keep([&](const gpu::PatchInstance& patch) {
+    if ((patch.flags & gpu::patch_skirt) != 0u) return true;
+    const double half_m = 0.5 * gpu::patch_quads * patch.stride * all.unit_m;
+    const glm::dvec2 middle =
+        all.grid_origin_m + glm::dvec2(patch.corner) * all.unit_m + half_m - glm::dvec2(viewer.x, viewer.z);
+    const double far_m = glm::length(middle) + 2.0 * half_m;
+    return portals.may_show({middle.x, -viewer.y, middle.y}, std::hypot(std::numbers::sqrt2 * half_m, most.vertical_m) +
+                                                                 most.horizontal_m + curvature_drop(far_m * far_m));
+  });
+}
+
+const SurfaceSelection* Ocean::select_bed(const Viewpoint& viewpoint, const PortalSight* portals,
+                                          gpu::FrameData& data) {
   if (!place_ || !place_->has_bed()) return nullptr;
   BedInSight bed;
   bed.sight_m = std::min(sight_in_water_m(data), bed.sight_m);
@@ -228,6 +251,7 @@ const SurfaceSelection* Ocean::select_bed(const Viewpoint& viewpoint, gpu::Frame
   bed.lowest_m = std::max(range_m.x, viewpoint.viewer.position_m.y - bed.sight_m);
   bed.highest_m = std::max(std::min(range_m.y, highest_m()), bed.lowest_m);  // what is higher the surface hides
   bed.earth_curvature = settings_.lod.earth_curvature;
+  bed.portals = portals;
   const SurfaceSelection& selected = bed_mesh_.select(viewpoint, bed);
   data.bed_mesh = selected.mesh;
   data.bed_mesh.from_grid = glm::vec2(selected.grid_origin_m - selection_->grid_origin_m);
@@ -285,6 +309,7 @@ Ocean::EyesSide Ocean::eyes_in(const Viewpoint& viewpoint, double reach_m) const
   }
   const int all = int(viewpoint.eyes.size());
   side.eyes = above == all ? EyesIn::air : below == all ? EyesIn::water : EyesIn::either;
+  side.from_above = side.eyes != EyesIn::water;
   return side;
 }
 

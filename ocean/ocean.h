@@ -14,6 +14,7 @@
 #include "ocean/foam/spray.h"
 #include "ocean/mesh/bed_mesh.h"
 #include "ocean/mesh/mesher.h"
+#include "ocean/mesh/portal_sight.h"
 #include "ocean/sea/sea.h"
 #include "ocean/surface/eyes_in.h"
 #include "ocean/surface/surface.h"
@@ -69,12 +70,13 @@ class Ocean {
   // The same for one of many viewpoints that share this sea (a mirror, a portal, a map), with a mesher of its own,
   // whose patches stay until it selects again.
   const SurfaceSelection& select(const Viewpoint& viewpoint, Mesher& mesher, const LodSettings& lod) const;
-  // Of the patches selected last those that eyes in the water may see, through which no air is seen. They stay until
-  // the next call.
+  // Of the patches selected last those that eyes in the water may see, through which no air is seen; or those that are
+  // seen through portals. They stay until the next call.
   const SurfaceSelection& within_sight(const Viewpoint& viewpoint, const gpu::FrameData& data);
+  const SurfaceSelection& within_portals(const Viewpoint& viewpoint, const PortalSight& portals);
   // The patches of the bed before eyes that may be in the water, and what shaders are told of them; null where there is
-  // no bed. They stay until the next call.
-  const SurfaceSelection* select_bed(const Viewpoint& viewpoint, gpu::FrameData& data);
+  // no bed. `portals`: through which alone it is seen, or null. They stay until the next call.
+  const SurfaceSelection* select_bed(const Viewpoint& viewpoint, const PortalSight* portals, gpu::FrameData& data);
   // What selecting is told of the water for a viewpoint, as it is since the last update.
   DisplacementBounds bounds(const Viewpoint& viewpoint) const;
   // The patches selected last, null before the first.
@@ -89,6 +91,10 @@ class Ocean {
   // corners): by what is felt of the sea, and by all that this may lack of what is drawn.
   struct EyesSide {
     EyesIn eyes = EyesIn::air;
+    bool from_above = true;  // some may see the surface from above
+    // Of a scene's shapes, for who knows them: air under water comes up to its surface; what is seen through portals.
+    bool high_air = false;
+    PortalSight portals;
     // At the viewer, where eyes are not in the air: height of the still water, and how high over him the felt one is.
     double still_m = 0.0, over_viewer_m = 0.0;
     // There, of each eye: how high over it the water is, m, and the water's slopes along x and z.
@@ -143,6 +149,8 @@ class Ocean {
  private:
   Sea& sea_;
   OceanSettings settings_;
+  template <class Kept>
+  const SurfaceSelection& keep(const Kept& kept);  // of the patches selected last
   template <class Piece>
   Piece* add(std::unique_ptr<Piece> piece);
   std::vector<std::unique_ptr<DrawnPiece>> pieces_;  // in the order of their updates; then those of them that it asks

@@ -158,11 +158,12 @@ void DrawnSolids::resize(const Image* depths) {
   for (std::size_t model = 0; model < bound_.size(); ++model) bind(model);
 }
 
-void DrawnSolids::update(Frame& frame, const Viewpoint& viewpoint, double time_s, double highest_m,
+void DrawnSolids::update(Frame& frame, const Viewpoint& viewpoint, double time_s, const NearWaterSight& water,
                          const ModelSettings& settings) {
-  select_solids(from_.models, things(), viewpoint, time_s, settings.detail, selection_);
+  select_solids(from_.models, things(), viewpoint, time_s, settings.detail, selection_, water);
   if (look_.below != nullptr)
-    told_of_water_ = select_in_water(from_.models, things(), viewpoint, time_s, settings.detail, highest_m, in_water_);
+    told_of_water_ = select_in_water(from_.models, water.from_above ? things() : std::span<const SolidThing>(),
+                                     viewpoint, time_s, settings.detail, water.highest_m, in_water_);
   slot_ = frame.slot();
   upload(selection_, instances_);
   upload(in_water_, in_water_instances_);
@@ -225,24 +226,28 @@ void DrawnSolids::add_uses(Uses& uses) const {
 
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const {
   const bool blended = kind == Kind::blended;
-  const auto one = [&](const Pipeline& pipeline, Bindings Bound::*bindings) {
-    draw(commands, frame_uniform, kind, pipeline, bindings);
+  const auto one = [&](const Pipeline& pipeline, Bindings Bound::*bindings, Through through) {
+    draw(commands, frame_uniform, kind, pipeline, bindings, through);
   };
-  if (eyes == EyesIn::air || !look_.underwater) return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown);
+  if (eyes == EyesIn::air || !look_.underwater)
+    return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown, Through::any);
   // Where the sea is lit later no stencil says whose eye is where, for what lets light through.
   const bool by_pixel = eyes == EyesIn::either && !(blended && look_.points);
-  if (eyes == EyesIn::either) one(blended ? air_side_.blended : air_side_.opaque, &Bound::shown);
+  if (eyes == EyesIn::either)
+    one(blended ? air_side_.blended : air_side_.opaque, &Bound::shown, by_pixel ? Through::air : Through::any);
   if (eyes == EyesIn::water || by_pixel)
-    one(blended ? water_side_.blended : water_side_.opaque, &Bound::shown_underwater);
+    one(blended ? water_side_.blended : water_side_.opaque, &Bound::shown_underwater,
+        by_pixel ? Through::water : Through::any);
 }
 
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
-                       Bindings Bound::*bindings) const {
+                       Bindings Bound::*bindings, Through through) const {
   const bool blended = kind == Kind::blended;
   const SolidSelection& selection = kind == Kind::in_water ? in_water_ : selection_;
   const Buffer& instances = (kind == Kind::in_water ? in_water_instances_ : instances_)[std::size_t(slot_)];
   for (std::size_t i = 0; i < selection.draws.size(); ++i) {
     const SolidDraw& draw = selection.draws[blended ? selection.far_first[i] : i];
+    if ((through == Through::air && !draw.through_air) || (through == Through::water && !draw.through_water)) continue;
     const LoadedModels::Loaded& loaded = (*from_.loaded)[draw.model];
     const SolidPart& part = from_.models[draw.model].parts()[draw.part];
     const std::size_t turned = part.mirrored ? loaded.meshes.size() / 2 : 0;

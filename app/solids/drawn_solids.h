@@ -45,7 +45,8 @@ class DrawnSolids {
   void resize(const Image* depths);
 
   // Outside of passes: what is seen of the things now.
-  void update(Frame& frame, const Viewpoint& viewpoint, double time_s, double highest_m, const ModelSettings& settings);
+  void update(Frame& frame, const Viewpoint& viewpoint, double time_s, const NearWaterSight& water,
+              const ModelSettings& settings);
   // What shaders are told of the things under water, as of the last update.
   void describe(gpu::FrameData& data) const;
   // After update(): who throws shadows now, and where they are in the sun's map, for the frame's shaders.
@@ -65,7 +66,7 @@ class DrawnSolids {
   }
   // Inside a pass into look.below, where any_in_water().
   void draw_in_water(Commands& commands, std::uint32_t frame_uniform) const {
-    draw(commands, frame_uniform, Kind::in_water, in_water_pipeline_, &Bound::in_water);
+    draw(commands, frame_uniform, Kind::in_water, in_water_pipeline_, &Bound::in_water, Through::any);
   }
   bool any_in_water() const { return !in_water_.draws.empty(); }
 
@@ -89,8 +90,9 @@ class DrawnSolids {
   enum class Kind { opaque, blended, in_water };
   // Near the surface once for the pixels whose eye is in air, and once for the others.
   void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const;
+  enum class Through { any, air, water };  // by which draws are chosen
   void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
-            Bindings Bound::*bindings) const;
+            Bindings Bound::*bindings, Through through) const;
   void upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const;
 
   Device& device_;

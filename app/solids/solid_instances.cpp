@@ -138,9 +138,10 @@ void PlacedModel::bound() {
       for (const glm::vec3& place : one.positions) take(glm::dvec3(place));
   };
   balls_.assign(model_->nodes.size(), glm::dvec4(0.0));
-  glm::dvec3 of_mesh(0.0);
+  boxes_.assign(model_->nodes.size(), glm::dvec3(0.0));
   for (const SolidPart& part : parts_)
-    balls_[std::size_t(part.node)] = ball_of([&](const auto& take) { corners(part, take); }, of_mesh);
+    balls_[std::size_t(part.node)] =
+        ball_of([&](const auto& take) { corners(part, take); }, boxes_[std::size_t(part.node)]);
   const glm::dvec4 all = ball_of(
       [&](const auto& take) {
         for (const SolidPart& part : parts_)
@@ -193,12 +194,6 @@ Bounds bounds_of(const PlacedModel& model, const SolidThing& thing, const glm::d
   return bounds;
 }
 
-// A part of a thing: the ball that holds it, flat as above.
-struct PartBounds {
-  glm::dvec3 flat{0.0};
-  double radius = 0.0;
-};
-
 // How much of their size counts for levels of detail: of sheets, and of all else.
 struct Detail {
   double others, sheets;
@@ -208,7 +203,7 @@ struct Detail {
 template <typename Seen, typename PartSeen>
 void select(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
             double time_s, SolidSelection& selection, const Detail& detail, const Seen& wanted,
-            const PartSeen& part_wanted) {
+            const PartSeen& part_wanted, const NearWaterSight& water = {}) {
   selection.draws.clear();
   selection.instances.clear();
   std::vector<SolidSelection::Seen>& seen = selection.seen;
@@ -251,13 +246,19 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
       SolidDraw draw{m, p, selection.instances.size()};
+      draw.through_air = draw.through_water = false;
       for (const SolidSelection::Seen& one : seen) {
         if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
         const glm::dmat4 world = one.world * node_at(one, part.node);
         const glm::dvec4& ball = model.ball(part.node);
         const double longest = std::max(
             {glm::length(glm::dvec3(world[0])), glm::length(glm::dvec3(world[1])), glm::length(glm::dvec3(world[2]))});
-        if (!part_wanted(PartBounds{glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)), ball.w * longest})) continue;
+        const glm::dvec3 up(world[0].y, world[1].y, world[2].y);
+        const PartBounds bounds{glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)), ball.w * longest,
+                                glm::dot(glm::abs(up), model.box(part.node))};
+        if (!part_wanted(bounds)) continue;
+        draw.through_air = draw.through_air || water.through_air(bounds);
+        draw.through_water = draw.through_water || water.through_water(bounds, viewer);
         if (draw.range_m == 0.0) draw.range_m = one.range_m;
         selection.instances.push_back(instance(world, viewer));
       }
@@ -275,13 +276,21 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
 
 }  // namespace
 
+bool NearWaterSight::through_water(const PartBounds& part, const glm::dvec3& viewer_m) const {
+  if (portals == nullptr) return high_air || part.flat.y - part.up_m < highest_m;
+  const glm::dvec3 away = part.flat - viewer_m;
+  return portals->may_show(away, part.radius + curvature_drop(away.x * away.x + away.z * away.z));
+}
+
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, double detail, SolidSelection& selection) {
+                   double time_s, double detail, SolidSelection& selection, const NearWaterSight& water) {
   const auto seen = [&](const Bounds& thing) {
     return std::any_of(viewpoint.eyes.begin(), viewpoint.eyes.end(),
                        [&](const View& eye) { return may_see(eye.fov, in_eye(eye, thing.middle), thing.radius); });
   };
-  select(models, things, viewpoint, time_s, selection, {detail, detail}, seen, [](const PartBounds&) { return true; });
+  select(
+      models, things, viewpoint, time_s, selection, {detail, detail}, seen, [](const PartBounds&) { return true; },
+      water);
 }
 
 gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
@@ -306,7 +315,7 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
   };
   // Water bends and dims what is seen in it: coarse levels of detail are enough.
   select(models, things, viewpoint, time_s, selection, {detail / 16.0, detail / 16.0}, seen,
-         [&](const PartBounds& part) { return part.flat.y - part.radius < highest_m; });
+         [&](const PartBounds& part) { return part.flat.y - part.up_m < highest_m; });
   // A thing's bounds may reach into the water where none of its parts does: then nothing is drawn to be seen there.
   if (selection.draws.empty()) water.seen[0] = water.seen[1] = nowhere;
   return water;

@@ -8,6 +8,7 @@
 #include "app/solids/sun_view.h"
 #include "engine/solid_model.h"
 #include "engine/view.h"
+#include "ocean/mesh/portal_sight.h"
 #include "shaders/shared/solid_data.h"
 
 namespace seascape {
@@ -53,6 +54,8 @@ class PlacedModel {
   bool sheet(int node) const { return sheets_[std::size_t(node)]; }
   // The ball around a node's mesh, in that node's axes: xyz and radius.
   const glm::dvec4& ball(int node) const { return balls_[std::size_t(node)]; }
+  // Half the sides of the box around the ball's middle that holds it, in those axes.
+  const glm::dvec3& box(int node) const { return boxes_[std::size_t(node)]; }
 
  private:
   void bound();
@@ -62,6 +65,7 @@ class PlacedModel {
   std::vector<std::shared_ptr<const Model>> insides_;
   std::vector<glm::dmat4> still_;  // its nodes as the file has them
   std::vector<glm::dvec4> balls_;
+  std::vector<glm::dvec3> boxes_;
   std::vector<bool> sheets_;
   std::size_t most_parts_ = 0;
   glm::dvec3 middle_{0.0}, half_sides_{0.0};
@@ -71,8 +75,30 @@ class PlacedModel {
 // What is drawn of one part: one instanced draw a primitive of its mesh.
 struct SolidDraw {
   std::size_t model = 0, part = 0;
-  std::size_t first = 0, count = 0;  // of the instances
-  double range_m = 0.0;              // of the farthest
+  std::size_t first = 0, count = 0;               // of the instances
+  double range_m = 0.0;                           // of the farthest
+  bool through_air = true, through_water = true;  // how eyes near the water may see it (NearWaterSight)
+};
+
+// A part of a thing where it stands: the ball that holds it, on a still sea laid flat, and how far it reaches upwards
+// and downwards from the ball's middle.
+struct PartBounds {
+  glm::dvec3 flat{0.0};
+  double radius = 0.0, up_m = 0.0;
+};
+
+// Which water is about eyes of which some may be in it and some in the air.
+struct NearWaterSight {
+  double highest_m = 1e9;                // it stands nowhere higher above the still sea, nor as deep in troughs
+  bool from_above = true;                // its surface may be seen from above
+  bool high_air = false;                 // air under water comes up to where it may stand
+  const PortalSight* portals = nullptr;  // through which alone it is seen; null: everywhere
+  // Whether a line of sight that has passed no surface may end in a part: one that began in air, and one that began in
+  // water.
+  bool through_air(const PartBounds& part) const {
+    return portals != nullptr || high_air || part.flat.y + part.up_m > -highest_m;
+  }
+  bool through_water(const PartBounds& part, const glm::dvec3& viewer_m) const;
 };
 
 struct SolidSelection {
@@ -92,7 +118,7 @@ struct SolidSelection {
 
 // For all eyes together, chosen by the viewer's head. `detail`: ModelSettings.
 void select_solids(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
-                   double time_s, double detail, SolidSelection& selection);
+                   double time_s, double detail, SolidSelection& selection, const NearWaterSight& water = {});
 
 // What of them may be seen under water, which stands nowhere higher than `highest_m` above the still sea. Returns what
 // shaders are told of it, but for the picture's size.

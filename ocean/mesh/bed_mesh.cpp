@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/mesh/tree_frame.h"
+
 namespace seascape {
 
 namespace {
@@ -38,8 +40,14 @@ const SurfaceSelection& BedMesh::select(const Viewpoint& viewpoint, const BedInS
   bounds.horizontal_m = 0.0;
   MeshWater within(bounds);
   const glm::dvec2 viewer(viewpoint.viewer.position_m.x, viewpoint.viewer.position_m.z);
-  within.gone = [&bed, &viewer](glm::dvec2 least, glm::dvec2 most) {
-    return glm::length(viewer - glm::clamp(viewer, least, most)) > bed.sight_m;
+  const double over_m = viewpoint.viewer.position_m.y - middle_m;
+  within.gone = [&, over_m](glm::dvec2 least, glm::dvec2 most) {
+    if (glm::length(viewer - glm::clamp(viewer, least, most)) > bed.sight_m) return true;
+    if (bed.portals == nullptr) return false;
+    const glm::dvec2 middle = 0.5 * (least + most) - viewer;
+    const glm::dvec3 half(0.5 * (most.x - least.x), bounds.vertical_m, 0.5 * (most.y - least.y));
+    const double drop_m = curvature_drop(bed.sight_m * bed.sight_m);
+    return !bed.portals->may_show({middle.x, -over_m, middle.y}, glm::length(half) + drop_m);
   };
   return tree_.select(over_middle_, within);
 }

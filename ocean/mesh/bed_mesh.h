@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "ocean/mesh/portal_sight.h"
 #include "ocean/mesh/quadtree.h"
 
 namespace seascape {
@@ -11,6 +12,7 @@ struct BedInSight {
   double lowest_m = 0.0, highest_m = 0.0;  // above the still sea: all of it lies between
   double sight_m = 400.0;                  // as far as an eye sees in the water
   bool earth_curvature = true;
+  const PortalSight* portals = nullptr;  // through which alone it is seen
 };
 
 class BedMesh {

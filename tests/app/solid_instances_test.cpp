@@ -161,5 +161,36 @@ TEST(SolidInstances, FarThingsComeFirst) {
   EXPECT_EQ(z, (std::vector<float>{-9.0f, -7.0f, -5.0f, -20.0f}));
 }
 
+// Near the water a line of sight that began in it ends at nothing above its crests without passing the surface, and one
+// that began in air at nothing below its troughs; through portals alone water is seen. A draw of several things has
+// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; portals not asked; nor
+// air that comes up.
+TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
+  const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
+  const auto seen = [&](const std::vector<glm::dvec3>& places, const NearWaterSight& water) {
+    std::vector<SolidThing> things;
+    for (const glm::dvec3& place : places) things.push_back({0, Pose{place}, 1.0});
+    SolidSelection selection;
+    select_solids(models, things, looking(Pose{}), 0.0, 1.0, selection, water);
+    EXPECT_EQ(selection.draws.size(), 1u);
+    return std::pair(selection.draws.front().through_air, selection.draws.front().through_water);
+  };
+  const glm::dvec3 high(0.0, 3.0, -12.0), low(0.0, -3.0, -12.0), half(2.0, 1.0, -12.0);
+  const NearWaterSight waves{1.0};
+  EXPECT_EQ(seen({high}, waves), std::pair(true, false));
+  EXPECT_EQ(seen({low}, waves), std::pair(false, true));
+  EXPECT_EQ(seen({half}, waves), std::pair(true, true));
+  EXPECT_EQ(seen({high, low}, waves), std::pair(true, true));
+  EXPECT_EQ(seen({low, high}, waves), std::pair(true, true));
+  EXPECT_EQ(seen({low}, {}), std::pair(true, true));
+  EXPECT_EQ(seen({low}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));
+  EXPECT_EQ(seen({high}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));
+  PortalSight portal;
+  portal.add(glm::dvec3(0.0), {0.0, -1.0, -4.0}, 0.3);
+  const NearWaterSight through{.highest_m = 1.0, .portals = &portal};
+  EXPECT_EQ(seen({low}, through), std::pair(true, true));
+  EXPECT_EQ(seen({high}, through), std::pair(true, false));
+}
+
 }  // namespace
 }  // namespace seascape

@@ -79,7 +79,9 @@ TEST(WaterShapes, PocketsGoWithTheirThing) {
 }
 
 // Where a pocket comes up to the surface each pixel is asked; deep ones leave the eyes' side; portals in sight ask
-// always, and out of sight nothing. Controls: each other's case.
+// always, and out of sight or turned away nothing. The surface is seen from above by eyes that are not all deep in the
+// water, and through what comes up to it. Controls seen: each other's case; a portal's front not asked for; what is
+// deep taken to come up.
 TEST(WaterShapes, TheEyesSideKnowsThem) {
   Viewpoint viewpoint;
   viewpoint.viewer.position_m = {0.0, -6.0, 0.0};
@@ -87,21 +89,37 @@ TEST(WaterShapes, TheEyesSideKnowsThem) {
   eye.pose.position_m = viewpoint.viewer.position_m;
   eye.fov = symmetric_fov(60.0, 1.5);
   viewpoint.eyes = {eye};
-  const auto side = [&](const SceneShapes& shapes, EyesIn eyes) {
+  const auto expect = [&](const SceneShapes& shapes, EyesIn eyes, EyesIn expected, bool from_above) {
     const gpu::WaterShapes placed = placed_shapes(shapes, {}, viewpoint.viewer.position_m, nullptr);
-    return eyes_among(eyes, shapes, placed, viewpoint, 1.0);
+    const EyesAmongShapes among = eyes_among(eyes, shapes, placed, viewpoint, 1.0);
+    EXPECT_EQ(among.eyes, expected);
+    EXPECT_EQ(among.from_above, from_above);
+    EXPECT_EQ(among.portals.any(), expected == EyesIn::either && !shapes.portals.empty());
   };
-  SceneShapes deep, high, ahead, behind;
+  SceneShapes deep, high, ahead, behind, high_ahead, with_high;
   deep.air.push_back(box({2, 2, 2}, {0, -6, 0}));
   high.air.push_back(box({2, 2, 2}, {0, -2, 0}));
   ahead.portals.push_back(box({2, 2, 2}, {0, -6, -9}));
   behind.portals.push_back(box({2, 2, 2}, {0, -6, 9}));
-  EXPECT_EQ(side(deep, EyesIn::water), EyesIn::water);
-  EXPECT_EQ(side(high, EyesIn::water), EyesIn::either);
-  EXPECT_EQ(side(high, EyesIn::air), EyesIn::air);
-  EXPECT_EQ(side(ahead, EyesIn::air), EyesIn::either);
-  EXPECT_EQ(side(ahead, EyesIn::water), EyesIn::either);
-  EXPECT_EQ(side(behind, EyesIn::water), EyesIn::air);
+  high_ahead.portals.push_back(box({2, 2, 2}, {0, -2, -9}));
+  with_high = ahead;
+  with_high.air = high.air;
+  expect(deep, EyesIn::water, EyesIn::water, false);
+  expect(high, EyesIn::water, EyesIn::either, true);
+  expect(high, EyesIn::air, EyesIn::air, true);
+  expect(deep, EyesIn::either, EyesIn::either, true);
+  expect(ahead, EyesIn::air, EyesIn::either, false);
+  expect(ahead, EyesIn::water, EyesIn::either, false);
+  expect(behind, EyesIn::water, EyesIn::air, false);
+  expect(high_ahead, EyesIn::water, EyesIn::either, true);
+  expect(with_high, EyesIn::water, EyesIn::either, true);
+  SceneShapes faces_us = ahead;
+  faces_us.portals.back().form = gpu::shape_disc;
+  faces_us.portals.back().mode = gpu::portal_front;
+  expect(faces_us, EyesIn::water, EyesIn::either, false);
+  SceneShapes faces_away = faces_us;
+  faces_away.portals.back().pose.orientation = glm::angleAxis(glm::radians(180.0), glm::dvec3(0.0, 1.0, 0.0));
+  expect(faces_away, EyesIn::water, EyesIn::air, false);
 }
 
 }  // namespace

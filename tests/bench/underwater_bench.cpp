@@ -78,7 +78,7 @@ void draw(Experience& experience, const Headless& display, const Pose& from, dou
   take_least(into->near_ms, took({"near corners", "near lines"}));
   take_least(into->drawing_ms, took({"surface", "light", "below", "near corners", "near lines"}));
   into->triangles = double(frame.counts().triangles);
-  into->patches = double(experience.lens()->patches());
+  if (experience.lens() != nullptr) into->patches = double(experience.lens()->patches());
   take_least(into->frame_ms, frame.gpu_ms());
 }
 
@@ -108,6 +108,11 @@ void wet_eyes(benchmark::State& state, const Place& place, const std::string& pr
   Scene open = scene;
   if (portals) open.shapes = {};
   Experience without(gpu().device, gpu().shaders, open, kind.picture());
+  // And the same room from the same place on dry land, which has no sea to compare with.
+  Scene on_land = open;
+  on_land.effects = {"models"};
+  Experience dry(gpu().device, gpu().shaders, portals ? on_land : open, kind.picture());
+  Least least_dry;
   const Headless display(kind.display());
   constexpr std::array<const char*, 3> names{"deck", "half", "under"};
   constexpr std::array over_m{1.7, 0.0, -3.0};
@@ -123,6 +128,7 @@ void wet_eyes(benchmark::State& state, const Place& place, const std::string& pr
         Pose from = eyes_at(of, place, over_m[std::size_t(which)], time_s);
         if (portals && which == 2) from = scene.start;
         draw(of, display, from, time_s, round < warm_up ? nullptr : &least[std::size_t(which)]);
+        if (portals && which == 2) draw(dry, display, from, time_s, round < warm_up ? nullptr : &least_dry);
         const double reach_m = 0.2;
         const bool either = of.ocean().eyes_in(display.viewpoint(from), reach_m).eyes == EyesIn::either;
         (which == 0 ? deck_either : which == 1 ? half_either : under_either) += either;
@@ -140,6 +146,7 @@ void wet_eyes(benchmark::State& state, const Place& place, const std::string& pr
     if (n > 0) state.counters[name + "_to_deck"] = least[n].drawing_ms / least[0].drawing_ms;
     if (n > 0) state.counters[name + "_frame_to_deck"] = least[n].frame_ms / least[0].frame_ms;
   }
+  if (portals) state.counters["under_to_dry"] = least[2].drawing_ms / least_dry.drawing_ms;
   const double all = warm_up + rounds;
   state.counters["deck_near"] = deck_either / all;
   state.counters["half_near"] = half_either / all;
