@@ -110,5 +110,44 @@ TEST_F(Porthole, InABoatThatRollsShowsTheSeaWhereItStands) {
                               " dry, roll of " + std::to_string(glm::degrees(most_roll - least_roll)) + " degrees");
 }
 
+// What is left out of the sea, its bed and things because no portal shows it is in no pixel: the pictures are to the
+// bit those of portals whose balls hold the eyes, for which all is drawn. From the room under the sea, aboard the
+// barge, and before, beside and within the aquarium, both eyes. Controls seen: cones of half the angle for patches; for
+// the bed; for things; portals that come up to the surface taken for deep ones.
+TEST_F(Porthole, WhatIsLeftOutIsNotSeen) {
+  struct From {
+    const char* scene;
+    glm::dvec3 at_m;
+    double yaw_deg, pitch_deg;
+  };
+  const std::vector<From> all{{"porthole", {0.3, -5.7, 1.0}, 0, -3},     {"porthole", {1.2, -5.9, -1.0}, 40, -20},
+                              {"porthole", {-1.4, -5.6, -0.5}, 325, 15}, {"porthole", {30.0, 0.3, 0.0}, 285, -5},
+                              {"porthole", {30.2, 0.1, 0.3}, 270, -25},  {"aquarium", {0.0, -2.7, 2.0}, 0, -6},
+                              {"aquarium", {4.5, -2.4, -2.0}, 310, -3},  {"aquarium", {0.5, -2.5, -5.0}, 20, 10}};
+  for (const std::string scene : {"porthole", "aquarium"}) {
+    test::ShotOptions made = options(), whole = options();
+    made.scene = whole.scene = scene;
+    whole.shapes = load_scene(scene, "low").shapes;
+    for (PlacedShape& portal : whole.shapes.portals) portal.radius_m = 1000.0;
+    SeaShot shot(made), complete(whole);
+    double time_s = 4.0;
+    std::uint64_t triangles = 0, of_complete = 0;
+    for (const From& from : all) {
+      if (from.scene != scene) continue;
+      const Pose head = test::pose(from.at_m, from.yaw_deg, from.pitch_deg);
+      const std::vector<Image8> seen = shot.pictures(head, time_s), expected = complete.pictures(head, time_s);
+      triangles += shot.counts().triangles;
+      of_complete += complete.counts().triangles;
+      for (std::size_t eye = 0; eye < 2; ++eye)
+        EXPECT_EQ(test::differing_pixels(seen[eye], expected[eye]), 0)
+            << scene << " yaw " << from.yaw_deg << " eye " << eye << test::leave(seen[eye], "portal_sight_" + scene);
+      time_s += 0.5;
+    }
+    if (scene == "porthole") {  // the aquarium fills the pictures
+      EXPECT_LT(triangles, of_complete);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace seascape

@@ -163,8 +163,8 @@ TEST(SolidInstances, FarThingsComeFirst) {
 
 // Near the water a line of sight that began in it ends at nothing above its crests without passing the surface, and one
 // that began in air at nothing below its troughs; through portals alone water is seen. A draw of several things has
-// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; portals not asked; nor
-// air that comes up.
+// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; portals not asked; a
+// tenth of a part's height; nor air that comes up.
 TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
   const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
   const auto seen = [&](const std::vector<glm::dvec3>& places, const NearWaterSight& water) {
@@ -175,13 +175,14 @@ TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
     EXPECT_EQ(selection.draws.size(), 1u);
     return std::pair(selection.draws.front().through_air, selection.draws.front().through_water);
   };
-  const glm::dvec3 high(0.0, 3.0, -12.0), low(0.0, -3.0, -12.0), half(2.0, 1.0, -12.0);
+  const glm::dvec3 high(0.0, 3.0, -12.0), low(0.0, -3.0, -12.0), nearer(0.0, 0.0, 2.0);
   const NearWaterSight waves{1.0};
   EXPECT_EQ(seen({high}, waves), std::pair(true, false));
   EXPECT_EQ(seen({low}, waves), std::pair(false, true));
-  EXPECT_EQ(seen({half}, waves), std::pair(true, true));
-  EXPECT_EQ(seen({high, low}, waves), std::pair(true, true));
-  EXPECT_EQ(seen({low, high}, waves), std::pair(true, true));
+  EXPECT_EQ(seen({{2.0, 1.4, -12.0}}, waves), std::pair(true, true)) << "its lower end is in the crests";
+  EXPECT_EQ(seen({{2.0, -1.4, -12.0}}, waves), std::pair(true, true)) << "its upper end is in the troughs";
+  EXPECT_EQ(seen({high, low + nearer}, waves), std::pair(true, true));
+  EXPECT_EQ(seen({low, high + nearer}, waves), std::pair(true, true));
   EXPECT_EQ(seen({low}, {}), std::pair(true, true));
   EXPECT_EQ(seen({low}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));
   EXPECT_EQ(seen({high}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));

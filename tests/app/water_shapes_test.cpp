@@ -80,8 +80,8 @@ TEST(WaterShapes, PocketsGoWithTheirThing) {
 
 // Where a pocket comes up to the surface each pixel is asked; deep ones leave the eyes' side; portals in sight ask
 // always, and out of sight or turned away nothing. The surface is seen from above by eyes that are not all deep in the
-// water, and through what comes up to it. Controls seen: each other's case; a portal's front not asked for; what is
-// deep taken to come up.
+// water, and through what comes up to it. Controls seen: each other's case; a portal's front not asked for; portals
+// behind the eyes taken for seen; what is deep taken to come up.
 TEST(WaterShapes, TheEyesSideKnowsThem) {
   Viewpoint viewpoint;
   viewpoint.viewer.position_m = {0.0, -6.0, 0.0};
@@ -100,7 +100,9 @@ TEST(WaterShapes, TheEyesSideKnowsThem) {
   deep.air.push_back(box({2, 2, 2}, {0, -6, 0}));
   high.air.push_back(box({2, 2, 2}, {0, -2, 0}));
   ahead.portals.push_back(box({2, 2, 2}, {0, -6, -9}));
+  const glm::dquat turned_round = glm::angleAxis(glm::radians(180.0), glm::dvec3(0.0, 1.0, 0.0));
   behind.portals.push_back(box({2, 2, 2}, {0, -6, 9}));
+  behind.portals.back().pose.orientation = turned_round;
   high_ahead.portals.push_back(box({2, 2, 2}, {0, -2, -9}));
   with_high = ahead;
   with_high.air = high.air;
@@ -118,7 +120,7 @@ TEST(WaterShapes, TheEyesSideKnowsThem) {
   faces_us.portals.back().mode = gpu::portal_front;
   expect(faces_us, EyesIn::water, EyesIn::either, false);
   SceneShapes faces_away = faces_us;
-  faces_away.portals.back().pose.orientation = glm::angleAxis(glm::radians(180.0), glm::dvec3(0.0, 1.0, 0.0));
+  faces_away.portals.back().pose.orientation = turned_round;
   expect(faces_away, EyesIn::water, EyesIn::air, false);
 }
 
