@@ -35,8 +35,11 @@ const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, 
   return side.eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
 }
 
+// Where hulls and walls keep water out it is dry at any depth, under open air.
 NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side) {
-  return {e.ocean().highest_m(), side.from_above, side.high_air,
+  const DrawnPlace* const place = e.ocean().place();
+  const bool clips = place != nullptr && (place->field(InputTarget::clip) != nullptr || e.sea()->clip_volumes());
+  return {e.ocean().highest_m(), side.from_above || (clips && side.eyes != EyesIn::air), side.high_air || clips,
           e.scene().shapes.portals.empty() ? nullptr : &side.portals};
 }
 
