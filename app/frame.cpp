@@ -35,11 +35,12 @@ const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, 
   return side.eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
 }
 
-// Where hulls and walls keep water out it is dry at any depth, under open air.
+// Where water is kept out it is dry at any depth under open air; a hull there hides the hole that it makes in the sea.
 NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side) {
   const DrawnPlace* const place = e.ocean().place();
-  const bool clips = place != nullptr && (place->field(InputTarget::clip) != nullptr || e.sea()->clip_volumes());
-  return {e.ocean().highest_m(), side.from_above || (clips && side.eyes != EyesIn::air), side.high_air || clips,
+  const bool holes = place != nullptr && place->field(InputTarget::clip) != nullptr,
+             clips = holes || (place != nullptr && e.sea()->clip_volumes());
+  return {e.ocean().highest_m(), side.from_above || (holes && side.eyes != EyesIn::air), side.high_air || clips,
           e.scene().shapes.portals.empty() ? nullptr : &side.portals};
 }
 
