@@ -163,8 +163,8 @@ TEST(SolidInstances, FarThingsComeFirst) {
 
 // Near the water a line of sight that began in it ends at nothing above its crests without passing the surface, and one
 // that began in air at nothing below its troughs; through portals alone water is seen. A draw of several things has
-// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; portals not asked; a
-// tenth of a part's height; nor air that comes up.
+// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; a tenth of a
+// part's height; neither portals asked nor air that comes up.
 TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
   const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
   const auto seen = [&](const std::vector<glm::dvec3>& places, const NearWaterSight& water) {

@@ -6,8 +6,8 @@
 namespace seascape {
 namespace {
 
-// Drivers test a draw that discards before it is shaded only where it writes no stencil: things half in the water took
-// seven times as long (lavapipe). Control seen: all bits written by every draw.
+// Drivers test a draw that discards before it is shaded only where it writes no stencil: otherwise things half in the
+// water take seven times as long (lavapipe). Control seen: all bits written by every draw.
 TEST(Pipeline, DrawsThatOnlyTestTheStencilWriteNone) {
   for (const bool front : {true, false}) {
     for (const Stencil tests : {Stencil::in_air, Stencil::in_water}) {

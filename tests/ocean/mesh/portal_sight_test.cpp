@@ -9,8 +9,8 @@ namespace seascape {
 namespace {
 
 // A ball that some line from an eye through a portal's ball meets is never left out, and of those that are kept only
-// few are met by none: a ball beside the cone may be kept behind the eye, or where cones of two eyes overlap. Controls
-// seen: cones of half the angle; all balls kept.
+// few are met by none: some that touch the cone between two lines. Controls seen: cones of half the angle; all balls
+// kept.
 TEST(PortalSight, KeepsWhatALineThroughAPortalMeets) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
