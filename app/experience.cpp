@@ -265,10 +265,11 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
     loaded_models_ = std::make_unique<LoadedModels>(device_, scene_.objects.models, blocks);
   }
   solid_surroundings_ = std::make_unique<SolidSurroundings>(device_, shaders_, light);
-  solids_ = std::make_unique<DrawnSolids>(device_, shaders_, drawn, light, solid_sources(),
-                                          SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr,
-                                                    surface_->depths(), look.below ? &surface_->below() : nullptr,
-                                                    look.anisotropy, look.underwater, look.shapes, sun_map_.get()});
+  solids_ = std::make_unique<DrawnSolids>(
+      device_, shaders_, drawn, light, solid_sources(),
+      SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
+                look.below ? &surface_->below() : nullptr, look.below && look.underwater ? &surface_->above() : nullptr,
+                look.anisotropy, look.underwater, look.shapes, sun_map_.get()});
 }
 
 void Experience::bind_tone() {

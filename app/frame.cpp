@@ -36,12 +36,16 @@ const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, 
 }
 
 // Where water is kept out it is dry at any depth under open air; a hull there hides the hole that it makes in the sea.
-NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side) {
+NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side, const glm::dvec3& viewer_m) {
   const DrawnPlace* const place = e.ocean().place();
   const bool holes = place != nullptr && place->field(InputTarget::clip) != nullptr,
              clips = holes || (place != nullptr && e.sea()->clip_volumes());
-  return {e.ocean().highest_m(), side.from_above || (holes && side.eyes != EyesIn::air), side.high_air || clips,
-          e.scene().shapes.portals.empty() ? nullptr : &side.portals};
+  NearWaterSight near{e.ocean().highest_m(), side.from_above || (holes && side.eyes != EyesIn::air),
+                      side.high_air || clips, e.scene().shapes.portals.empty() ? nullptr : &side.portals};
+  constexpr double over_m = 0.3;  // clear of ripples
+  const double water_m = std::max(viewer_m.y + std::max(side.over_viewer_m, 0.0), side.still_m);
+  if (side.eyes != EyesIn::air) near.middle_m = glm::dvec3(viewer_m.x, water_m + over_m, viewer_m.z);
+  return near;
 }
 
 // What a frame of this quality has less of than the settings say, but for what is told where it is drawn.
@@ -114,7 +118,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
-      e.solids_->update(frame, viewpoint, time_s, water_near(e, side), drawn_models(e.scene_, e.quality_));
+      e.solids_->update(frame, viewpoint, time_s, water_near(e, side, viewer_m), drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
       e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });
@@ -144,8 +148,7 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   const auto record = [&](const char* name, const RenderTarget& target, const Uses& used, const auto& commands) {
     stages.time("recording", [&] { frame.draw_pass(name, target, used, commands); });
   };
-  if (e.solids_ && e.solids_->any_in_water())
-    record("below", e.surface_->below(), uses, [&](Commands& c) { e.solids_->draw_in_water(c, uniform); });
+  if (e.solids_) stages.time("recording", [&] { e.solids_->draw_for_refraction(frame, uses, uniform); });
   e.surface_->prepare(frame, uniform, uses);
   const auto finish = [&](Commands& c, bool shown) {  // over what a screen shows, the vignette and the horizon's line
     if (shown && e.comfort_ && e.comfort_->draw(c, uniform) && e.hidden_area_) e.hidden_area_->cover(c);

@@ -47,14 +47,10 @@ OutsideView::OutsideView(Device& device, ShaderLibrary& shaders, Experience& exp
   surface_ = std::make_unique<Surface>(device, shaders, picture_, experience.ocean().pieces(), light, look);
   if (look.solids)
     solids_ = std::make_unique<DrawnSolids>(device, shaders, picture_, light, experience.solid_sources(),
-                                            SolidLook{true,
-                                                      deferred_ ? &surface_->target(picture_) : nullptr,
-                                                      surface_->depths(),
-                                                      nullptr,
-                                                      look.anisotropy,
-                                                      false,
-                                                      {},
-                                                      nullptr});
+                                            SolidLook{.tile_shape = true,
+                                                      .points = deferred_ ? &surface_->target(picture_) : nullptr,
+                                                      .depths = surface_->depths(),
+                                                      .anisotropy = look.anisotropy});
   if (deferred_) return;
   GraphicsSpec behind;
   behind.vertex = "sky.vert";

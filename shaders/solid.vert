@@ -4,11 +4,13 @@
 #include "shared/earth_curve.h"
 #include "shared/frame_data.h"
 #include "shared/solid_data.h"
+#include "shared/solids_above.h"
 #include "lib/view.glsl"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
 
-layout(constant_id = value_wide) const bool wide = false;  // for the picture of what is under water
+layout(constant_id = value_wide) const bool wide = false;                    // for the picture of what is under water
+layout(constant_id = value_solids_above) const bool for_eyes_below = false;  // for those of what is above it
 
 layout(location = 0) in vec4 corner_place;  // SolidVertex
 layout(location = 1) in vec4 corner_normal;
@@ -36,6 +38,10 @@ void main() {
   if (dot(x, cofactors[0]) < 0.0) normal = -normal;
   uv = corner_uv;
   tint = corner_colour;
+  if (for_eyes_below) {
+    gl_Position = clip_above(relative - frame.solids.above.xyz, int(push.side));
+    return;
+  }
   gl_Position = frame.view[eye_index()].clip_from_relative * vec4(relative, 1.0);
   if (wide) gl_Position.xy /= solid_margin;
 }

@@ -27,20 +27,25 @@ void DrawnSolids::make_room(std::span<const SolidThing> things) {
     parts += model.parts().size();
     if (!model.model().animations.empty()) nodes = std::max(nodes, model.model().nodes.size());
   }
-  const auto make = [&](SolidSelection& selection, std::array<Buffer, Frame::slots>& instances) {
+  const auto reserve = [&](SolidSelection& selection) {
     selection.seen.reserve(things.size());
     selection.instances.reserve(most);
     selection.draws.reserve(parts);
     selection.far_first.reserve(parts);
     selection.moved.nodes.reserve(nodes);
     selection.moved.placed.reserve(nodes);
+  };
+  const auto make = [&](std::span<SolidSelection> selections, Room& instances) {
+    for (SolidSelection& selection : selections) reserve(selection);
     for (Buffer& buffer : instances)
-      buffer = Buffer(device_, "solid instances", std::max(most, std::size_t{1}) * sizeof(gpu::SolidInstance),
+      buffer = Buffer(device_, "solid instances",
+                      std::max(most * selections.size(), std::size_t{1}) * sizeof(gpu::SolidInstance),
                       VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
   };
-  make(selection_, instances_);
-  if (look_.below != nullptr) make(in_water_, in_water_instances_);
-  if (look_.sun_map != nullptr) make(casters_, caster_instances_);
+  make({&selection_, 1}, instances_);
+  if (look_.below != nullptr) make({&in_water_, 1}, in_water_instances_);
+  if (look_.above != nullptr) make(above_, above_instances_);
+  if (look_.sun_map != nullptr) make({&casters_, 1}, caster_instances_);
 }
 
 void DrawnSolids::make_pipelines(const RenderTarget& picture) {
@@ -86,6 +91,12 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
                  {gpu::value_wide, true},
                  {gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE}};
   in_water_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.below, spec);
+  if (look_.above == nullptr) return;
+  spec.fragment = "solid_above.frag";
+  spec.values = {{gpu::value_multiview, false},
+                 {gpu::value_solids_above, true},
+                 {gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE}};
+  above_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.above, spec);
 }
 
 // Both sides are drawn: a wall that the sun sees from behind hides it too.
@@ -140,6 +151,7 @@ void DrawnSolids::bind(std::size_t model) {
       made.shown = Bindings(device_, pipeline_, entries, "solid");
       if (look_.underwater) made.shown_underwater = Bindings(device_, water_side_.opaque, entries, "solid underwater");
       if (look_.below != nullptr) made.in_water = Bindings(device_, in_water_pipeline_, entries, "solid in water");
+      if (look_.above != nullptr) made.above = Bindings(device_, above_pipeline_, entries, "solid above water");
       if (look_.sun_map != nullptr) made.casting = Bindings(device_, caster_pipeline_, entries, "solid casting");
       continue;
     }
@@ -167,11 +179,22 @@ void DrawnSolids::update(Frame& frame, const Viewpoint& viewpoint, double time_s
   slot_ = frame.slot();
   upload(selection_, instances_);
   upload(in_water_, in_water_instances_);
+  nearest_above_m_ = 0.0;
+  if (look_.above == nullptr || !water.middle_m) return;
+  const glm::dvec3& viewer_m = viewpoint.viewer.position_m;
+  nearest_above_m_ = select_above(from_.models, things(), viewpoint.viewer, *water.middle_m, look_.above->spec().width,
+                                  time_s, settings.detail, water.highest_m, above_);
+  told_of_water_.above = glm::vec4(glm::vec3(*water.middle_m - viewer_m), float(nearest_above_m_));
+  std::size_t first = 0;
+  for (const SolidSelection& side : above_) {
+    upload(side, above_instances_, first);
+    first += side.instances.size();
+  }
 }
 
-void DrawnSolids::upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const {
+void DrawnSolids::upload(const SolidSelection& selection, const Room& room, std::size_t first) const {
   if (selection.instances.empty()) return;
-  std::memcpy(room[std::size_t(slot_)].mapped<gpu::SolidInstance>(), selection.instances.data(),
+  std::memcpy(room[std::size_t(slot_)].mapped<gpu::SolidInstance>() + first, selection.instances.data(),
               selection.instances.size() * sizeof(gpu::SolidInstance));
 }
 
@@ -224,10 +247,25 @@ void DrawnSolids::add_uses(Uses& uses) const {
   from_.around->add_uses(uses);
 }
 
-void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const {
-  const bool blended = kind == Kind::blended;
+void DrawnSolids::draw_for_refraction(Frame& frame, const Uses& uses, std::uint32_t frame_uniform) const {
+  if (any_in_water())
+    frame.draw_pass("below", *look_.below, uses, [&](Commands& c) {
+      draw(c, frame_uniform, in_water_pipeline_, &Bound::in_water, {in_water_, in_water_instances_});
+    });
+  if (!any_above()) return;
+  std::size_t first = 0;
+  frame.draw_pass("above", *look_.above, uses, [&](Commands& c) {
+    const SolidSelection& side = above_[c.eye()];
+    draw(c, frame_uniform, above_pipeline_, &Bound::above,
+         {.selection = side, .instances = above_instances_, .first = first, .side = c.eye()});
+    first += side.instances.size();
+  });
+}
+
+void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, bool blended, EyesIn eyes) const {
+  using Through = How::Through;
   const auto one = [&](const Pipeline& pipeline, Bindings Bound::*bindings, Through through) {
-    draw(commands, frame_uniform, kind, pipeline, bindings, through);
+    draw(commands, frame_uniform, pipeline, bindings, {selection_, instances_, 0, blended, through});
   };
   if (eyes == EyesIn::air || !look_.underwater)
     return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown, Through::any);
@@ -240,27 +278,28 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kin
         by_pixel ? Through::water : Through::any);
 }
 
-void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
-                       Bindings Bound::*bindings, Through through) const {
-  const bool blended = kind == Kind::blended;
-  const SolidSelection& selection = kind == Kind::in_water ? in_water_ : selection_;
-  const Buffer& instances = (kind == Kind::in_water ? in_water_instances_ : instances_)[std::size_t(slot_)];
+void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, const Pipeline& pipeline,
+                       Bindings Bound::*bindings, const How& how) const {
+  using Through = How::Through;
+  const SolidSelection& selection = how.selection;
   for (std::size_t i = 0; i < selection.draws.size(); ++i) {
-    const SolidDraw& draw = selection.draws[blended ? selection.far_first[i] : i];
-    if ((through == Through::air && !draw.through_air) || (through == Through::water && !draw.through_water)) continue;
+    const SolidDraw& draw = selection.draws[how.blended ? selection.far_first[i] : i];
+    if ((how.through == Through::air && !draw.through_air) || (how.through == Through::water && !draw.through_water))
+      continue;
     const LoadedModels::Loaded& loaded = (*from_.loaded)[draw.model];
     const SolidPart& part = from_.models[draw.model].parts()[draw.part];
     const std::size_t turned = part.mirrored ? loaded.meshes.size() / 2 : 0;
     for (const LoadedModels::Primitive& primitive : loaded.meshes[turned + std::size_t(part.mesh)]) {
       const LoadedModels::Material& material = loaded.materials[primitive.material];
       const Bound& bound = bound_[draw.model][primitive.material];
-      if (primitive.count == 0 || material.blends != blended) continue;
+      if (primitive.count == 0 || material.blends != how.blended) continue;
       commands.bind(pipeline, bound.*bindings,
                     {frame_uniform, 0u, std::uint32_t(primitive.material * solid_material_stride)},
                     !material.double_sided);
-      commands.push(gpu::DrawPush{commands.eye()});
+      commands.push(gpu::DrawPush{how.side > 0 ? 0 : commands.eye(), how.side});
       commands.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
-      commands.bind_vertices({&instances, draw.first * sizeof(gpu::SolidInstance), nullptr}, 1);
+      commands.bind_vertices(
+          {&how.instances[std::size_t(slot_)], (how.first + draw.first) * sizeof(gpu::SolidInstance), nullptr}, 1);
       commands.bind_indices(primitive.indices, VK_INDEX_TYPE_UINT32);
       commands.draw_indexed(primitive.count, std::uint32_t(draw.count));
     }

@@ -20,6 +20,7 @@ struct SolidLook {
   const RenderTarget* points = nullptr;  // where the sea is lit later: what its points are drawn into; null: nowhere
   const Image* depths = nullptr;         // of these points
   const RenderTarget* below = nullptr;   // what is under water is drawn into (Surface::below()); null: nothing is
+  const RenderTarget* above = nullptr;   // likewise what stands above it (Surface::above())
   float anisotropy = 1.0f;               // of the points (SurfaceLook) and of textures
   bool underwater = false;               // eyes may be in the water (SurfaceLook)
   ShapesInWater shapes = {};             // likewise
@@ -47,7 +48,7 @@ class DrawnSolids {
   // Outside of passes: what is seen of the things now.
   void update(Frame& frame, const Viewpoint& viewpoint, double time_s, const NearWaterSight& water,
               const ModelSettings& settings);
-  // What shaders are told of the things under water, as of the last update.
+  // What shaders are told of the things seen through the water's surface, as of the last update.
   void describe(gpu::FrameData& data) const;
   // After update(): who throws shadows now, and where they are in the sun's map, for the frame's shaders.
   void cast(gpu::FrameData& data, const Viewpoint& viewpoint, const ModelSettings& settings, double time_s);
@@ -58,17 +59,16 @@ class DrawnSolids {
   void add_uses(Uses& uses) const;
   // Inside the pass that draws the sea (into look.points, where there are any): what hides all that lies behind it.
   void draw(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
-    draw(commands, frame_uniform, Kind::opaque, eyes);
+    draw(commands, frame_uniform, false, eyes);
   }
   // After sea and sky, inside the pass into the picture: what lets light through, far things first.
   void draw_blended(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {
-    draw(commands, frame_uniform, Kind::blended, eyes);
+    draw(commands, frame_uniform, true, eyes);
   }
-  // Inside a pass into look.below, where any_in_water().
-  void draw_in_water(Commands& commands, std::uint32_t frame_uniform) const {
-    draw(commands, frame_uniform, Kind::in_water, in_water_pipeline_, &Bound::in_water, Through::any);
-  }
+  // The passes into look.below and look.above, each where there is anything: for the surface to refract.
+  void draw_for_refraction(Frame& frame, const Uses& uses, std::uint32_t frame_uniform) const;
   bool any_in_water() const { return !in_water_.draws.empty(); }
+  bool any_above() const { return nearest_above_m_ > 0.0; }
 
   const SolidSelection& selection() const { return selection_; }
   const SolidSelection& casters() const { return casters_; }
@@ -77,7 +77,7 @@ class DrawnSolids {
   struct Bound {                // of a material
     Bindings shown;             // opaque or blended, as the material is
     Bindings shown_underwater;  // the same for eyes in the water
-    Bindings in_water, casting;
+    Bindings in_water, above, casting;
   };
   std::span<const SolidThing> things() const {
     return from_.drawn != nullptr ? from_.things.first(*from_.drawn) : from_.things;
@@ -87,13 +87,20 @@ class DrawnSolids {
   void make_pipelines(const RenderTarget& picture);
   void bind(std::size_t model);
   VkSampler sampler(const SolidTexture& texture);
-  enum class Kind { opaque, blended, in_water };
   // Near the surface once for the pixels whose eye is in air, and once for the others.
-  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, EyesIn eyes) const;
-  enum class Through { any, air, water };  // by which draws are chosen
-  void draw(Commands& commands, std::uint32_t frame_uniform, Kind kind, const Pipeline& pipeline,
-            Bindings Bound::*bindings, Through through) const;
-  void upload(const SolidSelection& selection, const std::array<Buffer, Frame::slots>& room) const;
+  void draw(Commands& commands, std::uint32_t frame_uniform, bool blended, EyesIn eyes) const;
+  using Room = std::array<Buffer, Frame::slots>;  // for instances
+  struct How {
+    const SolidSelection& selection;
+    const Room& instances;  // from `first` on
+    std::size_t first = 0;
+    bool blended = false;
+    enum class Through { any, air, water } through = Through::any;  // by which draws are chosen
+    std::uint32_t side = 0;                                         // of the pictures of what stands above the water
+  };
+  void draw(Commands& commands, std::uint32_t frame_uniform, const Pipeline& pipeline, Bindings Bound::*bindings,
+            const How& how) const;
+  void upload(const SolidSelection& selection, const Room& room, std::size_t first = 0) const;
 
   Device& device_;
   ShaderLibrary& shaders_;
@@ -102,7 +109,7 @@ class DrawnSolids {
   SolidLook look_;
   Owned<VkSampler> depth_sampler_;
   std::vector<std::pair<int, Owned<VkSampler>>> samplers_;  // by how they wrap and filter
-  Pipeline pipeline_, blended_pipeline_, in_water_pipeline_, caster_pipeline_;
+  Pipeline pipeline_, blended_pipeline_, in_water_pipeline_, above_pipeline_, caster_pipeline_;
   // With look.underwater: of the pixels near the surface whose eye is in air, and of those whose eye is in the water.
   struct BySide {
     Pipeline opaque, blended;
@@ -110,8 +117,10 @@ class DrawnSolids {
   std::vector<std::vector<Bound>> bound_;  // of each model its materials
   SunView sun_;
   SolidSelection selection_, in_water_, casters_;
-  gpu::SolidsInWater told_of_water_{};
-  std::array<Buffer, Frame::slots> instances_, in_water_instances_, caster_instances_;  // room for all things at once
+  std::array<SolidSelection, gpu::solids_above_sides> above_;
+  double nearest_above_m_ = 0.0;
+  gpu::SolidsThroughWater told_of_water_{};
+  Room instances_, in_water_instances_, above_instances_, caster_instances_;  // for all things at once
   int slot_ = 0;
 };
 

@@ -293,11 +293,11 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
       water);
 }
 
-gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
-                                   const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
-                                   SolidSelection& selection) {
+gpu::SolidsThroughWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
+                                        const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
+                                        SolidSelection& selection) {
   const glm::vec4 nowhere(9, 9, -9, -9);
-  gpu::SolidsInWater water{{nowhere, nowhere}, {float(highest_m), float(highest_m), 0, 0}};
+  gpu::SolidsThroughWater water{{nowhere, nowhere}, {float(highest_m), float(highest_m), 0, 0}, {}};
   const glm::dvec3& viewer = viewpoint.viewer.position_m;
   // From a degree and a half above it water mirrors nearly all.
   const double farthest_m = std::min(600.0, 40.0 * (std::max(viewer.y - highest_m, 0.0) + 0.5));
@@ -319,6 +319,34 @@ gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::spa
   // A thing's bounds may reach into the water where none of its parts does: then nothing is drawn to be seen there.
   if (selection.draws.empty()) water.seen[0] = water.seen[1] = nowhere;
   return water;
+}
+
+double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Pose& viewer,
+                    const glm::dvec3& middle_m, std::uint32_t texels, double time_s, double detail, double deepest_m,
+                    std::span<SolidSelection, gpu::solids_above_sides> sides) {
+  // Waves break up what is smaller than a few texels; coarse levels of detail are enough.
+  const Viewpoint viewpoint{viewer, {}, 0.5 * texels / 4.0};
+  double nearest_m = std::numeric_limits<double>::max();
+  for (int side = 0; side < gpu::solids_above_sides; ++side) {
+    const Fov fov{-1.0, 1.0, 1.0, side == 0 ? -1.0 : -double(gpu::solids_above_down)};
+    // The pictures are of the curved sea, about as it is at the middle.
+    const auto seen = [&](const glm::dvec3& flat, double radius) {
+      const glm::dvec3 away = flat - middle_m;
+      const glm::dvec3 own(gpu::in_side_above(glm::vec3(away), side));
+      return may_see(fov, {own.x, own.y, -own.z}, radius + curvature_drop(away.x * away.x + away.z * away.z));
+    };
+    select(
+        models, things, viewpoint, time_s, sides[std::size_t(side)], {detail / 16.0, detail / 16.0},
+        [&](const Bounds& thing) {
+          return 2.0 * thing.flat.y - thing.lowest_m > -deepest_m && seen(thing.flat, thing.radius);
+        },
+        [&](const PartBounds& part) {
+          if (part.flat.y + part.up_m <= -deepest_m || !seen(part.flat, part.radius)) return false;
+          nearest_m = std::min(nearest_m, std::max(glm::length(part.flat - middle_m) - part.radius, 0.05));
+          return true;
+        });
+  }
+  return nearest_m < std::numeric_limits<double>::max() ? nearest_m : 0.0;
 }
 
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,

@@ -1,6 +1,7 @@
 // Which solid things are seen from where, how finely, and where each of their meshes is drawn. Pure.
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "engine/view.h"
 #include "ocean/mesh/portal_sight.h"
 #include "shaders/shared/solid_data.h"
+#include "shaders/shared/solids_above.h"
 
 namespace seascape {
 
@@ -93,6 +95,8 @@ struct NearWaterSight {
   bool from_above = true;                // its surface may be seen from above
   bool high_air = false;                 // air under water comes up to where it may stand
   const PortalSight* portals = nullptr;  // through which alone it is seen; null: everywhere
+  // Its surface may be seen from below: what stands above it is then seen about as from here.
+  std::optional<glm::dvec3> middle_m;
   // Whether a line of sight that has passed no surface may end in a part: one that began in air, and one that began in
   // water.
   bool through_air(const PartBounds& part) const {
@@ -122,9 +126,16 @@ void select_solids(std::span<const PlacedModel> models, std::span<const SolidThi
 
 // What of them may be seen under water, which stands nowhere higher than `highest_m` above the still sea. Returns what
 // shaders are told of it, but for the picture's size.
-gpu::SolidsInWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
-                                   const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
-                                   SolidSelection& selection);
+gpu::SolidsThroughWater select_in_water(std::span<const PlacedModel> models, std::span<const SolidThing> things,
+                                        const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
+                                        SolidSelection& selection);
+
+// What stands above water that is nowhere deeper than `deepest_m` below the still sea, in each of the pictures around
+// `middle_m` that eyes in the water see it in (shaders/shared/solids_above.h), of `texels` a side. Returns how near to
+// the middle something may be, m; 0: nothing stands there.
+double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Pose& viewer,
+                    const glm::dvec3& middle_m, std::uint32_t texels, double time_s, double detail, double deepest_m,
+                    std::span<SolidSelection, gpu::solids_above_sides> sides);
 
 // What may throw a shadow into the sun's view, a level of detail coarser than the viewer sees it; but sheets at the one
 // that is seen: both of their sides are in the map, and a coarser one would lie before the other here and there.

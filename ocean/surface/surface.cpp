@@ -7,6 +7,7 @@
 #include "ocean/mesh/bed_mesh.h"
 #include "ocean/mesh/patch_mesh.h"
 #include "shaders/shared/frame_data.h"
+#include "shaders/shared/solids_above.h"
 
 namespace seascape {
 
@@ -40,6 +41,19 @@ RenderTarget make_below(Device& device, const RenderTarget& picture) {
   spec.keep_depth = true;
   spec.clear = {0.0f, 0.0f, 0.0f, 0.0f};
   return RenderTarget(device, "below the water", spec);
+}
+
+// What solid_above.frag writes for a picture `height` pixels high: about half as fine, as waves blur what is seen in
+// it.
+RenderTarget make_above(Device& device, std::uint32_t height) {
+  const EffectScope scope(device, "models");
+  TargetSpec spec;
+  spec.width = spec.height = std::clamp(height / 2, 128u, 768u);
+  spec.views = gpu::solids_above_sides;
+  spec.per_eye = true;
+  spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
+  spec.clear = {0.0f, 0.0f, 0.0f, 0.0f};
+  return RenderTarget(device, "above the water", spec);
 }
 
 }  // namespace
@@ -104,6 +118,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
         {patch, 0, VK_FORMAT_R32G32B32A32_SINT, patch * std::uint32_t(sizeof(gpu::PatchInstance))});
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture, look);
+  if (look.below && look.underwater) above_ = make_above(device, picture.spec().height);
   if (look.below) {
     below_ = make_below(device, picture);
     below_sampler_ =
@@ -157,6 +172,7 @@ void Surface::make_underwater(ShaderLibrary& shaders, const RenderTarget& pictur
   const EffectScope scope(device_, "underwater");
   const auto set = [&](int constant, std::uint32_t value) { spec.values.push_back({std::uint32_t(constant), value}); };
   set(gpu::value_underwater, 1);
+  if (look_.below) set(gpu::value_solids_above, 1);
   spec.facing = false;
   spec.stencil = Stencil::count;
   in_water_.pipeline = make_graphics_pipeline(device_, shaders, target(picture), spec);
@@ -191,6 +207,7 @@ std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const 
   list.push_back({.binding = gpu::slot_solids_in_water, .view = below_.colour().view()});
   list.push_back(
       {.binding = gpu::slot_depths_in_water, .view = below_.depth()->view(), .sampler = below_sampler_.get()});
+  if (look_.underwater) list.push_back({.binding = gpu::slot_solids_above, .view = above_.colour().view()});
   return list;
 }
 
@@ -243,6 +260,7 @@ void Surface::bind_light(Drawing& drawing) {
 
 void Surface::resize(const RenderTarget& picture) {
   if (look_.below) below_ = make_below(device_, picture);
+  if (look_.below && look_.underwater) above_ = make_above(device_, picture.spec().height);
   const EffectScope scope(device_, "surface");
   if (look_.deferred) points_ = make_points(device_, picture, look_);
   if (look_.below || look_.deferred) bind();
@@ -263,6 +281,7 @@ void Surface::add_below(Uses& uses) const {
   if (!look_.below) return;
   uses.add(use(below_.colour(), Access::fragment_sample));
   uses.add(use(*below_.depth(), Access::fragment_sample));
+  if (look_.underwater) uses.add(use(above_.colour(), Access::fragment_sample));
 }
 
 void Surface::light(Commands& commands, std::uint32_t frame_uniform, EyesIn eyes) const {

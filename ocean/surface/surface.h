@@ -27,7 +27,7 @@ struct SurfaceLook {
   bool probe = false;       // write vertex positions (tests)
   bool hidden = false;      // some pixels may be hidden: what draws them does so before, as near as can be
   bool solids = false;      // solid things are drawn among its points, where it is deferred
-  bool below = false;       // things under water are seen through it
+  bool below = false;       // things are seen through it: those under water, with underwater also those above it
   bool underwater = false;  // eyes may be in the water: the picture has a stencil then (TargetSpec::stencil)
   ShapesInWater shapes;     // of the frame's (gpu::WaterShapes): only with underwater
   bool deferred = false;    // its pixels are lit after it is drawn, once each, and the sky with them
@@ -76,6 +76,9 @@ class Surface {
   void add_points(Uses& uses) const;
   // With look.below: what things under water are drawn into, for draw() or light(), which use it by prepare().
   const RenderTarget& below() const { return below_; }
+  // With look.underwater too: what things above it are drawn into, a layer a side (shaders/shared/solids_above.h), for
+  // eyes in the water.
+  const RenderTarget& above() const { return above_; }
 
   // For what else draws with the sea's shaders into the picture, with look.underwater: the constants of the surface for
   // eyes in the water; and its bindings, of each copy of the pieces' images, with the points' sides where it is
@@ -123,7 +126,7 @@ class Surface {
   Buffer indices_, probe_;
   std::uint32_t index_count_ = 0;
   std::vector<std::vector<Bound>> entries_;  // of each copy of the pieces' images
-  RenderTarget points_, below_;
+  RenderTarget points_, below_, above_;
   Drawing in_air_, in_water_;
   // With look.underwater; the bed where there is one.
   Pipeline side_pipeline_, near_side_pipeline_, bed_pipeline_;

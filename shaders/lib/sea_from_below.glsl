@@ -20,16 +20,19 @@ vec3 sun_through_facets(vec3 ray, vec3 l, vec2 slope, vec3 var) {
 }
 
 #include "lib/sea_bed_mirrored.glsl"
+#include "lib/solids_above.glsl"
 
 // Radiance of the facets in the water (over the square of the index), by three of them in the plane of sight (Gauss and
-// Hermite's nodes).
-vec3 facets_from_below(vec3 ray, vec2 slope, vec3 var, SurfacePoint p, SeaPlace here, float footprint) {
+// Hermite's nodes). `hidden`: how much things above the water hide of the sky behind it.
+vec3 facets_from_below(vec3 ray, vec2 slope, vec3 var, SurfacePoint p, SeaPlace here, float footprint,
+                       out float hidden) {
   const float level = max(length(ray.xz), 1e-4);
   const vec2 sight = ray.xz / level;
   const float spread =
       sqrt(max(sight.x * sight.x * var.x + sight.y * sight.y * var.y + 2.0 * sight.x * sight.y * var.z, 0.0));
   vec3 sky = vec3(0.0);
-  float seen = 0.0, mirrored = 0.0;
+  float seen = 0.0, mirrored = 0.0, passed = 0.0;
+  SolidAbove thing = no_solid_above;
   vec3 way = vec3(0.0);  // on which the mirrored light comes
   for (int i = -1; i <= 1; ++i) {
     const vec2 q = slope + 1.7320508 * spread * float(i) * sight;
@@ -41,11 +44,15 @@ vec3 facets_from_below(vec3 ray, vec2 slope, vec3 var, SurfacePoint p, SeaPlace 
       f = fresnel(dot(leaves, n));
       sky += weight * (1.0 - f) *
              textureLod(sky_map, sky_coordinate(vec3(leaves.x, max(leaves.y, 0.0), leaves.z)), 0.0).rgb;
+      if (solids_above) passed += weight * (1.0 - f);
+      if (solids_above && i == 0) thing = solid_met_above(p.relative, leaves);
     }
     mirrored += weight * f;
     seen += weight;
     way += weight * f * reflect(ray, n);
   }
+  if (solids_above) sky = mix(sky, passed / light.exposure.x * thing.lit, thing.cover);
+  hidden = thing.cover;
   way.y = -abs(way.y);
   way = normalize(way + vec3(0.0, -1e-4, 0.0));
   vec3 met = open_water(0.0, way);
@@ -66,7 +73,8 @@ vec3 sea_from_below(SurfacePoint p, ViewData view, out vec3 normal) {
   const vec2 slope = sea_slope(s) - p.relative.xz * frame.viewer.w;
   normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   const vec3 var = max(s.variance, vec3(0.0, 0.0, -1.0));
-  vec3 lit = facets_from_below(ray, slope, var, p, here, max(length(p.along), length(p.across)));
+  float hidden;
+  vec3 lit = facets_from_below(ray, slope, var, p, here, max(length(p.along), length(p.across)), hidden);
   float covered = 0.0;
   if (foam) covered = foam_cover(p, s, var);
   // Bubbles let about half of the light through, evenly to all sides.
@@ -78,7 +86,7 @@ vec3 sea_from_below(SurfacePoint p, ViewData view, out vec3 normal) {
   if (air_pockets + portals > 0) seen = seen_through(view.eye.xyz, ray, range);
   if (air_pockets + portals > 0) wet = seen.wet;
   lit *= exp(-1.03 * sqrt(1.0 + 2.4 * u) * attenuation * wet);
-  lit += (1.0 - covered) * sun_through_facets(ray, l, slope, var) *
+  lit += (1.0 - covered) * (1.0 - hidden) * sun_through_facets(ray, l, slope, var) *
          exp(-(frame.water_absorption.rgb + frame.water_scattering.rgb) * wet);
   if (air_pockets + portals > 0) return seen.share * lit + seen.added;
   return lit + water_added_to_eye(view.eye.xyz, ray, 0.0, range, 0.0);

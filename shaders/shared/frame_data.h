@@ -40,10 +40,10 @@ struct FrameData {
   MeshData mesh;
   MeshData bed_mesh;  // likewise of the bed, where eyes may be in the water over one
   SeaData sea;
-  FoamData foam;         // where it is simulated
-  SolidsInWater solids;  // where there are any
-  LampData lamp;         // that the viewer carries
-  WaterShapes shapes;    // likewise
+  FoamData foam;              // where it is simulated
+  SolidsThroughWater solids;  // where there are any
+  LampData lamp;              // that the viewer carries
+  WaterShapes shapes;         // likewise
 };
 
 // Values of shown.y: all in air; near the surface, so that each pixel decides; all in water.
@@ -66,9 +66,10 @@ struct SkyLight {
   vec4 exposure;        // x: factor from radiance to picture
 };
 
-// Push constants of everything drawn: which eye, where no multiview pass says it.
+// Push constants of everything drawn: which eye, where no multiview pass says it; and which side of the pictures of
+// what stands above the water (solids_above.h).
 struct DrawPush {
-  uint eye;
+  uint eye, side;
 };
 
 SEASCAPE_SHARED_END

@@ -26,7 +26,7 @@ SEASCAPE_CONST int slot_sun_map = 54, slot_comfort = 55;
 SEASCAPE_CONST int slot_solid_material = 56, slot_solid_sky = 57, slot_solid_albedo = 58;
 SEASCAPE_CONST int slot_solid_base_colour = 59, slot_solid_metallic_roughness = 60, slot_solid_normal = 61,
                    slot_solid_occlusion = 62, slot_solid_emissive = 63;
-SEASCAPE_CONST int slot_solids_in_water = 64, slot_depths_in_water = 65;
+SEASCAPE_CONST int slot_solids_in_water = 64, slot_depths_in_water = 65, slot_solids_above = 73;
 SEASCAPE_CONST int slot_near_patches = 69, slot_near_found = 70, slot_near_listed = 71, slot_near_draw = 72;
 
 // Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left
@@ -42,8 +42,8 @@ SEASCAPE_CONST int value_clip = 17, value_clip_kinds = 24, value_clip_samples = 
 SEASCAPE_CONST int value_albedo = 18, value_shadow = 19;
 SEASCAPE_CONST int value_foam = 3, value_foam_kept = 21, value_foam_spared = 29;
 SEASCAPE_CONST int value_depth_sampled = 22, value_hidden = 23, value_blend = 26, value_models = 25,
-                   value_solids_in_water = 27, value_wide = 31, value_sun_map = 30, value_underwater = 33,
-                   value_lamp = 36;
+                   value_solids_in_water = 27, value_wide = 31, value_solids_above = 46, value_sun_map = 30,
+                   value_underwater = 33, value_lamp = 36;
 // How many there are, of those that the frame is told of.
 SEASCAPE_CONST int value_air_pockets = 44, value_portals = 45;
 

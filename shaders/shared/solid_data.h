@@ -40,9 +40,12 @@ SEASCAPE_CONST int solid_albedo_side = 32;  // of the table of what is mirrored 
 // rays. It sees by so much more on each side than the eye, as such rays leave what the eye sees.
 SEASCAPE_CONST float solid_margin = 1.2f;
 
-struct SolidsInWater {
+// And things above it into pictures around a place over the viewer (shared/solids_above.h), for eyes in the water.
+struct SolidsThroughWater {
   vec4 seen[2];  // of each eye, where its picture may show them: least x, y and most in clip space; none: least > most
   vec4 reach;  // x: their lowest point; y: the water's highest, metres above the still sea; zw: pixels of that picture
+  vec4 above;  // xyz: the middle of the pictures of things above it, m from the viewer; w: no thing there is nearer to
+               // that, m; 0: there are none
 };
 
 struct SolidSkyPush {

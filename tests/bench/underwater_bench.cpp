@@ -74,9 +74,9 @@ void draw(Experience& experience, const Headless& display, const Pose& from, dou
   };
   take_least(into->surface_ms, took({"surface"}));
   take_least(into->light_ms, took({"light"}));
-  take_least(into->below_ms, took({"below"}));
+  take_least(into->below_ms, took({"below", "above"}));
   take_least(into->near_ms, took({"near corners", "near lines"}));
-  take_least(into->drawing_ms, took({"surface", "light", "below", "near corners", "near lines"}));
+  take_least(into->drawing_ms, took({"surface", "light", "below", "above", "near corners", "near lines"}));
   into->triangles = double(frame.counts().triangles);
   if (experience.lens() != nullptr) into->patches = double(experience.lens()->patches());
   take_least(into->frame_ms, frame.gpu_ms());
