@@ -827,8 +827,7 @@ const std::vector<Setting>& table() {
        quality},
       {"models.seen_in_water",
        "",
-       "Things under water are seen through its surface, where it refracts the eye's rays; else only what stands above "
-       "it is seen.",
+       "Things on the other side of the water's surface are seen through it, where it refracts the eye's rays.",
        models<&ModelSettings::seen_in_water>,
        0.0,
        1.0,

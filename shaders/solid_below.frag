@@ -14,5 +14,5 @@ void main() {
   const vec3 lit = solid_in_water();
   // What stands above all water would hide what is under water behind it.
   if (flattened(relative + vec3(0.0, frame.viewer.z, 0.0), frame.viewer.w).y > frame.solids.reach.y) discard;
-  sent = vec4(min(lit, vec3(6e4)), 1.0);
+  sent = vec4(min(lit, vec3(6e4)), gl_FragCoord.z);
 }

@@ -38,7 +38,6 @@ RenderTarget make_below(Device& device, const RenderTarget& picture) {
   spec.views = picture.spec().views;
   spec.per_eye = picture.spec().per_eye;
   spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
-  spec.keep_depth = true;
   spec.clear = {0.0f, 0.0f, 0.0f, 0.0f};
   return RenderTarget(device, "below the water", spec);
 }
@@ -119,11 +118,7 @@ Surface::Surface(Device& device, ShaderLibrary& shaders, const RenderTarget& pic
   spec.wireframe = look.wireframe && device.facts().wireframe;
   if (look.deferred) points_ = make_points(device, picture, look);
   if (look.below && look.underwater) above_ = make_above(device, picture.spec().height);
-  if (look.below) {
-    below_ = make_below(device, picture);
-    below_sampler_ =
-        make_sampler(device, "below the water", {.linear = false, .repeat = false});  // not all filter depths
-  }
+  if (look.below) below_ = make_below(device, picture);
   // The surface is one sheet between water and air, so that a line of sight that begins in the air meets it from above
   // first.
   spec.facing = !spec.wireframe;
@@ -205,8 +200,6 @@ std::vector<Bound> Surface::with_below(const std::vector<Bound>& entries) const 
   std::vector<Bound> list = entries;
   if (!look_.below) return list;
   list.push_back({.binding = gpu::slot_solids_in_water, .view = below_.colour().view()});
-  list.push_back(
-      {.binding = gpu::slot_depths_in_water, .view = below_.depth()->view(), .sampler = below_sampler_.get()});
   if (look_.underwater) list.push_back({.binding = gpu::slot_solids_above, .view = above_.colour().view()});
   return list;
 }
@@ -280,7 +273,6 @@ void Surface::add_points(Uses& uses) const {
 void Surface::add_below(Uses& uses) const {
   if (!look_.below) return;
   uses.add(use(below_.colour(), Access::fragment_sample));
-  uses.add(use(*below_.depth(), Access::fragment_sample));
   if (look_.underwater) uses.add(use(above_.colour(), Access::fragment_sample));
 }
 

@@ -133,7 +133,7 @@ class Surface {
   Bindings side_bindings_, near_side_bindings_;
   std::vector<Bindings> bed_bindings_;
   std::optional<NearLines> near_lines_;
-  Owned<VkSampler> points_sampler_, below_sampler_;
+  Owned<VkSampler> points_sampler_;
 };
 
 }  // namespace seascape

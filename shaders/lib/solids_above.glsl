@@ -7,34 +7,39 @@ layout(binding = slot_solids_above) uniform texture2DArray solids_above_pictures
 
 struct SolidAbove {
   vec3 lit;
-  float cover;     // of a texel's square around a direction, by the nearest thing in it
-  float nearness;  // of that, 1/m
+  float cover;     // of a texel's square around a direction
+  float nearness;  // of the thing that covers most of it, 1/m
 };
 
 const SolidAbove no_solid_above = SolidAbove(vec3(0.0), 0.0, 0.0);
+
+float solids_above_texels() {  // of a side
+  return float(textureSize(sampler2DArray(solids_above_pictures, smooth_sampler), 0).x);
+}
 
 // Where a direction is in the pictures: pixels, the layer, and a texel's width.
 vec4 place_above(vec3 d) {
   const int side = side_above(d);
   const vec4 clip = clip_above(d, side);
-  const float texel = 1.0 / float(textureSize(sampler2DArray(solids_above_pictures, smooth_sampler), 0).x);
+  const float texel = 1.0 / solids_above_texels();
   return vec4(clamp(0.5 + 0.5 * clip.xy / max(clip.w, 1e-6), texel, 1.0 - texel) / texel, float(side), texel);
 }
 
 SolidAbove solid_above(vec3 d) {
   const vec4 place = place_above(d);
   const vec2 corner = floor(place.xy + 0.5), between = place.xy + 0.5 - corner;
-  const vec4 four =
-                 textureGather(sampler2DArray(solids_above_pictures, smooth_sampler), vec3(corner * place.w, place.z), 3),
+  const vec4 four = textureGather(sampler2DArray(solids_above_pictures, smooth_sampler),
+                                  vec3(corner * place.w, place.z), 3),
              share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
                      vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
   const float most = max(max(four.x, four.y), max(four.z, four.w));
   if (most <= 0.0) return no_solid_above;
   const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing
-  const float cover = own.x + own.y + own.z + own.w, filled = dot(share, step(1e-9, four));
+  const float near = own.x + own.y + own.z + own.w, filled = dot(share, step(1e-9, four)), behind = filled - near;
   const vec3 lit =
       textureLod(sampler2DArray(solids_above_pictures, smooth_sampler), vec3(place.xy * place.w, place.z), 0.0).rgb;
-  return SolidAbove(lit / max(filled, 1e-3), cover, cover > 1e-4 ? dot(own, four) / cover : most);
+  const float nearness = near >= behind ? dot(own, four) / near : dot(share - own, four) / behind;
+  return SolidAbove(lit / max(filled, 1e-3), filled, filled > 1e-4 ? nearness : most);
 }
 
 // Whether a place, in a direction from the pictures' middle, is behind what they have there, where that is not as near
@@ -71,13 +76,14 @@ SolidAbove solid_met_above(vec3 from, vec3 leaves) {
   if (middle.w <= 0.0) return no_solid_above;
   const vec3 start = from - middle.xyz;
   const float off = max(length(start), 1e-4), clear = max(middle.w - off, 0.0), first = clear / (clear + off);
-  const vec3 end = off * leaves;
-  const float turn = acos(clamp(dot(normalize(mix(start, end, first)), leaves), -1.0, 1.0));
-  const int steps = int(clamp(turn / 0.015, 1.0, 24.0));  // of a degree, or longer
+  const vec3 end = off * leaves, begin = mix(start, end, first);
+  const float turn = acos(clamp(dot(begin, leaves) / max(length(begin), 1e-6), -1.0, 1.0));
+  const int steps = int(clamp(turn / 0.015, 1.0, 32.0));  // of a degree, or longer
+  const float texel = (1.0 - first) / max(turn, 1e-3) * 1.5708 / solids_above_texels();
   const float anything = 1e9;
   float outside = first;
   SolidAbove edge = no_solid_above;  // of what it has passed
-  bool was_behind = is_behind_above(solid_above(mix(start, end, first)), mix(start, end, first), first, anything);
+  bool was_behind = is_behind_above(solid_above(begin), begin, first, anything);
   float hidden_from = off;  // m from the middle: where it came behind something
   for (int i = 1; i <= steps; ++i) {
     const float share = mix(first, 1.0, float(i) / float(steps));
@@ -93,12 +99,15 @@ SolidAbove solid_met_above(vec3 from, vec3 leaves) {
       if (far) break;
       const vec3 there = mix(start, end, within);
       SolidAbove met = solid_above(there);
-      const float away = length(there) / max(1.0 - within, 1e-4), beyond = away * met.nearness;
+      // A texel farther on: before an edge a sliver of what recedes behind it comes and goes from texel to texel.
+      const SolidAbove next = solid_above(mix(start, end, min(within + texel, 1.0)));
+      const float away = length(there) / max(1.0 - within, 1e-4),
+                  beyond = away * (next.cover > 0.5 ? max(met.nearness, next.nearness) : met.nearness);
       // It meets it there, or has met it just before, while it was hidden; else it has passed its edge.
       met.cover = 1.0 - (was_behind ? smoothstep(1.3, 1.6, beyond) : smoothstep(1.1, 1.25, beyond));
       if (met.cover >= 1.0) return before_solid_above(edge, met);
       edge = before_solid_above(edge, met);
-      if (!was_behind) hidden_from = away;
+      if (!was_behind) hidden_from = 0.98 * away;
       was_behind = true;
       outside = within;
     }

@@ -1,32 +1,37 @@
 // Solid things as they are seen through the water's surface. Part of lib/sea_light.glsl.
 
 layout(constant_id = value_solids_in_water) const bool solids_in_water = false;
-// As the eye would see them without water: radiance of a thing just under the water (solid_in_water()) and cover; how
-// near.
+// As the eye would see them without water: radiance of a thing just under the water (solid_in_water()), and how near
+// it is: its depth, 0 where there is none.
 layout(binding = slot_solids_in_water) uniform texture2DArray solids_below;
-layout(binding = slot_depths_in_water) uniform sampler2DArray solids_below_depths;  // of whole texels
+
+// The depths of the four texels about a corner of texels.
+vec4 depths_about(vec2 corner, vec2 texel) {
+  const vec2 inside = clamp(corner, vec2(1.0), 1.0 / texel - 1.0);
+  return textureGather(sampler2DArray(solids_below, smooth_sampler), vec3(inside * texel, eye_index()), 3);
+}
 
 // What of the picture's nearest thing is around a place: how much of a texel it covers there, and how near it is, as
 // its own texels have it in between. Both change evenly along a line, or its edge would come and go from frame to
 // frame.
 struct SolidThere {
   float cover, depth;
+  float filled;  // how much anything covers there
 };
 SolidThere solid_there(vec2 pixel, vec2 texel) {
   const vec2 corner = floor(pixel + 0.5), between = pixel + 0.5 - corner;
-  const vec4 four = textureGather(solids_below_depths, vec3(corner * texel, eye_index())),
-             share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
-                     vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
+  const vec4 four = depths_about(corner, texel), share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
+                                                         vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
   const float most = max(max(four.x, four.y), max(four.z, four.w));
-  if (most <= 0.0) return SolidThere(0.0, 0.0);
+  if (most <= 0.0) return SolidThere(0.0, 0.0, 0.0);
   const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing
   const float cover = own.x + own.y + own.z + own.w;
-  return SolidThere(cover, cover > 1e-4 ? dot(own, four) / cover : most);
+  return SolidThere(cover, cover > 1e-4 ? dot(own, four) / cover : most, dot(share, step(1e-9, four)));
 }
 
 // Towards more of it, of a pixel's length.
 vec2 solid_inwards(vec2 pixel, vec2 texel) {
-  const vec4 four = textureGather(solids_below_depths, vec3(floor(pixel + 0.5) * texel, eye_index()));
+  const vec4 four = depths_about(floor(pixel + 0.5), texel);
   const vec4 own = step(0.8 * max(max(four.x, four.y), max(four.z, four.w)), four);
   const vec2 more = vec2(own.y + own.z - own.x - own.w, own.x + own.y - own.z - own.w);
   return more / max(length(more), 1e-3);
@@ -117,7 +122,7 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData vie
   if (any(lessThan(max(begin.xy, end.xy), seen.xy)) || any(greaterThan(min(begin.xy, end.xy), seen.zw))) return none;
   const SolidLine line = SolidLine(vec3((0.5 + 0.5 / solid_margin * begin.xy) * size, begin.z),
                                    vec3((0.5 + 0.5 / solid_margin * end.xy) * size, end.z),
-                                   1.0 / vec2(textureSize(solids_below_depths, 0).xy));
+                                   1.0 / vec2(textureSize(sampler2DArray(solids_below, smooth_sampler), 0).xy));
   const int steps = int(clamp(length(line.to.xy - line.at.xy) / 4.0, 2.0, 16.0));  // of four pixels, or longer
   float best = 0.0;
   vec3 best_at = vec3(0.0);
@@ -145,10 +150,11 @@ SolidSeen solid_seen_in_water(vec3 from, vec3 inside, float ground, ViewData vie
   if (best <= 0.0) return none;
   const vec2 clip = (2.0 * best_at.xy / size - 1.0) * solid_margin;
   const vec3 ray = clip.x * view.ray_x.xyz + clip.y * view.ray_y.xyz + view.ray_z.xyz;
-  const float way = from.y - view.eye.y - frame.air.z / solid_there(best_at.xy, line.texel).depth * ray.y;
-  const vec4 lit =
-      textureLod(sampler2DArray(solids_below, smooth_sampler), vec3(best_at.xy * line.texel, eye_index()), 0.0);
-  return SolidSeen(lit.rgb / max(lit.a, 1e-3), max(way, 0.0), best);
+  const SolidThere thing = solid_there(best_at.xy, line.texel);
+  const float way = from.y - view.eye.y - frame.air.z / thing.depth * ray.y;
+  const vec3 lit =
+      textureLod(sampler2DArray(solids_below, smooth_sampler), vec3(best_at.xy * line.texel, eye_index()), 0.0).rgb;
+  return SolidSeen(lit / max(thing.filled, 1e-3), max(way, 0.0), best);
 }
 
 // Lays it over what is seen of water and bed; `ground`: how deep the bed is met, m.

@@ -26,7 +26,7 @@ SEASCAPE_CONST int slot_sun_map = 54, slot_comfort = 55;
 SEASCAPE_CONST int slot_solid_material = 56, slot_solid_sky = 57, slot_solid_albedo = 58;
 SEASCAPE_CONST int slot_solid_base_colour = 59, slot_solid_metallic_roughness = 60, slot_solid_normal = 61,
                    slot_solid_occlusion = 62, slot_solid_emissive = 63;
-SEASCAPE_CONST int slot_solids_in_water = 64, slot_depths_in_water = 65, slot_solids_above = 73;
+SEASCAPE_CONST int slot_solids_in_water = 64, slot_solids_above = 65;
 SEASCAPE_CONST int slot_near_patches = 69, slot_near_found = 70, slot_near_listed = 71, slot_near_draw = 72;
 
 // Specialisation constants. Those that say how much there is of an effect are 0 without it, and nothing of it is left

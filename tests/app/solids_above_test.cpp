@@ -47,9 +47,9 @@ TEST(SolidsAbove, NoPictureIsMirrored) {
   }
 }
 
-// Boxes in any pose: one of which a corner above the deepest trough lies in a side's picture is drawn there, and nothing
-// is nearer than is said; one below all troughs is drawn nowhere. Controls seen: half the radius; the sides from level
-// upwards only; parts below all troughs drawn; the nearest thing's middle for its nearest point.
+// Boxes in any pose: one of which a corner above the deepest trough lies in a side's picture is drawn there, and
+// nothing is nearer than is said; one below all troughs is drawn nowhere. Controls seen: half the radius; the sides
+// from level upwards only; parts below all troughs drawn; the nearest thing's middle for its nearest point.
 TEST(SolidsAbove, WhatIsSeenIsInThePicturesOfItsSide) {
   const std::vector<PlacedModel> models{
       test::solid_model(test::solid_box({1.0f, 0.4f, 2.0f}), R"({"pbrMetallicRoughness":{"metallicFactor":0}})")};
@@ -61,13 +61,11 @@ TEST(SolidsAbove, WhatIsSeenIsInThePicturesOfItsSide) {
   std::array<SolidSelection, sides> selected;
   int seen = 0, low = 0;
   for (int i = 0; i < 2000; ++i) {
-    const SolidThing thing{
-        0,
-        Pose{middle + glm::dvec3(20.0 * any(random), 2.0 + 8.0 * any(random), 20.0 * any(random)),
-             orientation_from_angles({180.0 * any(random), 90.0 * any(random), 90.0 * any(random)})},
-        scale};
-    const double nearest =
-        select_above(models, {&thing, 1}, viewer, middle, 512, 0.0, 1.0, deepest_m, selected);
+    const SolidThing thing{0,
+                           Pose{middle + glm::dvec3(20.0 * any(random), 2.0 + 8.0 * any(random), 20.0 * any(random)),
+                                orientation_from_angles({180.0 * any(random), 90.0 * any(random), 90.0 * any(random)})},
+                           scale};
+    const double nearest = select_above(models, {&thing, 1}, viewer, middle, 512, 0.0, 1.0, deepest_m, selected);
     double highest = -1e9, range = 1e9;
     std::array<bool, sides> corner_in{};
     for (int corner = 0; corner < 8; ++corner) {

@@ -247,7 +247,7 @@ TEST_F(Standalone, ASceneOfTooManyEffectsIsRefused) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(),
                 testing::HasSubstr(
-                    "surface.frag reads 32 images for the scene's effects, and the device allows 16 in a stage"));
+                    "surface.frag reads 31 images for the scene's effects, and the device allows 16 in a stage"));
     EXPECT_THAT(error.what(), testing::HasSubstr("leave out some of the scene's effects"));
   }
   floor.wait_idle();
