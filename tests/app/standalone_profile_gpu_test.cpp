@@ -234,7 +234,7 @@ TEST_F(Standalone, MoreThanItsLimitsChangesNothingButWhereWaterIsCut) {
   }
 }
 
-// All effects at once read 32 images in the fragment stage: a device of 16 says so. Control, seen: without
+// All effects at once read 31 images in the fragment stage: a device of 16 says so. Control, seen: without
 // expect_images_fit() the validation layer has its say instead.
 TEST_F(Standalone, ASceneOfTooManyEffectsIsRefused) {
   DeviceOptions options;
