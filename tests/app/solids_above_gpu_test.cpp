@@ -100,7 +100,7 @@ TEST_F(SolidsAboveWater, ThingsAreWhereSnellPutsThem) {
 }
 
 // Of a plate overhead the water shows what its light keeps through the surface (Fresnel) and on the way down. 2 %.
-// Controls seen: what passes the surface left out; the exposure taken twice.
+// Controls seen: what passes the surface taken for all of it; the exposure left in.
 TEST_F(SolidsAboveWater, APlatesLightComesThroughTheSurface) {
   const auto plate = [](double grey) {
     SceneObjects objects;
