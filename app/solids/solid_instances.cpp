@@ -324,8 +324,9 @@ gpu::SolidsThroughWater select_in_water(std::span<const PlacedModel> models, std
 double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Pose& viewer,
                     const glm::dvec3& middle_m, std::uint32_t texels, double time_s, double detail, double deepest_m,
                     std::span<SolidSelection, gpu::solids_above_sides> sides) {
-  // Waves break up what is smaller than a few texels; coarse levels of detail are enough.
-  const Viewpoint viewpoint{viewer, {}, 0.5 * texels / 4.0};
+  // Waves break up what is smaller than a few texels, or than two degrees and a half, which bounds the draws; coarse
+  // levels of detail are enough.
+  const Viewpoint viewpoint{viewer, {}, std::min(0.5 * texels / 4.0, 16.0)};
   double nearest_m = std::numeric_limits<double>::max();
   for (int side = 0; side < gpu::solids_above_sides; ++side) {
     const Fov fov{-1.0, 1.0, 1.0, side == 0 ? -1.0 : -double(gpu::solids_above_down)};
