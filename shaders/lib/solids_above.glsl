@@ -30,8 +30,7 @@ SolidAbove solid_above(vec3 d) {
   const vec2 corner = floor(place.xy + 0.5), between = place.xy + 0.5 - corner;
   const vec4 four = textureGather(sampler2DArray(solids_above_pictures, smooth_sampler),
                                   vec3(corner * place.w, place.z), 3),
-             share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
-                     vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
+             share = gathered_shares(between);
   const float most = max(max(four.x, four.y), max(four.z, four.w));
   if (most <= 0.0) return no_solid_above;
   const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing

@@ -5,6 +5,12 @@ layout(constant_id = value_solids_in_water) const bool solids_in_water = false;
 // it is: its depth, 0 where there is none.
 layout(binding = slot_solids_in_water) uniform texture2DArray solids_below;
 
+// What the four texels of textureGather() have of a place `between` their middles.
+vec4 gathered_shares(vec2 between) {
+  return vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
+         vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
+}
+
 // The depths of the four texels about a corner of texels.
 vec4 depths_about(vec2 corner, vec2 texel) {
   const vec2 inside = clamp(corner, vec2(1.0), 1.0 / texel - 1.0);
@@ -20,8 +26,7 @@ struct SolidThere {
 };
 SolidThere solid_there(vec2 pixel, vec2 texel) {
   const vec2 corner = floor(pixel + 0.5), between = pixel + 0.5 - corner;
-  const vec4 four = depths_about(corner, texel), share = vec4(1.0 - between.x, between.x, between.x, 1.0 - between.x) *
-                                                         vec4(between.y, between.y, 1.0 - between.y, 1.0 - between.y);
+  const vec4 four = depths_about(corner, texel), share = gathered_shares(between);
   const float most = max(max(four.x, four.y), max(four.z, four.w));
   if (most <= 0.0) return SolidThere(0.0, 0.0, 0.0);
   const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing

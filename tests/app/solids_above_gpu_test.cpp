@@ -2,6 +2,7 @@
 // the air pay nothing for them. Controls are named beside each test.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
