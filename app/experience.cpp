@@ -268,7 +268,8 @@ void Experience::make_solids(const RenderTarget& drawn, const SurfaceLight& ligh
   solids_ = std::make_unique<DrawnSolids>(
       device_, shaders_, drawn, light, solid_sources(),
       SolidLook{look.tile_shape, look.deferred ? &surface_->target(drawn) : nullptr, surface_->depths(),
-                look.below ? &surface_->below() : nullptr, look.below && look.underwater ? &surface_->above() : nullptr,
+                look.below ? &surface_->below() : nullptr,
+                look.below && look.underwater && device_.facts().clip_distances ? &surface_->above() : nullptr,
                 look.anisotropy, look.underwater, look.shapes, sun_map_.get()});
 }
 

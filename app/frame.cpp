@@ -35,13 +35,20 @@ const SurfaceSelection& in_sight(Experience& e, const SurfaceSelection& chosen, 
   return side.eyes == EyesIn::water && !e.shaped() ? e.ocean().within_sight(viewpoint, data) : chosen;
 }
 
-// Where water is kept out it is dry at any depth under open air; a hull there hides the hole that it makes in the sea.
-NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side, const glm::dvec3& viewer_m) {
+// Where water is kept out it is dry at any depth under open air; a hull there hides the hole that it makes in the sea,
+// so that through it nothing is seen from the water.
+NearWaterSight water_near(Experience& e, const Ocean::EyesSide& side, const glm::dvec3& viewer_m,
+                          const gpu::FrameData& data) {
   const DrawnPlace* const place = e.ocean().place();
   const bool holes = place != nullptr && place->field(InputTarget::clip) != nullptr,
-             clips = holes || (place != nullptr && e.sea()->clip_volumes());
-  NearWaterSight near{e.ocean().highest_m(), side.from_above || (holes && side.eyes != EyesIn::air),
-                      side.high_air || clips, e.scene().shapes.portals.empty() ? nullptr : &side.portals};
+             dry_hulls = place != nullptr && e.sea()->clip_volumes();
+  NearWaterSight near{
+      .highest_m = e.ocean().highest_m(),
+      .from_above = side.from_above || (holes && side.eyes != EyesIn::air),
+      .sight_m = e.shaped() || holes ? 1e9 : sight_in_water_m(data),  // air between shows what is farther
+      .high_air = side.high_air || holes,
+      .deep_air = dry_hulls,
+      .portals = e.scene().shapes.portals.empty() ? nullptr : &side.portals};
   constexpr double over_m = 0.3;  // clear of ripples
   const double water_m = std::max(viewer_m.y + std::max(side.over_viewer_m, 0.0), side.still_m);
   if (side.eyes != EyesIn::air) near.middle_m = glm::dvec3(viewer_m.x, water_m + over_m, viewer_m.z);
@@ -118,7 +125,8 @@ void draw_frame(Experience& e, Frame& frame, const Viewpoint& viewpoint, double 
   if (e.solids_)
     stages.time("things", [&] {
       e.solid_surroundings_->update(frame, e.sky_->map(), data.water_reflectance, sky_is_new);
-      e.solids_->update(frame, viewpoint, time_s, water_near(e, side, viewer_m), drawn_models(e.scene_, e.quality_));
+      e.solids_->update(frame, viewpoint, time_s, water_near(e, side, viewer_m, data),
+                        drawn_models(e.scene_, e.quality_));
       e.solids_->describe(data);
       e.solids_->cast(data, viewpoint, drawn_models(e.scene_, e.quality_), time_s);
     });

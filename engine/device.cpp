@@ -275,11 +275,13 @@ void Device::create_device(const DeviceOptions& options) {
     use.features.fillModeNonSolid = has.features.fillModeNonSolid;
     use.features.vertexPipelineStoresAndAtomics = has.features.vertexPipelineStoresAndAtomics;
     use.features.sampleRateShading = has.features.sampleRateShading;
+    use.features.shaderClipDistance = has.features.shaderClipDistance;
     use.features.textureCompressionBC = has.features.textureCompressionBC;
   }
   facts_.wireframe = use.features.fillModeNonSolid;
   facts_.vertex_stores = use.features.vertexPipelineStoresAndAtomics;
   facts_.sample_shading = use.features.sampleRateShading;
+  facts_.clip_distances = use.features.shaderClipDistance;
   facts_.block_textures = use.features.textureCompressionBC;
   if (use.features.samplerAnisotropy) {
     VkPhysicalDeviceProperties p;

@@ -43,6 +43,7 @@ struct DeviceFacts {
   bool float32_linear = false;  // RGBA32F can be filtered
   bool vertex_stores = false;   // vertex shaders may write buffers (test probes only)
   bool sample_shading = false;  // pixels may ask for what lies at their samples
+  bool clip_distances = false;  // vertex shaders may cut triangles off at planes of their own
   bool depth_resolve = false;   // a pass can resolve its samples' depth
   bool depth_linear = false;    // depths can be filtered where they are sampled
   bool block_textures = false;  // textures may lie in 4 x 4 blocks: BC1 to BC5

@@ -195,13 +195,10 @@ const SurfaceSelection& Ocean::select(const Viewpoint& viewpoint, Mesher& mesher
   return mesher.select(viewpoint, water);
 }
 
-namespace {
-// How far water lets an eye see, m: the clearest colour keeps a thousandth of its light.
 double sight_in_water_m(const gpu::FrameData& data) {
   const glm::vec3 dims = glm::vec3(data.water_absorption) + glm::vec3(data.water_backscatter);
   return 7.0 / double(std::min({dims.x, dims.y, dims.z}));
 }
-}  // namespace
 
 template <class Kept>
 const SurfaceSelection& Ocean::keep(const Kept& kept) {

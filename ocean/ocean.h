@@ -177,4 +177,7 @@ class Ocean {
   BedMesh bed_mesh_;
 };
 
+// How far the water of a described frame lets an eye see, m: the clearest colour keeps a thousandth of its light.
+double sight_in_water_m(const gpu::FrameData& data);
+
 }  // namespace seascape

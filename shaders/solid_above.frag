@@ -3,9 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/frame_data.h"
 #include "shared/solids_above.h"
-#include "lib/view.glsl"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
+int eye_index() { return 0; }  // whichever side this view is of, light is what goes to the first eye
 #include "lib/solid_light.glsl"
 
 layout(location = 0) out vec4 sent;  // a: one over the distance from the pictures' middle, 1/m

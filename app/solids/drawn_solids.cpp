@@ -27,25 +27,25 @@ void DrawnSolids::make_room(std::span<const SolidThing> things) {
     parts += model.parts().size();
     if (!model.model().animations.empty()) nodes = std::max(nodes, model.model().nodes.size());
   }
-  const auto reserve = [&](SolidSelection& selection) {
+  const auto reserve = [&](SolidSelection& selection, std::size_t pictures) {
     selection.seen.reserve(things.size());
-    selection.instances.reserve(most);
+    selection.instances.reserve(most * pictures);
     selection.draws.reserve(parts);
     selection.far_first.reserve(parts);
     selection.moved.nodes.reserve(nodes);
     selection.moved.placed.reserve(nodes);
   };
-  const auto make = [&](std::span<SolidSelection> selections, Room& instances) {
-    for (SolidSelection& selection : selections) reserve(selection);
+  const auto make = [&](SolidSelection& selection, Room& instances, std::size_t pictures = 1) {
+    reserve(selection, pictures);
     for (Buffer& buffer : instances)
-      buffer = Buffer(device_, "solid instances",
-                      std::max(most * selections.size(), std::size_t{1}) * sizeof(gpu::SolidInstance),
-                      VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
+      buffer =
+          Buffer(device_, "solid instances", std::max(most * pictures, std::size_t{1}) * sizeof(gpu::SolidInstance),
+                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, HostAccess::write);
   };
-  make({&selection_, 1}, instances_);
-  if (look_.below != nullptr) make({&in_water_, 1}, in_water_instances_);
-  if (look_.above != nullptr) make(above_, above_instances_);
-  if (look_.sun_map != nullptr) make({&casters_, 1}, caster_instances_);
+  make(selection_, instances_);
+  if (look_.below != nullptr) make(in_water_, in_water_instances_);
+  if (look_.above != nullptr) make(above_, above_instances_, gpu::solids_above_sides);
+  if (look_.sun_map != nullptr) make(casters_, caster_instances_);
 }
 
 void DrawnSolids::make_pipelines(const RenderTarget& picture) {
@@ -92,10 +92,10 @@ void DrawnSolids::make_pipelines(const RenderTarget& picture) {
                  {gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE}};
   in_water_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.below, spec);
   if (look_.above == nullptr) return;
+  spec.vertex = "solid_above.vert";
   spec.fragment = "solid_above.frag";
-  spec.values = {{gpu::value_multiview, false},
-                 {gpu::value_solids_above, true},
-                 {gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE}};
+  spec.values = {{gpu::value_sun_map, light_.sun_map != VK_NULL_HANDLE}};
+  spec.attributes.push_back({7, 1, VK_FORMAT_R32G32B32A32_SFLOAT, 48});
   above_pipeline_ = make_graphics_pipeline(device_, shaders_, *look_.above, spec);
 }
 
@@ -182,19 +182,15 @@ void DrawnSolids::update(Frame& frame, const Viewpoint& viewpoint, double time_s
   nearest_above_m_ = 0.0;
   if (look_.above == nullptr || !water.middle_m) return;
   const glm::dvec3& viewer_m = viewpoint.viewer.position_m;
-  nearest_above_m_ = select_above(from_.models, things(), viewpoint.viewer, *water.middle_m, look_.above->spec().width,
-                                  time_s, settings.detail, water.highest_m, above_);
+  nearest_above_m_ = select_above(from_.models, things(), viewpoint, *water.middle_m, time_s, settings.detail,
+                                  water.highest_m, above_);
   told_of_water_.above = glm::vec4(glm::vec3(*water.middle_m - viewer_m), float(nearest_above_m_));
-  std::size_t first = 0;
-  for (const SolidSelection& side : above_) {
-    upload(side, above_instances_, first);
-    first += side.instances.size();
-  }
+  upload(above_, above_instances_);
 }
 
-void DrawnSolids::upload(const SolidSelection& selection, const Room& room, std::size_t first) const {
+void DrawnSolids::upload(const SolidSelection& selection, const Room& room) const {
   if (selection.instances.empty()) return;
-  std::memcpy(room[std::size_t(slot_)].mapped<gpu::SolidInstance>() + first, selection.instances.data(),
+  std::memcpy(room[std::size_t(slot_)].mapped<gpu::SolidInstance>(), selection.instances.data(),
               selection.instances.size() * sizeof(gpu::SolidInstance));
 }
 
@@ -252,30 +248,25 @@ void DrawnSolids::draw_for_refraction(Frame& frame, const Uses& uses, std::uint3
     frame.draw_pass("below", *look_.below, uses, [&](Commands& c) {
       draw(c, frame_uniform, in_water_pipeline_, &Bound::in_water, {in_water_, in_water_instances_});
     });
-  if (!any_above()) return;
-  std::size_t first = 0;
-  frame.draw_pass("above", *look_.above, uses, [&](Commands& c) {
-    const SolidSelection& side = above_[c.eye()];
-    draw(c, frame_uniform, above_pipeline_, &Bound::above,
-         {.selection = side, .instances = above_instances_, .first = first, .side = c.eye()});
-    first += side.instances.size();
-  });
+  if (any_above())
+    frame.draw_pass("above", *look_.above, uses, [&](Commands& c) {
+      draw(c, frame_uniform, above_pipeline_, &Bound::above, {above_, above_instances_});
+    });
 }
 
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, bool blended, EyesIn eyes) const {
   using Through = How::Through;
   const auto one = [&](const Pipeline& pipeline, Bindings Bound::*bindings, Through through) {
-    draw(commands, frame_uniform, pipeline, bindings, {selection_, instances_, 0, blended, through});
+    draw(commands, frame_uniform, pipeline, bindings, {selection_, instances_, blended, through});
   };
   if (eyes == EyesIn::air || !look_.underwater)
-    return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown, Through::any);
+    return one(blended ? blended_pipeline_ : pipeline_, &Bound::shown, look_.underwater ? Through::air : Through::any);
   // Where the sea is lit later no stencil says whose eye is where, for what lets light through.
   const bool by_pixel = eyes == EyesIn::either && !(blended && look_.points);
   if (eyes == EyesIn::either)
     one(blended ? air_side_.blended : air_side_.opaque, &Bound::shown, by_pixel ? Through::air : Through::any);
   if (eyes == EyesIn::water || by_pixel)
-    one(blended ? water_side_.blended : water_side_.opaque, &Bound::shown_underwater,
-        by_pixel ? Through::water : Through::any);
+    one(blended ? water_side_.blended : water_side_.opaque, &Bound::shown_underwater, Through::water);
 }
 
 void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, const Pipeline& pipeline,
@@ -284,8 +275,10 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, const Pi
   const SolidSelection& selection = how.selection;
   for (std::size_t i = 0; i < selection.draws.size(); ++i) {
     const SolidDraw& draw = selection.draws[how.blended ? selection.far_first[i] : i];
-    if ((how.through == Through::air && !draw.through_air) || (how.through == Through::water && !draw.through_water))
-      continue;
+    const std::size_t count = how.through == Through::water                      ? draw.through_water
+                              : how.through == Through::air && !draw.through_air ? 0
+                                                                                 : draw.count;
+    if (count == 0) continue;
     const LoadedModels::Loaded& loaded = (*from_.loaded)[draw.model];
     const SolidPart& part = from_.models[draw.model].parts()[draw.part];
     const std::size_t turned = part.mirrored ? loaded.meshes.size() / 2 : 0;
@@ -296,12 +289,13 @@ void DrawnSolids::draw(Commands& commands, std::uint32_t frame_uniform, const Pi
       commands.bind(pipeline, bound.*bindings,
                     {frame_uniform, 0u, std::uint32_t(primitive.material * solid_material_stride)},
                     !material.double_sided);
-      commands.push(gpu::DrawPush{how.side > 0 ? 0 : commands.eye(), how.side});
+      commands.push(gpu::DrawPush{commands.eye()});
       commands.bind_vertices({&primitive.vertices, 0, nullptr}, 0);
       commands.bind_vertices(
-          {&how.instances[std::size_t(slot_)], (how.first + draw.first) * sizeof(gpu::SolidInstance), nullptr}, 1);
+          {&how.instances[std::size_t(slot_)], (draw.first + draw.count - count) * sizeof(gpu::SolidInstance), nullptr},
+          1);
       commands.bind_indices(primitive.indices, VK_INDEX_TYPE_UINT32);
-      commands.draw_indexed(primitive.count, std::uint32_t(draw.count));
+      commands.draw_indexed(primitive.count, std::uint32_t(count));
     }
   }
 }

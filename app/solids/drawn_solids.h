@@ -92,15 +92,13 @@ class DrawnSolids {
   using Room = std::array<Buffer, Frame::slots>;  // for instances
   struct How {
     const SolidSelection& selection;
-    const Room& instances;  // from `first` on
-    std::size_t first = 0;
+    const Room& instances;
     bool blended = false;
     enum class Through { any, air, water } through = Through::any;  // by which draws are chosen
-    std::uint32_t side = 0;                                         // of the pictures of what stands above the water
   };
   void draw(Commands& commands, std::uint32_t frame_uniform, const Pipeline& pipeline, Bindings Bound::*bindings,
             const How& how) const;
-  void upload(const SolidSelection& selection, const Room& room, std::size_t first = 0) const;
+  void upload(const SolidSelection& selection, const Room& room) const;
 
   Device& device_;
   ShaderLibrary& shaders_;
@@ -116,8 +114,7 @@ class DrawnSolids {
   } air_side_, water_side_;
   std::vector<std::vector<Bound>> bound_;  // of each model its materials
   SunView sun_;
-  SolidSelection selection_, in_water_, casters_;
-  std::array<SolidSelection, gpu::solids_above_sides> above_;
+  SolidSelection selection_, in_water_, above_, casters_;
   double nearest_above_m_ = 0.0;
   gpu::SolidsThroughWater told_of_water_{};
   Room instances_, in_water_instances_, above_instances_, caster_instances_;  // for all things at once

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ocean/mesh/tree_frame.h"
+#include "shaders/shared/fresnel.h"
 
 namespace seascape {
 
@@ -38,6 +39,16 @@ glm::vec4 in_picture(const Fov& fov, const glm::dvec3& at, double radius) {
           float(clip(x[1], fov.left, fov.right)), float(-clip(y[0], fov.down, fov.up))};
 }
 
+// Whether light from a ball at `at` may leave the water towards the eye: the surface, however it slopes, turns it by no
+// more than Snell's law turns what runs along it.
+bool may_be_refracted_to(const Fov& fov, const glm::dvec3& at, double radius) {
+  const double away = glm::length(at);
+  if (away <= radius) return true;
+  const double corner = std::atan(std::hypot(std::max(-fov.left, fov.right), std::max(fov.up, -fov.down))),
+               most_turn = std::acos(1.0 / double(gpu::water_index));
+  return std::acos(std::clamp(-at.z / away, -1.0, 1.0)) - std::asin(radius / away) <= corner + most_turn;
+}
+
 glm::vec4 around(const glm::vec4& a, const glm::vec4& b) {
   return {glm::min(a.x, b.x), glm::min(a.y, b.y), glm::max(a.z, b.z), glm::max(a.w, b.w)};
 }
@@ -53,8 +64,9 @@ Fov widened(const Fov& fov) {
   return {fov.left - across, fov.right + across, fov.up + along, fov.down - along};
 }
 
-gpu::SolidInstance instance(const glm::dmat4& world, const glm::dvec3& viewer_m) {
+gpu::SolidInstance instance(const glm::dmat4& world, const glm::dvec3& viewer_m, int picture) {
   gpu::SolidInstance made;
+  made.picture = glm::vec4(float(picture), 0.0f, 0.0f, 0.0f);
   glm::vec4* const rows[3] = {&made.row_x, &made.row_y, &made.row_z};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) (*rows[row])[column] = float(world[column][row]);
@@ -199,7 +211,15 @@ struct Detail {
   double others, sheets;
 };
 
-// `seen`: of Bounds, whether the thing is wanted; `part_seen`: of PartBounds.
+// Whether a part looks smaller than that, in radians. A wheel on a boat is missed less than a buoy of its size.
+bool looks_small(const PartBounds& part, double away_m, double smallest) {
+  return 2.0 * part.radius < (part.radius < 0.25 * part.thing_radius ? 2.0 : 1.0) * smallest * away_m;
+}
+// Waves break up what looks smaller through them.
+constexpr double smallest_through_water = 0.044;  // two degrees and a half
+
+// `wanted`: of Bounds, whether the thing is; `part_wanted`: of PartBounds, in which pictures, a bit each, where it is
+// drawn into several, or else whether at all.
 template <typename Seen, typename PartSeen>
 void select(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
             double time_s, SolidSelection& selection, const Detail& detail, const Seen& wanted,
@@ -246,7 +266,8 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
     for (std::size_t p = 0; p < model.parts().size(); ++p) {
       const SolidPart& part = model.parts()[p];
       SolidDraw draw{m, p, selection.instances.size()};
-      draw.through_air = draw.through_water = false;
+      draw.through_air = false;
+      std::size_t before_water = 0;
       for (const SolidSelection::Seen& one : seen) {
         if (part.chosen_by >= 0 && shown_level(part.chosen_by, one) != part.level) continue;
         const glm::dmat4 world = one.world * node_at(one, part.node);
@@ -255,14 +276,18 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
             {glm::length(glm::dvec3(world[0])), glm::length(glm::dvec3(world[1])), glm::length(glm::dvec3(world[2]))});
         const glm::dvec3 up(world[0].y, world[1].y, world[2].y);
         const PartBounds bounds{glm::dvec3(world * glm::dvec4(glm::dvec3(ball), 1.0)), ball.w * longest,
-                                glm::dot(glm::abs(up), model.box(part.node))};
-        if (!part_wanted(bounds)) continue;
+                                glm::dot(glm::abs(up), model.box(part.node)), one.thing->scale * model.radius()};
+        const auto pictures = unsigned(part_wanted(bounds));
+        if (pictures == 0) continue;
         draw.through_air = draw.through_air || water.through_air(bounds);
-        draw.through_water = draw.through_water || water.through_water(bounds, viewer);
+        if (before_water == selection.instances.size() - draw.first && !water.through_water(bounds, viewer))
+          ++before_water;
         if (draw.range_m == 0.0) draw.range_m = one.range_m;
-        selection.instances.push_back(instance(world, viewer));
+        for (int picture = 0; pictures >> picture != 0; ++picture)
+          if ((pictures >> picture & 1u) != 0) selection.instances.push_back(instance(world, viewer, picture));
       }
       draw.count = selection.instances.size() - draw.first;
+      draw.through_water = draw.count - before_water;
       if (draw.count > 0) selection.draws.push_back(draw);
     }
   }
@@ -277,8 +302,9 @@ void select(std::span<const PlacedModel> models, std::span<const SolidThing> thi
 }  // namespace
 
 bool NearWaterSight::through_water(const PartBounds& part, const glm::dvec3& viewer_m) const {
-  if (portals == nullptr) return high_air || part.flat.y - part.up_m < highest_m;
   const glm::dvec3 away = part.flat - viewer_m;
+  if (glm::length(away) - part.radius > sight_m) return false;
+  if (portals == nullptr) return high_air || part.flat.y - part.up_m < highest_m;
   return portals->may_show(away, part.radius + curvature_drop(away.x * away.x + away.z * away.z));
 }
 
@@ -315,48 +341,57 @@ gpu::SolidsThroughWater select_in_water(std::span<const PlacedModel> models, std
   };
   // Water bends and dims what is seen in it: coarse levels of detail are enough.
   select(models, things, viewpoint, time_s, selection, {detail / 16.0, detail / 16.0}, seen,
-         [&](const PartBounds& part) { return part.flat.y - part.up_m < highest_m; });
+         [&](const PartBounds& part) {
+           return part.flat.y - part.up_m < highest_m &&
+                  !looks_small(part, glm::length(part.flat - viewer), smallest_through_water);
+         });
   // A thing's bounds may reach into the water where none of its parts does: then nothing is drawn to be seen there.
   if (selection.draws.empty()) water.seen[0] = water.seen[1] = nowhere;
   return water;
 }
 
-double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Pose& viewer,
-                    const glm::dvec3& middle_m, std::uint32_t texels, double time_s, double detail, double deepest_m,
-                    std::span<SolidSelection, gpu::solids_above_sides> sides) {
-  // Waves break up what is smaller than a few texels, or than two degrees and a half, which bounds the draws; coarse
-  // levels of detail are enough.
-  const Viewpoint viewpoint{viewer, {}, std::min(0.5 * texels / 4.0, 16.0)};
+double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                    const glm::dvec3& middle_m, double time_s, double detail, double deepest_m,
+                    SolidSelection& selection) {
   double nearest_m = std::numeric_limits<double>::max();
-  for (int side = 0; side < gpu::solids_above_sides; ++side) {
-    const Fov fov{-1.0, 1.0, 1.0, side == 0 ? -1.0 : -double(gpu::solids_above_down)};
-    // The pictures are of the curved sea, about as it is at the middle.
-    const auto seen = [&](const glm::dvec3& flat, double radius) {
-      const glm::dvec3 away = flat - middle_m;
-      const glm::dvec3 own(gpu::in_side_above(glm::vec3(away), side));
-      return may_see(fov, {own.x, own.y, -own.z}, radius + curvature_drop(away.x * away.x + away.z * away.z));
-    };
-    select(
-        models, things, viewpoint, time_s, sides[std::size_t(side)], {detail / 16.0, detail / 16.0},
-        [&](const Bounds& thing) {
-          return 2.0 * thing.flat.y - thing.lowest_m > -deepest_m && seen(thing.flat, thing.radius);
-        },
-        [&](const PartBounds& part) {
-          if (part.flat.y + part.up_m <= -deepest_m || !seen(part.flat, part.radius)) return false;
-          nearest_m = std::min(nearest_m, std::max(glm::length(part.flat - middle_m) - part.radius, 0.05));
-          return true;
-        });
-  }
-  return nearest_m < std::numeric_limits<double>::max() ? nearest_m : 0.0;
+  select(
+      models, things, {viewpoint.viewer, {}}, time_s, selection, {detail / 16.0, detail / 16.0},
+      [&](const Bounds& thing) { return 2.0 * thing.flat.y - thing.lowest_m > -deepest_m; },
+      [&](const PartBounds& part) {
+        unsigned sides = 0;
+        if (part.flat.y + part.up_m <= -deepest_m ||
+            looks_small(part, glm::length(part.flat - viewpoint.viewer.position_m), smallest_through_water))
+          return sides;
+        const glm::dvec3 away = part.flat - middle_m;
+        nearest_m = std::min(nearest_m, std::max(glm::length(away) - part.radius, 0.05));
+        // The pictures are of the curved sea.
+        const double radius = part.radius + curvature_drop(away.x * away.x + away.z * away.z);
+        if (std::none_of(viewpoint.eyes.begin(), viewpoint.eyes.end(),
+                         [&](const View& eye) { return may_be_refracted_to(eye.fov, in_eye(eye, part.flat), radius); }))
+          return sides;
+        for (int side = 0; side < gpu::solids_above_sides; ++side) {
+          const glm::dvec3 own(gpu::in_side_above(glm::vec3(away), side));
+          const Fov fov{-1.0, 1.0, 1.0, side == 0 ? -1.0 : -double(gpu::solids_above_down)};
+          if (may_see(fov, {own.x, own.y, -own.z}, radius)) sides |= 1u << side;
+        }
+        return sides;
+      });
+  return selection.draws.empty() ? 0.0 : nearest_m;
 }
 
 void select_casters(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
                     const SunView& sun, double time_s, double detail, SolidSelection& selection) {
+  // Nobody misses a shadow that looks smaller than a degree wherever it falls.
+  const auto small = [&](const PartBounds& part) {
+    const glm::dvec3 to_viewer = viewpoint.viewer.position_m - part.flat;
+    const double past = std::max(glm::dot(to_viewer, -sun.near), 0.0);
+    return looks_small(part, glm::length(to_viewer + past * sun.near), 0.0175);
+  };
   // Nor are shadows seen as sharp as what throws them.
   select(
       models, things, viewpoint, time_s, selection, {0.25 * detail, detail},
       [&](const Bounds& thing) { return sun.may_shade(thing.flat, thing.radius); },
-      [&](const PartBounds& part) { return sun.may_shade(part.flat, part.radius); });
+      [&](const PartBounds& part) { return sun.may_shade(part.flat, part.radius) && !small(part); });
 }
 
 }  // namespace seascape

@@ -77,30 +77,35 @@ class PlacedModel {
 // What is drawn of one part: one instanced draw a primitive of its mesh.
 struct SolidDraw {
   std::size_t model = 0, part = 0;
-  std::size_t first = 0, count = 0;               // of the instances
-  double range_m = 0.0;                           // of the farthest
-  bool through_air = true, through_water = true;  // how eyes near the water may see it (NearWaterSight)
+  std::size_t first = 0, count = 0;  // of the instances
+  double range_m = 0.0;              // of the farthest
+  // Whether lines of sight that begin in air may end in it, and so many of its last instances in which those may that
+  // begin in water (NearWaterSight).
+  bool through_air = true;
+  std::size_t through_water = 0;
 };
 
 // A part of a thing where it stands: the ball that holds it, on a still sea laid flat, and how far it reaches upwards
-// and downwards from the ball's middle.
+// and downwards from the ball's middle. And the radius of its thing's ball.
 struct PartBounds {
   glm::dvec3 flat{0.0};
-  double radius = 0.0, up_m = 0.0;
+  double radius = 0.0, up_m = 0.0, thing_radius = 0.0;
 };
 
 // Which water is about eyes of which some may be in it and some in the air.
 struct NearWaterSight {
   double highest_m = 1e9;                // it stands nowhere higher above the still sea, nor as deep in troughs
   bool from_above = true;                // its surface may be seen from above
-  bool high_air = false;                 // air under water comes up to where it may stand
+  double sight_m = 1e9;                  // as far as an eye sees in it
+  bool high_air = false;                 // air under water comes up to where it may stand, and is seen from the water
+  bool deep_air = false;                 // under open air it is dry below where it may stand
   const PortalSight* portals = nullptr;  // through which alone it is seen; null: everywhere
   // Its surface may be seen from below: what stands above it is then seen about as from here.
   std::optional<glm::dvec3> middle_m;
   // Whether a line of sight that has passed no surface may end in a part: one that began in air, and one that began in
   // water.
   bool through_air(const PartBounds& part) const {
-    return portals != nullptr || high_air || part.flat.y + part.up_m > -highest_m;
+    return portals != nullptr || high_air || deep_air || part.flat.y + part.up_m > -highest_m;
   }
   bool through_water(const PartBounds& part, const glm::dvec3& viewer_m) const;
 };
@@ -130,12 +135,12 @@ gpu::SolidsThroughWater select_in_water(std::span<const PlacedModel> models, std
                                         const Viewpoint& viewpoint, double time_s, double detail, double highest_m,
                                         SolidSelection& selection);
 
-// What stands above water that is nowhere deeper than `deepest_m` below the still sea, in each of the pictures around
-// `middle_m` that eyes in the water see it in (shaders/shared/solids_above.h), of `texels` a side. Returns how near to
-// the middle something may be, m; 0: nothing stands there.
-double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Pose& viewer,
-                    const glm::dvec3& middle_m, std::uint32_t texels, double time_s, double detail, double deepest_m,
-                    std::span<SolidSelection, gpu::solids_above_sides> sides);
+// What stands above water that is nowhere deeper than `deepest_m` below the still sea and may be seen through its
+// surface from below, in each of the pictures around `middle_m` (shaders/shared/solids_above.h). Returns how
+// near to the middle something may be, in sight or not, m; 0: nothing is in sight.
+double select_above(std::span<const PlacedModel> models, std::span<const SolidThing> things, const Viewpoint& viewpoint,
+                    const glm::dvec3& middle_m, double time_s, double detail, double deepest_m,
+                    SolidSelection& selection);
 
 // What may throw a shadow into the sun's view, a level of detail coarser than the viewer sees it; but sheets at the one
 // that is seen: both of their sides are in the map, and a coarser one would lie before the other here and there.

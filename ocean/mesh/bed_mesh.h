@@ -26,8 +26,7 @@ class BedMesh {
   static std::span<const gpu::PatchInstance> patches(const SurfaceSelection& selection) {
     return std::span(selection.patches).first(selection.patches.size() - std::size_t(selection.skirt_strips));
   }
-  // How far vertices may be apart at a distance, over that distance: ten pixels, or as much as the texels of the bed's
-  // windows (PlaceSettings) are apart there.
+  // How far vertices may be apart at a distance, over that distance.
   static double spacing_over_distance(double pixels_per_radian);
 
  private:

@@ -47,9 +47,8 @@ RenderTarget make_below(Device& device, const RenderTarget& picture) {
 RenderTarget make_above(Device& device, std::uint32_t height) {
   const EffectScope scope(device, "models");
   TargetSpec spec;
-  spec.width = spec.height = std::clamp(height / 2, 128u, 768u);
-  spec.views = gpu::solids_above_sides;
-  spec.per_eye = true;
+  spec.height = std::clamp(height / 2, 64u, 768u);
+  spec.width = std::uint32_t(gpu::solids_above_sides) * spec.height;
   spec.colour = VK_FORMAT_R16G16B16A16_SFLOAT;
   spec.clear = {0.0f, 0.0f, 0.0f, 0.0f};
   return RenderTarget(device, "above the water", spec);

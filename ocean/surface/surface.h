@@ -76,8 +76,8 @@ class Surface {
   void add_points(Uses& uses) const;
   // With look.below: what things under water are drawn into, for draw() or light(), which use it by prepare().
   const RenderTarget& below() const { return below_; }
-  // With look.underwater too: what things above it are drawn into, a layer a side (shaders/shared/solids_above.h), for
-  // eyes in the water.
+  // With look.underwater too: what things above it are drawn into (shaders/shared/solids_above.h), for eyes in the
+  // water.
   const RenderTarget& above() const { return above_; }
 
   // For what else draws with the sea's shaders into the picture, with look.underwater: the constants of the surface for

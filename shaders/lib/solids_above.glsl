@@ -13,30 +13,28 @@ struct SolidAbove {
 
 const SolidAbove no_solid_above = SolidAbove(vec3(0.0), 0.0, 0.0);
 
-float solids_above_texels() {  // of a side
-  return float(textureSize(sampler2DArray(solids_above_pictures, smooth_sampler), 0).x);
-}
+vec2 solids_above_size() { return vec2(textureSize(sampler2DArray(solids_above_pictures, smooth_sampler), 0).xy); }
 
-// Where a direction is in the pictures: pixels, the layer, and a texel's width.
-vec4 place_above(vec3 d) {
+float solids_above_texels() { return solids_above_size().y; }  // of a side
+
+// Where a direction is in the pictures, in texels.
+vec2 place_above(vec3 d) {
   const int side = side_above(d);
   const vec4 clip = clip_above(d, side);
-  const float texel = 1.0 / solids_above_texels();
-  return vec4(clamp(0.5 + 0.5 * clip.xy / max(clip.w, 1e-6), texel, 1.0 - texel) / texel, float(side), texel);
+  const float texels = solids_above_texels();
+  return clamp((0.5 + 0.5 * clip.xy / max(clip.w, 1e-6)) * texels, 1.0, texels - 1.0) + vec2(float(side) * texels, 0.0);
 }
 
 SolidAbove solid_above(vec3 d) {
-  const vec4 place = place_above(d);
-  const vec2 corner = floor(place.xy + 0.5), between = place.xy + 0.5 - corner;
-  const vec4 four = textureGather(sampler2DArray(solids_above_pictures, smooth_sampler),
-                                  vec3(corner * place.w, place.z), 3),
+  const vec2 place = place_above(d), corner = floor(place + 0.5), between = place + 0.5 - corner,
+             size = solids_above_size();
+  const vec4 four = textureGather(sampler2DArray(solids_above_pictures, smooth_sampler), vec3(corner / size, 0.0), 3),
              share = gathered_shares(between);
   const float most = max(max(four.x, four.y), max(four.z, four.w));
   if (most <= 0.0) return no_solid_above;
   const vec4 own = share * step(0.8 * most, four);  // a quarter farther away it is another thing
   const float near = own.x + own.y + own.z + own.w, filled = dot(share, step(1e-9, four)), behind = filled - near;
-  const vec3 lit =
-      textureLod(sampler2DArray(solids_above_pictures, smooth_sampler), vec3(place.xy * place.w, place.z), 0.0).rgb;
+  const vec3 lit = textureLod(sampler2DArray(solids_above_pictures, smooth_sampler), vec3(place / size, 0.0), 0.0).rgb;
   const float nearness = near >= behind ? dot(own, four) / near : dot(share - own, four) / behind;
   return SolidAbove(lit / max(filled, 1e-3), filled, filled > 1e-4 ? nearness : most);
 }

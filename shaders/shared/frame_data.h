@@ -66,10 +66,9 @@ struct SkyLight {
   vec4 exposure;        // x: factor from radiance to picture
 };
 
-// Push constants of everything drawn: which eye, where no multiview pass says it; and which side of the pictures of
-// what stands above the water (solids_above.h).
+// Push constants of everything drawn: which view, where no multiview pass says it.
 struct DrawPush {
-  uint eye, side;
+  uint eye;
 };
 
 SEASCAPE_SHARED_END

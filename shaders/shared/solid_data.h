@@ -16,6 +16,7 @@ struct SolidVertex {
 // above that sea.
 struct SolidInstance {
   vec4 row_x, row_y, row_z;
+  vec4 picture;  // x: the side of what stands above the water that it is drawn for (solids_above.h), else 0
 };
 
 SEASCAPE_CONST int solid_base_colour = 0, solid_metallic_roughness = 1, solid_normal = 2, solid_occlusion = 3,

@@ -7,7 +7,7 @@ SEASCAPE_SHARED_BEGIN
 using glm::vec3;
 #endif
 
-// Layers of the picture: 0 looks up, 1 and 2 along x and against it, 3 and 4 along z and against it.
+// In a row in one image: 0 looks up, 1 and 2 along x and against it, 3 and 4 along z and against it.
 SEASCAPE_CONST int solids_above_sides = 5;
 SEASCAPE_CONST float solids_above_near_m = 0.05f;
 // Those to the sides see from so far below level, by its tangent, to 45 degrees above it.
@@ -30,12 +30,18 @@ SEASCAPE_FUNCTION int side_above(vec3 d) {
   return d.z > 0.0f ? 3 : 4;
 }
 
-// Clip space of a place from the pictures' middle, with reversed depth.
+// A side's clip space of a place from the pictures' middle, with reversed depth.
 SEASCAPE_FUNCTION vec4 clip_above(vec3 place, int side) {
   vec3 own = in_side_above(place, side);
   float up = own.y;
   if (side > 0) up = (2.0f * own.y + (solids_above_down - 1.0f) * own.z) / (1.0f + solids_above_down);
   return vec4(own.x, -up, solids_above_near_m, own.z);
+}
+
+// That of the whole row.
+SEASCAPE_FUNCTION vec4 clip_in_row_above(vec4 clip, int side) {
+  float sides = float(solids_above_sides);
+  return vec4((clip.x + (2.0f * float(side) + 1.0f - sides) * clip.w) / sides, clip.y, clip.z, clip.w);
 }
 
 SEASCAPE_SHARED_END

@@ -162,9 +162,11 @@ TEST(SolidInstances, FarThingsComeFirst) {
 }
 
 // Near the water a line of sight that began in it ends at nothing above its crests without passing the surface, and one
-// that began in air at nothing below its troughs; through portals alone water is seen. A draw of several things has
-// what any of them needs. Controls seen: each bound's sign turned round; the last thing's alone; a tenth of a
-// part's height; neither portals asked nor air that comes up.
+// that began in air at nothing below its troughs; through portals alone water is seen, and no farther than it shows
+// anything. A draw of several things has what any of them needs, in water from the farthest on that does. Controls
+// seen: each bound's sign turned round; the last thing's alone; a tenth of a part's height; neither portals asked nor
+// air that comes up; dry hulls taken for such air; no limit of sight; a ball's middle for its near side; in water all
+// instances.
 TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
   const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.5f, 0.5f, 0.5f}), plain)};
   const auto seen = [&](const std::vector<glm::dvec3>& places, const NearWaterSight& water) {
@@ -175,22 +177,27 @@ TEST(SolidInstances, DrawsKnowThroughWhichWaterTheyAreSeen) {
     EXPECT_EQ(selection.draws.size(), 1u);
     return std::pair(selection.draws.front().through_air, selection.draws.front().through_water);
   };
+  using Seen = std::pair<bool, std::size_t>;
   const glm::dvec3 high(0.0, 3.0, -12.0), low(0.0, -3.0, -12.0), nearer(0.0, 0.0, 2.0);
   const NearWaterSight waves{1.0};
-  EXPECT_EQ(seen({high}, waves), std::pair(true, false));
-  EXPECT_EQ(seen({low}, waves), std::pair(false, true));
-  EXPECT_EQ(seen({{2.0, 1.4, -12.0}}, waves), std::pair(true, true)) << "its lower end is in the crests";
-  EXPECT_EQ(seen({{2.0, -1.4, -12.0}}, waves), std::pair(true, true)) << "its upper end is in the troughs";
-  EXPECT_EQ(seen({high, low + nearer}, waves), std::pair(true, true));
-  EXPECT_EQ(seen({low, high + nearer}, waves), std::pair(true, true));
-  EXPECT_EQ(seen({low}, {}), std::pair(true, true));
-  EXPECT_EQ(seen({low}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));
-  EXPECT_EQ(seen({high}, {.highest_m = 1.0, .high_air = true}), std::pair(true, true));
+  EXPECT_EQ(seen({high}, waves), Seen(true, 0));
+  EXPECT_EQ(seen({low}, waves), Seen(false, 1));
+  EXPECT_EQ(seen({{2.0, 1.4, -12.0}}, waves), Seen(true, 1)) << "its lower end is in the crests";
+  EXPECT_EQ(seen({{2.0, -1.4, -12.0}}, waves), Seen(true, 1)) << "its upper end is in the troughs";
+  EXPECT_EQ(seen({high, low + nearer}, waves), Seen(true, 1)) << "the nearer one alone";
+  EXPECT_EQ(seen({low, high + nearer}, waves), Seen(true, 2));
+  EXPECT_EQ(seen({low}, {}), Seen(true, 1));
+  EXPECT_EQ(seen({low}, {.highest_m = 1.0, .high_air = true}), Seen(true, 1));
+  EXPECT_EQ(seen({high}, {.highest_m = 1.0, .high_air = true}), Seen(true, 1));
+  EXPECT_EQ(seen({low}, {.highest_m = 1.0, .deep_air = true}), Seen(true, 1));
+  EXPECT_EQ(seen({high}, {.highest_m = 1.0, .deep_air = true}), Seen(true, 0));
+  EXPECT_EQ(seen({low, low + nearer}, {.highest_m = 1.0, .sight_m = 11.0}), Seen(false, 1)) << "too far in such water";
+  EXPECT_EQ(seen({low}, {.highest_m = 1.0, .sight_m = 12.0}), Seen(false, 1)) << "its near side is not";
   PortalSight portal;
   portal.add(glm::dvec3(0.0), {0.0, -1.0, -4.0}, 0.3);
   const NearWaterSight through{.highest_m = 1.0, .portals = &portal};
-  EXPECT_EQ(seen({low}, through), std::pair(true, true));
-  EXPECT_EQ(seen({high}, through), std::pair(true, false));
+  EXPECT_EQ(seen({low}, through), Seen(true, 1));
+  EXPECT_EQ(seen({high}, through), Seen(true, 0));
 }
 
 }  // namespace

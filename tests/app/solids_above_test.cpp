@@ -1,11 +1,15 @@
 // Which things stand above the water in which of the pictures that eyes in the water see them in.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <random>
 
 #include "app/camera_path.h"
 #include "app/solids/solid_instances.h"
+#include "shaders/shared/fresnel.h"
 #include "tests/support/solid_maker.h"
 
 namespace seascape {
@@ -47,53 +51,91 @@ TEST(SolidsAbove, NoPictureIsMirrored) {
   }
 }
 
-// Boxes in any pose: one of which a corner above the deepest trough lies in a side's picture is drawn there, and
-// nothing is nearer than is said; one below all troughs is drawn nowhere. Controls seen: half the radius; the sides
-// from level upwards only; parts below all troughs drawn; the nearest thing's middle for its nearest point.
-TEST(SolidsAbove, WhatIsSeenIsInThePicturesOfItsSide) {
-  const std::vector<PlacedModel> models{
-      test::solid_model(test::solid_box({1.0f, 0.4f, 2.0f}), R"({"pbrMetallicRoughness":{"metallicFactor":0}})")};
+const char* const plain = R"({"pbrMetallicRoughness":{"metallicFactor":0}})";
+const glm::dvec3 box_half(0.3, 0.12, 0.6);
+
+Viewpoint looking(const Pose& head) { return {head, stereo_views(head, symmetric_fov(70.0, 1.2), 0.063)}; }
+
+// Where a ray (unit length) goes on that leaves water through a surface with this normal (unit length, upwards). Snell.
+std::optional<glm::dvec3> leaves_along(const glm::dvec3& ray, const glm::dvec3& up) {
+  const double index = gpu::water_index, along = glm::dot(ray, up), past = 1.0 - index * index * (1.0 - along * along);
+  if (along <= 0.0 || past <= 0.0) return {};
+  return index * ray + (std::sqrt(past) - index * along) * up;
+}
+
+// Boxes in any pose, of which light from a corner comes to an eye through the surface at any place and slope: each is
+// drawn, and nothing is nearer to the pictures' middle than is said. Controls seen: half the radius; a turn of 35
+// degrees at most; a side left out; the nearest thing's middle for its nearest point.
+TEST(SolidsAbove, WhatLightThroughTheWaterComesFromIsDrawn) {
+  const std::vector<PlacedModel> models{test::solid_model(test::solid_box(glm::vec3(box_half)), plain)};
   constexpr double deepest_m = 1.0, scale = 1.5;
-  const Pose viewer{{3.0, -4.0, 7.0}};
+  const double critical = std::asin(1.0 / double(gpu::water_index));
   const glm::dvec3 middle(3.0, 0.3, 7.0);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  std::array<SolidSelection, sides> selected;
-  int seen = 0, low = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const SolidThing thing{0,
-                           Pose{middle + glm::dvec3(20.0 * any(random), 2.0 + 8.0 * any(random), 20.0 * any(random)),
-                                orientation_from_angles({180.0 * any(random), 90.0 * any(random), 90.0 * any(random)})},
-                           scale};
-    const double nearest = select_above(models, {&thing, 1}, viewer, middle, 512, 0.0, 1.0, deepest_m, selected);
-    double highest = -1e9, range = 1e9;
-    std::array<bool, sides> corner_in{};
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 own((corner & 1 ? 1.0 : -1.0), (corner & 2 ? 0.4 : -0.4), (corner & 4 ? 2.0 : -2.0));
-      const glm::dvec3 at = thing.pose.position_m + thing.pose.orientation * (scale * own);
-      highest = std::max(highest, at.y);
-      range = std::min(range, glm::length(at - middle));
-      for (int side = 0; side < sides; ++side)
-        if (in_picture(at - middle, side)) corner_in.at(std::size_t(side)) = true;
-    }
-    if (highest < -deepest_m - 1e-6) {
-      ++low;
-      EXPECT_EQ(nearest, 0.0);
-    } else if (nearest > 0.0) {
-      EXPECT_LE(nearest, range + 1e-6);
-    }
-    for (std::size_t side = 0; side < sides; ++side) {
-      const std::size_t drawn = selected.at(side).instances.size();
-      if (highest < -deepest_m - 1e-6) {
-        EXPECT_EQ(drawn, 0u) << i;
-      } else if (corner_in.at(side) && highest > -deepest_m) {
-        ++seen;
-        EXPECT_EQ(drawn, 1u) << i << ", side " << side;
-      }
-    }
+  SolidSelection selection;
+  int seen = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Pose viewer{{3.0, -4.0, 7.0}, orientation_from_angles({180.0 * any(random), 80.0 * any(random), 0.0})};
+    const Viewpoint viewpoint = looking(viewer);
+    const View& eye = viewpoint.eyes[std::size_t(i % 2)];
+    glm::dvec2 at(any(random), any(random));
+    if (i % 3 == 0) at = glm::sign(at);  // the picture's corners
+    const glm::dvec3 ray =
+        eye.pose.orientation * glm::normalize(glm::dvec3(eye.fov.right * at.x, eye.fov.up * at.y, -1.0));
+    const glm::dvec3 across = glm::normalize(glm::cross(ray, glm::dvec3(any(random), any(random), any(random))));
+    const double incidence = critical * (1.0 - std::pow(any(random), 8.0));  // most turn light much
+    const std::optional<glm::dvec3> leaves =
+        leaves_along(ray, std::cos(incidence) * ray + std::sin(incidence) * across);
+    if (!leaves) continue;
+    const glm::dvec3 corner = eye.pose.position_m + std::exp2(3.0 * any(random)) * ray +
+                              20.0 * std::exp2(3.0 * any(random) - 3.0) * *leaves,
+                     own((i & 2 ? 1.0 : -1.0), (i & 4 ? 1.0 : -1.0), (i & 8 ? 1.0 : -1.0)), away = corner - middle;
+    if (corner.y < -deepest_m) continue;
+    if (away.y < -gpu::solids_above_down * std::max(std::abs(away.x), std::abs(away.z)))
+      continue;  // under all pictures
+    const glm::dquat turned = orientation_from_angles({180.0 * any(random), 90.0 * any(random), 90.0 * any(random)});
+    const SolidThing thing{0, Pose{corner - turned * (scale * own * box_half), turned}, scale};
+    const double nearest = select_above(models, {&thing, 1}, viewpoint, middle, 0.0, 1.0, deepest_m, selection);
+    ++seen;
+    EXPECT_TRUE(
+        std::any_of(selection.instances.begin(), selection.instances.end(),
+                    [&](const gpu::SolidInstance& instance) { return in_picture(away, int(instance.picture.x)); }))
+        << i;
+    EXPECT_GT(nearest, 0.0) << i;
+    EXPECT_LE(nearest, glm::length(away)) << i;
   }
-  EXPECT_GT(seen, 1500);
-  EXPECT_GT(low, 100);
+  EXPECT_GT(seen, 3000);
+}
+
+// Controls seen: a turn of 60 degrees; parts below all troughs drawn; no least size, and none for parts of a large
+// thing.
+TEST(SolidsAbove, WhatIsBehindBelowOrTooSmallIsNotDrawn) {
+  const auto boxes = [](const char* nodes) {
+    return std::vector<PlacedModel>{test::solid_model(test::solid_box({1.0f, 0.4f, 2.0f}), plain, nodes)};
+  };
+  const Viewpoint viewpoint = looking(Pose{{0.0, -2.0, 0.0}});
+  SolidSelection selection;
+  const auto drawn = [&](const std::vector<PlacedModel>& models, const glm::dvec3& at) {
+    const SolidThing thing{0, Pose{at}, 1.0};
+    const double nearest = select_above(models, {&thing, 1}, viewpoint, {0.0, 0.3, 0.0}, 0.0, 1.0, 1.0, selection);
+    EXPECT_EQ(nearest > 0.0, !selection.draws.empty());
+    return selection.instances.size();
+  };
+  const std::vector<PlacedModel> one = boxes(R"({"mesh":0})");
+  EXPECT_EQ(drawn(one, {0.0, 3.0, -20.0}), 1u);
+  EXPECT_EQ(drawn(one, {0.0, 3.0, 20.0}), 0u) << "behind";
+  EXPECT_EQ(drawn(one, {20.0, 3.0, 0.0}), 1u) << "beside, which the surface may turn into sight";
+  EXPECT_EQ(drawn(one, {19.0, 3.0, 6.0}), 0u) << "beside and a little behind";
+  EXPECT_EQ(drawn(one, {0.0, -1.5, -20.0}), 0u) << "below all troughs";
+  // Its ball is 4.6 m across.
+  EXPECT_EQ(drawn(one, {0.0, 3.0, -90.0}), 1u);
+  EXPECT_EQ(drawn(one, {0.0, 3.0, -120.0}), 0u) << "smaller than two degrees and a half";
+  const std::vector<PlacedModel> low = boxes(R"({"children":[1,2]},{"mesh":0},{"mesh":0,"translation":[0,-6,0]})"),
+                                 high = boxes(R"({"children":[1,2]},{"mesh":0},{"mesh":0,"translation":[0,20,0]})");
+  EXPECT_EQ(drawn(low, {0.0, 3.0, -20.0}), 1u) << "the upper part alone";
+  EXPECT_EQ(drawn(high, {0.0, 3.0, -40.0}), 2u);
+  EXPECT_EQ(drawn(high, {0.0, 3.0, -70.0}), 0u) << "small beside the thing, and smaller than five degrees";
 }
 
 }  // namespace

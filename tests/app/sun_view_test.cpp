@@ -78,6 +78,26 @@ TEST(SunView, WhoeverThrowsAShadowIntoItIsACaster) {
   EXPECT_EQ(count(to_sun(60.0, 0.0), {300.0, 0.0, 50.0}), 0u);
 }
 
+// A small thing far off throws its shadow where that may fall near the viewer, and nowhere else. Controls seen: its own
+// distance; the line of its shadow towards the sun as well.
+TEST(SunView, AShadowTooSmallToBeSeenIsLeftOut) {
+  const std::vector<PlacedModel> models{test::solid_model(test::solid_box({0.1f, 0.1f, 0.1f}), "{}")};
+  const Pose head{{0.0, 1.7, 0.0}};
+  const Viewpoint viewpoint{head, stereo_views(head, symmetric_fov(60.0, 1.5), 0.063), 0.0};
+  const glm::dvec3 sun = to_sun(20.0, 90.0);
+  SolidSelection casters;
+  const auto count = [&](const glm::dvec3& at) {
+    const std::vector<SolidThing> things{{0, Pose{at}, 1.0}};
+    select_casters(models, things, viewpoint, sun_view(sun, head.position_m, 1024, 50.0), 0.0, 1.0, casters);
+    return casters.instances.size();
+  };
+  // Its ball is 0.35 m across: a degree at 20 m.
+  EXPECT_EQ(count({0.0, 1.0, -19.0}), 1u);
+  EXPECT_EQ(count({0.0, 1.0, -21.0}), 0u);
+  EXPECT_EQ(count(head.position_m + 40.0 * sun + glm::dvec3(0.0, 0.0, -15.0)), 1u);
+  EXPECT_EQ(count(head.position_m - 40.0 * sun), 0u);
+}
+
 // A sheet throws its shadow at the level that is seen, at any distance, and what is no sheet at a coarser one. Controls
 // seen: a quarter of the detail for sheets; all of it for others.
 TEST(SunView, SheetsThrowTheShadowOfWhatIsSeen) {

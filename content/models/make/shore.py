@@ -212,7 +212,7 @@ class Breakwater:
     def mesh(self, d):
         parts = []
         for x, y, z, size, turn, stretch, kind, tone in self.stones:
-            if y < (-9, -1.4, -0.9)[d.level]:
+            if y < (-9, -1.4, 0.0)[d.level]:
                 continue
             level = (2 if y > 0.3 else 1, 1 if y > -0.3 else 0, 0)[d.level]
             m = stone(kind, level).scale(*(size * stretch * 1.02))
