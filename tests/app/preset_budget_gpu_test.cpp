@@ -57,7 +57,7 @@ class PresetBudget : public test::GpuTest {};
 const test::DrawsMuch draws_much("PresetBudget");
 
 // Every path at low and medium, 40 poses of each (without SEASCAPE_LONG: three paths, 3 poses). Controls seen:
-// lod.pixel_error of 0.5 at medium; things above the water drawn whichever way the eyes look.
+// lod.pixel_error of 0.5 at medium; no least size of what is drawn to be seen through the water.
 TEST_F(PresetBudget, LowAndMediumKeepToTheirDrawsAndTriangles) {
   const std::vector<std::string> names =
       test::long_run() ? content_names("paths") : std::vector<std::string>{"harbour", "harbour_dive", "regatta"};

@@ -38,7 +38,7 @@ SeaShot shot_of(const test::FrameLook& look, const SceneObjects& objects) {
 // pixels of it show it, within three, which are a texel and a half. Others do not, within ten: the pictures do not have
 // what it hides from their middle, and a ray that passes close behind it is taken for one that meets it. Controls seen:
 // an index of 1.25; the direction alone looked up; the search's beginning a little late; a sixteenth of its steps;
-// things taken for three times as thick.
+// things taken for three times as thick; a part not cut off where the next picture begins.
 TEST_F(SolidsAboveWater, ThingsAreWhereSnellPutsThem) {
   struct Case {
     glm::dvec3 at, half;
