@@ -25,8 +25,8 @@ LodSettings settings_for(double spacing_over_distance, bool earth_curvature) {
 BedMesh::BedMesh() : tree_(settings_for(spacing_over_distance(0.0), true)) {}
 
 double BedMesh::spacing_over_distance(double pixels_per_radian) {
-  // Texels of the bed's windows, which its light is made from, are about a sixty-fourth of their distance wide.
-  constexpr double pixels = 18.0, least = 1.0 / 40.0;
+  // The texels of the bed's windows are about a sixty-fourth of their distance wide (PlaceSettings).
+  constexpr double pixels = 10.0, least = 1.0 / 64.0;
   return std::max(least, pixels / (pixels_per_radian > 0.0 ? pixels_per_radian : reference_pixels_per_radian));
 }
 
