@@ -5,7 +5,7 @@
 #include "shared/solids_above.h"
 
 layout(binding = slot_frame) uniform Frame { FrameData frame; };
-int eye_index() { return 0; }  // whichever side this view is of, light is what goes to the first eye
+int eye_index() { return 0; }  // both eyes share the pictures: they have the light that goes to the first
 #include "lib/solid_light.glsl"
 
 layout(location = 0) out vec4 sent;  // a: one over the distance from the pictures' middle, 1/m

@@ -17,7 +17,7 @@ struct Most {
   std::uint64_t draws = 0, triangles = 0;
 };
 
-// How many views draw a pass's triangles: both eyes, or their one picture.
+// How many times a pass draws its triangles: once for each eye, or once for a picture that both eyes share.
 std::uint64_t views_of(std::string_view pass) { return pass == "sun map" || pass == "above" ? 1 : 2; }
 
 // The scene that a path is made for: the longest name that the path's begins with.
